@@ -1,0 +1,51 @@
+// impact-sim: the kernel at the desk. `impact-sim --help` says what it does.
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <host_ref/tool/benchmark.hpp>
+#include <host_ref/tool/options.hpp>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/sweep.hpp>
+#include <host_ref/tool/trajectory.hpp>
+#include <iostream>
+
+namespace impact::host {
+namespace {
+
+int run_tool(int count, const char* const* texts) {
+  const std::vector<Argument> arguments = arguments_from(count, texts);
+  if (std::any_of(arguments.begin(), arguments.end(), [](const Argument& a) { return a.name == "help"; })) {
+    Output output("");
+    output.write(help());
+    output.commit();
+    return 0;
+  }
+  const Settings settings = settings_from(arguments);
+  if (!settings.sweep.empty()) return run_sweep(settings, arguments);
+  if (!settings.benchmark) return write_trajectory(settings);
+  write_benchmark(settings);
+  return 0;
+}
+
+int refuse(int exit_code, std::string message) {
+  for (char& letter : message) {
+    if (std::iscntrl(static_cast<unsigned char>(letter))) letter = '?';  // whatever the input holds: one line
+  }
+  std::cerr << "impact-sim: " + message + "\n";
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace impact::host
+
+int main(int count, char** texts) {
+  using namespace impact::host;
+  try {
+    return run_tool(count, texts);
+  } catch (const BadInput& bad) {
+    return refuse(2, bad.what());
+  } catch (const std::exception& failure) {
+    return refuse(1, failure.what());
+  }
+}

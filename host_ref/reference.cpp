@@ -1,0 +1,502 @@
+#include "host_ref/reference.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace impact::host {
+namespace {
+
+using Real = long double;
+constexpr Real real(double x) { return static_cast<Real>(x); }
+
+// A function on a window of time, scaled to [0, 1], as its Taylor series about the window's start.
+constexpr int order = 30;
+using Series = Eigen::Matrix<Real, order + 1, 1>;
+using SeriesOrColumn = Eigen::Ref<const Series>;
+
+Real value(const SeriesOrColumn& p, Real s) {
+  Real sum = 0;
+  for (int k = order; k >= 0; --k) sum = sum * s + p[k];
+  return sum;
+}
+
+Series derivative(const SeriesOrColumn& p) {
+  Series result = Series::Zero();
+  for (int k = 0; k < order; ++k) result[k] = static_cast<Real>(k + 1) * p[k + 1];
+  return result;
+}
+
+// Coefficient k of a product, from the coefficients up to k of its factors.
+Real product(const SeriesOrColumn& p, const SeriesOrColumn& q, int k) {
+  return p.head(k + 1).dot(q.head(k + 1).reverse());
+}
+
+// The first s in [0, end] at which p rises through zero. The bound on |p''| makes a parabola above p, and the search
+// advances to where that parabola reaches zero: it cannot pass a root, and near one it converges quadratically. A
+// positive p that is falling is the rounding of an event just past.
+std::optional<Real> first_rise(Series p, Real end) {
+  if (p[0] >= 0 && p[1] > 0) return Real{0};
+  p[0] = std::min(p[0], Real{0});
+  const Series slope = derivative(p);
+  const Real curvature = derivative(slope).cwiseAbs().sum();
+  constexpr Real least_advance = 0x1p-60L;
+  for (Real s = 0; s <= end;) {
+    const Real height = value(p, s), rate = value(slope, s);
+    if (s > 0 && height >= 0) return s;
+    if (curvature <= 0 && rate <= 0) return std::nullopt;
+    const Real root = std::sqrt(rate * rate - 2 * curvature * height);
+    s += std::max(rate > 0 ? -2 * height / (rate + root) : (root - rate) / curvature, least_advance);
+  }
+  return std::nullopt;
+}
+
+// A window is a fraction of the fastest vibration, so that it holds one interior maximum at most.
+Real largest(const SeriesOrColumn& p, Real end) {
+  const Real at_ends = std::max(value(p, 0), value(p, end));
+  const auto peak = first_rise(-derivative(p), end);
+  return peak ? std::max(at_ends, value(p, *peak)) : at_ends;
+}
+
+// Main mass, ball relative to the main mass, drive: x1, v1, y, y', F and its partner G (F' = w G, G' = -w F for a sine;
+// F' = G for a sampled drive).
+using Vector = Eigen::Matrix<Real, 6, 1>;
+using Generator = Eigen::Matrix<Real, 6, 6>;
+
+// z' = A z solved by exp(A t), over windows of about half a radian of the fastest mode: the exponentials of the window
+// and of its binary fractions are computed once, so that any instant is a product of a few of them. The tolerance sets
+// the window as it sets a Taylor step, so that runs at two tolerances differ in their rounding too.
+class LinearFlow {
+ public:
+  LinearFlow(const Generator& generator, Real tolerance) {
+    const Eigen::Matrix<double, 6, 6> rounded = generator.cast<double>();
+    const Real radians = 0.5L * std::pow(tolerance / real(reference_tolerance), Real{1} / order);
+    window_ = radians / real(std::max(1.0, rounded.eigenvalues().cwiseAbs().maxCoeff()));
+    scaled_ = generator * window_;
+    // In units of the window the terms are alike in size, so that small entries keep their digits.
+    Vector units;
+    units << window_, 1, window_, 1, 1 / window_, 1 / window_;
+    const Vector inverse = units.cwiseInverse();
+    const Generator balanced = inverse.asDiagonal() * scaled_ * units.asDiagonal();
+    Real fraction = 1;
+    for (auto& exponential : exponentials_) {
+      exponential = units.asDiagonal() * (balanced * fraction).exp() * inverse.asDiagonal();
+      fraction /= 2;
+    }
+  }
+
+  Real window() const { return window_; }
+
+  Vector advance(Vector z, Real fraction) const {
+    for (const auto& exponential : exponentials_) {
+      if (fraction >= 1) {
+        z = exponential * z;
+        fraction -= 1;
+      }
+      fraction *= 2;
+    }
+    constexpr Real finest = 1 / static_cast<Real>(1LL << halvings);
+    return z + scaled_ * z * (fraction * finest / 2);
+  }
+
+  // The series of each component of z on the window, one in a row.
+  Eigen::Matrix<Real, 6, order + 1> series(const Vector& z) const {
+    Eigen::Matrix<Real, 6, order + 1> result;
+    result.col(0) = z;
+    for (int k = 1; k <= order; ++k) result.col(k) = scaled_ * result.col(k - 1) / static_cast<Real>(k);
+    return result;
+  }
+
+ private:
+  static constexpr int halvings = 34;  // the remainder of 2^-35 window needs one Taylor term
+  Real window_ = 0;
+  Generator scaled_;
+  Generator exponentials_[halvings + 1];
+};
+
+// The scene in the reference's arithmetic.
+struct Constants {
+  explicit Constants(const Scene& scene)
+      : M(real(scene.main_mass)),
+        k(real(scene.main_stiffness)),
+        c(real(scene.main_damping)),
+        m(real(scene.ball_mass)),
+        half_clearance(real(scene.clearance) / 2),
+        k1(real(scene.contact_stiffness)),
+        F0(real(scene.drive_amplitude)),
+        pulsation(real(scene.drive_pulsation)) {}
+  Real M, k, c, m, half_clearance, k1, F0, pulsation;
+};
+
+Generator generator(const Constants& scene, DriveKind drive, Real k1, Real c1) {
+  Generator a = Generator::Zero();
+  a(0, 1) = 1;
+  a.row(1) << -scene.k / scene.M, -scene.c / scene.M, k1 / scene.M, c1 / scene.M, 1 / scene.M, 0;
+  a(2, 3) = 1;
+  a.row(3) = -a.row(1);
+  a(3, 2) -= k1 / scene.m;
+  a(3, 3) -= c1 / scene.m;
+  if (drive == DriveKind::sine) {
+    a(4, 5) = scene.pulsation;
+    a(5, 4) = -scene.pulsation;
+  } else if (drive == DriveKind::sampled) {
+    a(4, 5) = 1;
+  }
+  return a;
+}
+
+}  // namespace
+
+double drive_force(const Case& run, double t) {
+  switch (run.drive) {
+    case DriveKind::none:
+      return 0;
+    case DriveKind::sine:
+      return run.scene.drive_amplitude * std::sin(run.scene.drive_pulsation * t);
+    case DriveKind::sampled: {
+      if (run.samples.empty()) return 0;
+      const double position = std::clamp(t / run.sample_step, 0.0, static_cast<double>(run.samples.size() - 1));
+      const auto before = static_cast<size_t>(position);
+      const size_t after = std::min(before + 1, run.samples.size() - 1);
+      return run.samples[before] + (run.samples[after] - run.samples[before]) * (position - std::floor(position));
+    }
+  }
+  return 0;
+}
+
+class Reference::Motion {
+ public:
+  Motion(const Case& run, Real tolerance)
+      : run_(run),
+        scene_(run.scene),
+        tolerance_(tolerance),
+        c1_(run.law == Law::hertz ? 0 : real(run.scene.contact_damping)),
+        apart_flow_(generator(scene_, run.drive, 0, 0), tolerance) {
+    if (linear_contact()) contact_flow_.emplace(generator(scene_, run.drive, scene_.k1, c1_), tolerance);
+    now_.x1 = real(run.scene.x1);
+    now_.v1 = real(run.scene.v1);
+    now_.y = real(run.scene.x2) - now_.x1;
+    now_.rate = real(run.scene.v2) - now_.v1;
+    for (const int side : {-1, 1}) {
+      if (!has_stop(side) || penetration(side) <= 0) continue;
+      side_ = side;
+      phase_ = clamped() && law_force() < 0 ? Phase::released : Phase::touching;
+    }
+    open_window();
+  }
+
+  void advance(Real t) {
+    while (end_ <= t) {
+      now_ = at(event_.at);
+      now_.t = end_;
+      enter(event_);
+      open_window();
+    }
+    now_ = at(place_of(t));
+    now_.t = t;
+  }
+
+  Sample sample() const {
+    Sample result;
+    result.t = static_cast<double>(now_.t);
+    result.x1 = static_cast<double>(now_.x1);
+    result.v1 = static_cast<double>(now_.v1);
+    result.x2 = static_cast<double>(now_.x1 + now_.y);
+    result.v2 = static_cast<double>(now_.v1 + now_.rate);
+    Real deepest = -std::numeric_limits<Real>::infinity();
+    for (const int side : {-1, 1}) {
+      if (has_stop(side)) deepest = std::max(deepest, penetration(side));
+    }
+    result.penetration = static_cast<double>(deepest);
+    result.contact_force = phase_ == Phase::touching ? static_cast<double>(law_force()) : 0;
+    result.energy_dissipated = static_cast<double>(now_.dissipated);
+    result.drive_work = static_cast<double>(now_.drive_work);
+    result.impacts = impacts_;
+    result.peak_force = static_cast<double>(now_.peak_force);
+    return result;
+  }
+
+ private:
+  enum class Phase { apart, touching, released };  // released: let go at zero force, still penetrating
+
+  struct Instant {
+    Real t = 0, x1 = 0, v1 = 0, y = 0, rate = 0, dissipated = 0, drive_work = 0, peak_force = 0;
+  };
+
+  // What ends a window, at a fraction of it: a change of phase, or the window's own length.
+  struct Event {
+    Real at;
+    Phase next;
+    int side;
+  };
+
+  // Columns of the series of a window. A linear window has the last three only, its state comes from the flow.
+  enum { time, x1, v1, r, u, applied, partner, dissipated, drive_work, force, columns };
+
+  bool linear_contact() const { return run_.law == Law::hooke_newton; }
+  bool clamped() const { return run_.scene.tension == Tension::clamp; }
+  bool has_stop(int side) const {
+    return run_.scene.stops == Stops::both || run_.scene.stops == (side > 0 ? Stops::right : Stops::left);
+  }
+  Real penetration(int side) const { return static_cast<Real>(side) * now_.y - scene_.half_clearance; }
+
+  Real law_force() const {
+    const Real delta = std::max(penetration(side_), Real{0}), speed = static_cast<Real>(side_) * now_.rate;
+    if (linear_contact()) return scene_.k1 * delta + c1_ * speed;
+    return delta * std::sqrt(delta) * (scene_.k1 + c1_ * speed);
+  }
+
+  Real spring_energy() const {
+    const Real delta = std::max(penetration(side_), Real{0});
+    return scene_.k1 * delta * delta * (linear_contact() ? 0.5L : 0.4L * std::sqrt(delta));
+  }
+
+  // The drive and its partner F, G at t; for a sampled drive, of the segment in progress.
+  std::pair<Real, Real> drive() const {
+    switch (run_.drive) {
+      case DriveKind::none:
+        break;
+      case DriveKind::sine: {
+        const Real phase = scene_.pulsation * now_.t;
+        return {scene_.F0 * std::sin(phase), scene_.F0 * std::cos(phase)};
+      }
+      case DriveKind::sampled: {
+        if (run_.samples.empty()) return {0, 0};
+        const Real before = real(run_.samples[segment_]);
+        if (segment_ + 1 == run_.samples.size()) return {before, 0};
+        const Real slope = (real(run_.samples[segment_ + 1]) - before) / real(run_.sample_step);
+        return {before + slope * (now_.t - segment_end(segment_) + real(run_.sample_step)), slope};
+      }
+    }
+    return {0, 0};
+  }
+
+  Real segment_end(size_t segment) const { return static_cast<Real>(segment + 1) * real(run_.sample_step); }
+
+  Real end_of_drive_segment() {
+    while (segment_ + 1 < run_.samples.size() && segment_end(segment_) <= now_.t) ++segment_;
+    return segment_ + 1 < run_.samples.size() ? segment_end(segment_) : std::numeric_limits<Real>::infinity();
+  }
+
+  static void keep_earlier(Event& first, std::optional<Real> at, Phase next, int side) {
+    if (at && *at < first.at) first = Event{*at, next, side};
+  }
+
+  void enter(const Event& event) {
+    if (event.next == phase_) return;
+    const Phase before = phase_;
+    phase_ = event.next;
+    side_ = event.side;
+    if (before == Phase::apart || phase_ == Phase::apart) {
+      now_.y = static_cast<Real>(side_) * scene_.half_clearance;
+    } else {
+      now_.dissipated += phase_ == Phase::released ? spring_energy() : -spring_energy();
+    }
+    if (before != Phase::apart) return;
+    ++impacts_;
+    if (run_.law == Law::hunt_crossley && run_.scene.damping == Damping::per_impact) {
+      const Real approach_speed = std::max(static_cast<Real>(side_) * now_.rate, real(least_approach_speed));
+      c1_ = 1.5L * scene_.k1 * (1 - real(run_.scene.restitution)) / approach_speed;
+    }
+  }
+
+  void open_window() {
+    start_ = now_;
+    const Real end_of_drive = end_of_drive_segment();
+    if (phase_ == Phase::touching && !linear_contact()) {
+      open_power_law_window(end_of_drive);
+    } else {
+      open_linear_window(end_of_drive);
+    }
+  }
+
+  // Where in the window the instant t is, as a fraction.
+  Real place_of(Real t) const {
+    if (flow_) return (t - start_.t) / flow_->window();
+    Series remaining = series_.col(time);
+    remaining[0] -= t - start_.t;
+    return first_rise(remaining, event_.at).value_or(event_.at);
+  }
+
+  Instant at(Real place) const {
+    Instant result = start_;
+    result.dissipated += value(series_.col(dissipated), place);
+    result.drive_work += value(series_.col(drive_work), place);
+    if (phase_ == Phase::touching) {
+      result.peak_force = std::max(result.peak_force, largest(series_.col(force), place));
+    }
+    if (flow_) {
+      const Vector z = flow_->advance(origin_, place);
+      result.x1 = z[0];
+      result.v1 = z[1];
+      result.y = z[2] + stop_;
+      result.rate = z[3];
+    } else {
+      const Real root = value(series_.col(r), place);
+      result.x1 = value(series_.col(x1), place);
+      result.v1 = value(series_.col(v1), place);
+      result.y = static_cast<Real>(side_) * (scene_.half_clearance + root * root);
+      result.rate = static_cast<Real>(side_) * value(series_.col(u), place);
+    }
+    return result;
+  }
+
+  void open_linear_window(Real end_of_drive) {
+    const bool touching = phase_ == Phase::touching;
+    const Real side = static_cast<Real>(side_);
+    const auto [force_now, partner_now] = drive();
+    flow_ = touching ? &*contact_flow_ : &apart_flow_;
+    stop_ = touching ? side * scene_.half_clearance : 0;
+    origin_ << now_.x1, now_.v1, now_.y - stop_, now_.rate, force_now, partner_now;
+    const auto z = flow_->series(origin_);
+    const Series rate = z.row(3);
+    const auto penetration_series = [&](int of) -> Series {
+      Series p = static_cast<Real>(of) * z.row(2);
+      p[0] += static_cast<Real>(of) * stop_ - scene_.half_clearance;
+      return p;
+    };
+    Series sign_of_force = c1_ * side * rate;
+    if (linear_contact()) {
+      sign_of_force += scene_.k1 * penetration_series(side_);
+    } else {
+      sign_of_force[0] += scene_.k1;
+    }
+
+    series_.setZero();
+    const Series applied_force = z.row(4), velocity = z.row(1);
+    for (int k = 0; k < order; ++k) {
+      const Real share = flow_->window() / static_cast<Real>(k + 1);
+      series_(k + 1, drive_work) = share * product(applied_force, velocity, k);
+      if (touching) series_(k + 1, dissipated) = share * c1_ * product(rate, rate, k);
+    }
+    if (touching) series_.col(force) = sign_of_force;
+
+    const Real whole = std::min((end_of_drive - start_.t) / flow_->window(), Real{1});
+    event_ = {whole, phase_, side_};
+    if (phase_ == Phase::apart) {
+      for (const int of : {-1, 1}) {
+        if (has_stop(of)) keep_earlier(event_, first_rise(penetration_series(of), whole), Phase::touching, of);
+      }
+    } else if (touching && clamped()) {
+      keep_earlier(event_, first_rise(-sign_of_force, whole), Phase::released, side_);
+    } else {
+      keep_earlier(event_, first_rise(-penetration_series(side_), whole), Phase::apart, side_);
+      if (!touching) keep_earlier(event_, first_rise(sign_of_force, whole), Phase::touching, side_);
+    }
+    end_ = event_.at == whole && whole < 1 ? end_of_drive : start_.t + event_.at * flow_->window();
+  }
+
+  // With u the penetration rate, a1 the main mass's acceleration and ' = d/dtheta: t' = r, r' = u / 2, u' = r delta'',
+  // x1' = r v1, v1' = r a1, force = r^3 (k1 + c1 u). Each line of the recursion is one of these.
+  void open_power_law_window(Real end_of_drive) {
+    flow_ = nullptr;
+    const Real side = static_cast<Real>(side_);
+    const auto [force_now, partner_now] = drive();
+    auto& c = series_;
+    c.setZero();
+    c.row(0).head(partner + 1) << 0, now_.x1, now_.v1, std::sqrt(std::max(penetration(side_), Real{0})),
+        side * now_.rate, force_now, partner_now;
+    Series r2 = Series::Zero(), r3 = r2, factor = r2, a1 = r2, a = r2, x1_rate = r2, r_u = r2, r3_u = r2;
+    for (int k = 0; k < order; ++k) {
+      r2[k] = product(c.col(r), c.col(r), k);
+      r3[k] = product(r2, c.col(r), k);
+      factor[k] = (k == 0 ? scene_.k1 : 0) + c1_ * c(k, u);
+      c(k, force) = product(r3, factor, k);
+      a1[k] = (c(k, applied) - scene_.c * c(k, v1) - scene_.k * c(k, x1) + side * c(k, force)) / scene_.M;
+      a[k] = -c(k, force) / scene_.m - side * a1[k];
+      x1_rate[k] = product(c.col(r), c.col(v1), k);
+      r_u[k] = product(c.col(r), c.col(u), k);
+      r3_u[k] = product(r3, c.col(u), k);
+      const Real next = static_cast<Real>(k + 1);
+      c(k + 1, time) = c(k, r) / next;
+      c(k + 1, x1) = x1_rate[k] / next;
+      c(k + 1, v1) = product(c.col(r), a1, k) / next;
+      c(k + 1, r) = c(k, u) / (2 * next);
+      c(k + 1, u) = product(c.col(r), a, k) / next;
+      if (run_.drive == DriveKind::sine) {
+        c(k + 1, applied) = scene_.pulsation * product(c.col(r), c.col(partner), k) / next;
+        c(k + 1, partner) = -scene_.pulsation * product(c.col(r), c.col(applied), k) / next;
+      } else {
+        c(k + 1, applied) = partner_now * c(k, r) / next;
+      }
+      c(k + 1, dissipated) = c1_ * product(r3_u, r_u, k) / next;
+      c(k + 1, drive_work) = product(c.col(applied), x1_rate, k) / next;
+    }
+
+    // The step, no more than twice the last one, whose last two terms are within tolerance of the largest.
+    Series powers = Series::Ones();
+    const auto resolved = [&](Real step) {
+      for (int k = 1; k <= order; ++k) powers[k] = powers[k - 1] * step;
+      for (const int column : {x1, v1, r, u}) {
+        const Series terms = c.col(column).cwiseProduct(powers).cwiseAbs();
+        if (terms.tail(2).maxCoeff() > tolerance_ * terms.maxCoeff()) return false;
+      }
+      return true;
+    };
+    step_ *= 2;
+    while (!resolved(step_)) step_ *= 0.8L;
+    for (int k = 0; k <= order; ++k) c.row(k) *= powers[k];
+
+    event_ = {1, phase_, side_};
+    keep_earlier(event_, first_rise(-c.col(r), 1), Phase::apart, side_);
+    if (clamped()) {
+      factor = c1_ * c.col(u);
+      factor[0] += scene_.k1;
+      keep_earlier(event_, first_rise(-factor, 1), Phase::released, side_);
+    }
+    end_ = start_.t + value(c.col(time), event_.at);
+    if (end_ > end_of_drive) {
+      event_ = {place_of(end_of_drive), phase_, side_};
+      end_ = end_of_drive;
+    }
+  }
+
+  Case run_;
+  Constants scene_;
+  Real tolerance_;
+  Real c1_;
+  LinearFlow apart_flow_;
+  std::optional<LinearFlow> contact_flow_;
+
+  Instant now_;
+  Phase phase_ = Phase::apart;
+  int side_ = 1;
+  long impacts_ = 0;
+  size_t segment_ = 0;  // of a sampled drive
+
+  // The window in progress.
+  Instant start_;
+  Real end_ = 0;
+  Event event_{};
+  Eigen::Matrix<Real, order + 1, columns> series_;
+  const LinearFlow* flow_ = nullptr;  // null in power-law contact
+  Vector origin_;                     // of the flow, y measured from stop_
+  Real stop_ = 0;
+  Real step_ = 1;  // of theta
+};
+
+Reference::Reference(const Case& run, double tolerance) : motion_(std::make_unique<Motion>(run, real(tolerance))) {}
+Reference::~Reference() = default;
+Reference::Reference(Reference&&) noexcept = default;
+void Reference::advance(double t) { motion_->advance(real(t)); }
+Sample Reference::sample() const { return motion_->sample(); }
+
+Trajectory reference_trajectory(const Case& run, double sample_interval, double duration, double tolerance) {
+  Trajectory result;
+  Reference fine(run, tolerance), coarse(run, 1000 * tolerance);
+  const auto count = static_cast<size_t>(std::floor(duration / sample_interval * (1 + 1e-12)));
+  for (size_t i = 0; i <= count; ++i) {
+    const double t = static_cast<double>(i) * sample_interval;
+    fine.advance(t);
+    coarse.advance(t);
+    const Sample a = fine.sample(), b = coarse.sample();
+    result.samples.push_back(a);
+    result.error_estimate = std::max({result.error_estimate, std::abs(a.x1 - b.x1), std::abs(a.x2 - b.x2)});
+  }
+  return result;
+}
+
+}  // namespace impact::host

@@ -1,0 +1,205 @@
+#include "host_ref/simulation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "host_ref/closed_form.hpp"
+#include "host_ref/simulation_of.hpp"
+
+namespace impact::host {
+namespace {
+
+template <class Enumerator, size_t size>
+using Names = std::array<std::pair<std::string_view, Enumerator>, size>;
+
+constexpr Names<Law, 3> laws = {{{"hooke-newton", Law::hooke_newton}, {"hertz", Law::hertz}, {"hunt-crossley", Law::hunt_crossley}}};
+constexpr Names<Stepper, 8> steppers = {{{"auto", Stepper::automatic},
+                                         {"average", Stepper::average},
+                                         {"linear", Stepper::linear},
+                                         {"fox-goodwin", Stepper::fox_goodwin},
+                                         {"central", Stepper::central},
+                                         {"moment", Stepper::moment},
+                                         {"energy", Stepper::energy},
+                                         {"impulsive", Stepper::impulsive}}};
+constexpr Names<Numeric, 4> numerics = {{{"float32", Numeric::float32},
+                                         {"float32-plain", Numeric::float32_plain},
+                                         {"fixed32", Numeric::fixed32},
+                                         {"float64", Numeric::float64}}};
+
+template <class Enumerator, size_t size>
+std::optional<Enumerator> find(const Names<Enumerator, size>& names, std::string_view name) {
+  for (const auto& [known, value] : names)
+    if (known == name) return value;
+  return std::nullopt;
+}
+template <class Enumerator, size_t size>
+std::string_view name_in(const Names<Enumerator, size>& names, Enumerator value) {
+  for (const auto& [name, known] : names)
+    if (known == value) return name;
+  return {};
+}
+
+std::string text(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", x);
+  return buffer;
+}
+Refusal refusal(const char* field, double value, Range range) {
+  return {field, text(value), text(range.least) + " to " + text(range.most)};
+}
+
+// The moment-fitted step is stable from 3 steps a contact on, and within 1e-3 of the law's restitution from 8.
+constexpr double least_steps_per_contact = 3;
+
+constexpr Bounds unbounded{bound_range.most, bound_range.most, bound_range.most, force_range.most};
+
+double contact_time_of(const Request& request, double speed) {
+  const Scene& scene = request.scene;
+  const double reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
+  return contact_time({request.law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed, Tension::clamp})
+      .value_or(0);
+}
+
+// Half as much again as a float64 run of the same scene reaches, so that a rounding cannot pass them.
+Bounds measured_bounds(const Request& request) {
+  constexpr double margin = 1.5;
+  const Planned planned = plan_simulation<Float64>(request, unbounded);
+  Bounds bounds{1e-6, 1e-6, 1e-6, 1e-6};
+  for (double force : request.samples) bounds.force = std::max(bounds.force, std::abs(force));
+  if (!planned.simulation) return bounds;
+  const auto note = [&bounds, &planned] {
+    const Sample now = planned.simulation->sample();
+    bounds.displacement = std::max({bounds.displacement, margin * std::abs(now.x1), margin * std::abs(now.x2)});
+    bounds.speed = std::max({bounds.speed, margin * std::abs(now.v1), margin * std::abs(now.v2)});
+    bounds.penetration = std::max(bounds.penetration, margin * now.penetration);
+  };
+  const long steps = std::lround(request.duration / request.step);
+  note();
+  for (long i = 0; i < steps; ++i) {
+    planned.simulation->step(request.samples.empty() ? 0 : request.samples[static_cast<size_t>(i)]);
+    note();
+  }
+  bounds.displacement = std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * request.step});
+  return bounds;
+}
+
+Refusal refusal_for(Status status, const Request& request, const Bounds& bounds) {
+  const Scene& scene = request.scene;
+  switch (status) {
+    case Status::ok:
+      break;
+    case Status::main_mass:
+      return refusal("main-mass", scene.main_mass, mass_range);
+    case Status::main_stiffness:
+      return refusal("main-stiffness", scene.main_stiffness, main_stiffness_range);
+    case Status::main_damping:
+      return refusal("main-damping", scene.main_damping, main_damping_range);
+    case Status::ball_mass:
+      return refusal("ball-mass", scene.ball_mass, mass_range);
+    case Status::clearance:
+      return refusal("clearance", scene.clearance, clearance_range);
+    case Status::contact_stiffness:
+      return refusal("contact-stiffness", scene.contact_stiffness, contact_stiffness_range);
+    case Status::contact_damping:
+      return refusal("contact-damping", scene.contact_damping, contact_damping_range);
+    case Status::restitution:
+      return refusal("restitution", scene.restitution, restitution_range);
+    case Status::drive_amplitude:
+      return refusal("drive-amplitude", scene.drive_amplitude, force_range);
+    case Status::drive_pulsation:
+      return refusal("drive-pulsation", scene.drive_pulsation, {0, 1e6});
+    case Status::initial_displacement:
+      return refusal(initial_displacement_range.holds(scene.x1) ? "x2" : "x1",
+                     initial_displacement_range.holds(scene.x1) ? scene.x2 : scene.x1, initial_displacement_range);
+    case Status::initial_velocity:
+      return refusal(initial_velocity_range.holds(scene.v1) ? "v2" : "v1",
+                     initial_velocity_range.holds(scene.v1) ? scene.v2 : scene.v1, initial_velocity_range);
+    case Status::step: {
+      const double phase = request.stepper == Stepper::linear        ? LinearAcceleration::longest_phase
+                           : request.stepper == Stepper::fox_goodwin ? FoxGoodwin::longest_phase
+                           : request.stepper == Stepper::central     ? CentralDifference::longest_phase
+                           : request.stepper == Stepper::average     ? AverageAcceleration::longest_phase
+                                                                     : Moment::longest_phase;
+      return refusal("step", request.step, {1e-9, longest_step(scene, phase)});
+    }
+    case Status::displacement_bound:
+    case Status::speed_bound:
+    case Status::penetration_bound:
+    case Status::force_bound:
+      return {"numeric", "fixed32",
+              "another format: one of displacement " + text(bounds.displacement) + " m, speed " + text(bounds.speed) +
+                  " m/s, penetration " + text(bounds.penetration) + " m has no room in 32 bits beside the others"};
+  }
+  return {};
+}
+
+// The plan's choice and what it rests on, for standard error.
+class Described final : public Simulation {
+ public:
+  Described(std::unique_ptr<Simulation> simulation, std::string description)
+      : simulation_(std::move(simulation)), description_(std::move(description)) {}
+  void step(double force) override { simulation_->step(force); }
+  Sample sample() const override { return simulation_->sample(); }
+  const char* fault() const override { return simulation_->fault(); }
+  std::string description() const override { return description_; }
+
+ private:
+  std::unique_ptr<Simulation> simulation_;
+  std::string description_;
+};
+
+}  // namespace
+
+std::optional<Law> law_named(std::string_view name) { return find(laws, name); }
+std::optional<Stepper> stepper_named(std::string_view name) { return find(steppers, name); }
+std::optional<Numeric> numeric_named(std::string_view name) { return find(numerics, name); }
+std::string_view name_of(Law law) { return name_in(laws, law); }
+std::string_view name_of(Stepper stepper) { return name_in(steppers, stepper); }
+std::string_view name_of(Numeric numeric) { return name_in(numerics, numeric); }
+
+Outcome make_simulation(const Request& asked) {
+  Request request = asked;
+  if (request.stepper == Stepper::energy || request.stepper == Stepper::impulsive)
+    return {nullptr, {"newmark", std::string(name_of(request.stepper)), "auto, average, linear, fox-goodwin, central, moment"}};
+  if (request.stepper == Stepper::automatic) request.stepper = Stepper::moment;
+
+  Bounds bounds{};
+  if (request.bounds)
+    bounds = *request.bounds;
+  else if (request.numeric == Numeric::fixed32)
+    bounds = measured_bounds(request);
+  else
+    bounds = unbounded;
+  Planned planned{};
+  switch (request.numeric) {
+    case Numeric::float32:
+      planned = plan_simulation<Float32>(request, bounds);
+      break;
+    case Numeric::float32_plain:
+      planned = plan_simulation<Float32Plain>(request, bounds);
+      break;
+    case Numeric::fixed32:
+      planned = plan_simulation<Fixed32>(request, bounds);
+      break;
+    case Numeric::float64:
+      planned = plan_simulation<Float64>(request, bounds);
+      break;
+  }
+  if (planned.status != Status::ok) return {nullptr, refusal_for(planned.status, request, bounds)};
+
+  // The fewest steps a contact of this scene has are those of its fastest impact; without bounds, of one at 1 m/s.
+  const double speed = request.bounds ? 2 * request.bounds->speed : 1;
+  const double steps = contact_time_of(request, speed) / request.step;
+  if (request.stepper == Stepper::moment && steps > 0 && steps < least_steps_per_contact)
+    return {nullptr,
+            refusal("step", request.step, {1e-9, contact_time_of(request, speed) / least_steps_per_contact})};
+  return {std::make_unique<Described>(std::move(planned.simulation), std::string(name_of(request.stepper)) + ", " +
+                                                                         text(steps) + " steps per contact at " +
+                                                                         text(speed) + " m/s"),
+          {}};
+}
+
+}  // namespace impact::host

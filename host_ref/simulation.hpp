@@ -1,0 +1,71 @@
+#pragma once
+// The kernel behind one run-time interface: the tool, the tests and the report choose law, stepper and number format by
+// name; what steps is the same template that a firmware image compiles, with its plan made at run time.
+
+#include <impact/scene.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace impact::host {
+
+enum class Stepper { average, linear, fox_goodwin, central, moment, energy, impulsive, automatic };
+enum class Numeric { float32, float32_plain, fixed32, float64 };
+enum class DriveKind { none, sine, sampled };
+
+struct Request {
+  Law law = Law::hunt_crossley;
+  Stepper stepper = Stepper::automatic;
+  Numeric numeric = Numeric::float64;
+  DriveKind drive = DriveKind::sine;
+  Scene scene{};
+  double step = 1e-4;              // h, s
+  std::optional<Bounds> bounds{};  // fixed32: when absent, twice what a float64 run of `duration` reaches
+  double duration = 1.0;           // s, used only to find bounds
+  std::vector<double> samples{};   // drive samples, N, used only to find bounds
+};
+
+// One row of output, SI units.
+struct Sample {
+  double t = 0, x1 = 0, v1 = 0, x2 = 0, v2 = 0;
+  double penetration = 0;        // negative while apart, m
+  double contact_force = 0;      // >= 0 when tension is clamped, N
+  double energy_dissipated = 0;  // by contact since the start, J
+  double drive_work = 0;         // by the drive since the start, J
+  long impacts = 0;              // contacts begun since the start
+  double peak_force = 0;         // largest contact force since the start, N
+};
+
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+  virtual void step(double force) = 0;          // advances by h; `force` is the sample at the end of the step
+  virtual Sample sample() const = 0;            // the state now
+  virtual const char* fault() const = 0;        // nullptr, or why the state is no longer to be trusted
+  virtual std::string description() const = 0;  // what the plan chose, one line for standard error
+};
+
+// A request that the kernel cannot plan, with the field at fault ("contact-stiffness", as the tool's option), its value
+// and what is allowed.
+struct Refusal {
+  std::string field, value, allowed;
+};
+
+// Either a simulation or the reason why there is none.
+struct Outcome {
+  std::unique_ptr<Simulation> simulation;
+  Refusal refusal;
+};
+Outcome make_simulation(const Request& request);
+
+std::optional<Law> law_named(std::string_view name);  // hooke-newton, hertz, hunt-crossley
+std::optional<Stepper> stepper_named(
+    std::string_view name);  // auto, average, linear, fox-goodwin, central, moment, energy, impulsive
+std::optional<Numeric> numeric_named(std::string_view name);  // float32, float32-plain, fixed32, float64
+std::string_view name_of(Law law);
+std::string_view name_of(Stepper stepper);
+std::string_view name_of(Numeric numeric);
+
+}  // namespace impact::host

@@ -1,0 +1,3 @@
+#include "host_ref/simulation_of.hpp"
+
+template impact::host::Planned impact::host::plan_simulation<impact::Fixed32>(const Request&, const Bounds&);

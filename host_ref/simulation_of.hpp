@@ -1,0 +1,165 @@
+#pragma once
+// The kernel's template behind the run-time interface, for one number format. A source file each instantiates one format, so
+// that they compile side by side.
+
+#include <impact/absorber.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_ref/simulation.hpp"
+
+namespace impact::host {
+
+// Either a simulation or why there is none.
+struct Planned {
+  std::unique_ptr<Simulation> simulation;
+  Status status = Status::ok;
+};
+
+template <class Format>
+Planned plan_simulation(const Request& request, const Bounds& bounds);
+
+extern template Planned plan_simulation<Float32>(const Request&, const Bounds&);
+extern template Planned plan_simulation<Float32Plain>(const Request&, const Bounds&);
+extern template Planned plan_simulation<Fixed32>(const Request&, const Bounds&);
+extern template Planned plan_simulation<Float64>(const Request&, const Bounds&);
+
+// The law in double at a penetration and its rate, for what the tool prints beside the state.
+template <class ContactLaw>
+double law_force(const Scene& scene, double damping, double penetration, double rate) {
+  const double shape = ContactLaw::law == Law::hooke_newton ? 1 : penetration * std::sqrt(penetration);
+  const double elastic = scene.contact_stiffness * (ContactLaw::law == Law::hooke_newton ? penetration : shape);
+  return elastic + damping * shape * rate;
+}
+
+template <class Format, class ContactLaw, class Stepper, class Drive>
+class KernelSimulation final : public Simulation {
+ public:
+  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, EnergyLedger, ImpactLog>;
+
+  KernelSimulation(const Request& request, const Bounds& bounds, const typename Kernel::PlanType& plan)
+      : request_(request), sample_unit_(Format::sample_unit(bounds.force)), kernel_(plan) {}
+
+  void step(double force) override {
+    if constexpr (Drive::is_sampled)
+      kernel_.step(Format::sample(force / sample_unit_));
+    else
+      kernel_.step();
+    ++steps_;
+  }
+
+  Sample sample() const override {
+    const auto now = kernel_.reading();
+    const auto& state = kernel_.state();
+    const auto& plan = kernel_.plan;
+    const auto& scene = request_.scene;
+    const double side = state.at_left ? -1 : 1;
+    const double pair_unit = plan.force_unit * plan.units.si_penetration_unit();
+    Sample sample{};
+    sample.t = static_cast<double>(steps_) * request_.step;
+    sample.x1 = now.x1;
+    sample.v1 = now.v1;
+    sample.x2 = now.x2;
+    sample.v2 = now.v2;
+    const double y = now.x2 - now.x1, gap = scene.clearance / 2;
+    sample.penetration = scene.stops == Stops::right  ? y - gap
+                         : scene.stops == Stops::left ? -y - gap
+                                                      : std::abs(y) - gap;
+    if (kernel_.is_touching()) {
+      sample.penetration = side * y - gap;
+      const double rate = side * (now.v2 - now.v1), depth = std::max(sample.penetration, 0.0);
+      sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, rate);
+      if (scene.tension == Tension::clamp || ContactLaw::law != Law::hooke_newton)
+        sample.contact_force = std::max(sample.contact_force, 0.0);
+    }
+    sample.energy_dissipated = state.dissipated.total() * pair_unit;
+    sample.drive_work = state.drive_work.total() * plan.drive_unit * plan.units.si_penetration_unit();
+    sample.impacts = state.impacts;
+    sample.peak_force = plan.units.fraction(state.peak_force) * plan.force_unit;
+    return sample;
+  }
+
+  const char* fault() const override {
+    switch (kernel_.fault()) {
+      case Fault::none:
+        return nullptr;
+      case Fault::displacement:
+        return "a displacement beyond its bound";
+      case Fault::speed:
+        return "a speed beyond its bound";
+      case Fault::penetration:
+        return "a penetration beyond its bound";
+    }
+    return nullptr;
+  }
+
+  std::string description() const override { return {}; }  // make_simulation says what was chosen
+
+ private:
+  double damping() const {
+    if constexpr (ContactLaw::is_damped_per_impact) {
+      const auto& plan = kernel_.plan;
+      const double v0 = plan.units.si_penetration(kernel_.state().impact_rate) / plan.step;
+      return v0 > 0 ? 1.5 * request_.scene.contact_stiffness * (1 - request_.scene.restitution) / v0 : 0;
+    }
+    return ContactLaw::is_damped ? request_.scene.contact_damping : 0;
+  }
+
+  Request request_;
+  double sample_unit_;
+  Kernel kernel_;
+  long steps_ = 0;
+};
+
+template <class Format, class ContactLaw, class Stepper, class Drive>
+Planned plan_for(const Request& request, const Bounds& bounds) {
+  const auto plan = Plan<Format, ContactLaw, Stepper, Drive>::make(request.scene, bounds, request.step);
+  if (plan.status != Status::ok) return {nullptr, plan.status};
+  return {std::make_unique<KernelSimulation<Format, ContactLaw, Stepper, Drive>>(request, bounds, plan), Status::ok};
+}
+
+template <class Format, class ContactLaw, class Stepper>
+Planned plan_with_drive(const Request& request, const Bounds& bounds) {
+  switch (request.drive) {
+    case DriveKind::none:
+      return plan_for<Format, ContactLaw, Stepper, NoDrive>(request, bounds);
+    case DriveKind::sine:
+      return plan_for<Format, ContactLaw, Stepper, Sine>(request, bounds);
+    case DriveKind::sampled:
+      break;
+  }
+  return plan_for<Format, ContactLaw, Stepper, Sampled>(request, bounds);
+}
+
+template <class Format, class ContactLaw>
+Planned plan_with_stepper(const Request& request, const Bounds& bounds) {
+  switch (request.stepper) {
+    case Stepper::average:
+      return plan_with_drive<Format, ContactLaw, AverageAcceleration>(request, bounds);
+    case Stepper::linear:
+      return plan_with_drive<Format, ContactLaw, LinearAcceleration>(request, bounds);
+    case Stepper::fox_goodwin:
+      return plan_with_drive<Format, ContactLaw, FoxGoodwin>(request, bounds);
+    case Stepper::central:
+      return plan_with_drive<Format, ContactLaw, CentralDifference>(request, bounds);
+    default:
+      return plan_with_drive<Format, ContactLaw, Moment>(request, bounds);
+  }
+}
+
+template <class Format>
+Planned plan_simulation(const Request& request, const Bounds& bounds) {
+  switch (request.law) {
+    case Law::hooke_newton:
+      return plan_with_stepper<Format, HookeNewton>(request, bounds);
+    case Law::hertz:
+      return plan_with_stepper<Format, Hertz>(request, bounds);
+    case Law::hunt_crossley:
+      break;
+  }
+  if (request.scene.damping == Damping::per_impact) return plan_with_stepper<Format, HuntCrossleyPerImpact>(request, bounds);
+  return plan_with_stepper<Format, HuntCrossley>(request, bounds);
+}
+
+}  // namespace impact::host

@@ -1,0 +1,195 @@
+#include "host_ref/textbook_newmark.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace impact::host {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+struct ContactForce {
+  double force, stiffness, damping;  // f, df/d delta, df/d delta'
+};
+
+ContactForce contact_force(Law law, double k1, double c1, double delta, double rate) {
+  if (law == Law::hooke_newton) return {k1 * delta + c1 * rate, k1, c1};
+  const double root = std::sqrt(std::max(delta, 0.0)), power = root * root * root;
+  if (law == Law::hertz) return {k1 * power, 1.5 * k1 * root, 0};
+  return {power * (k1 + c1 * rate), 1.5 * root * (k1 + c1 * rate), power * c1};
+}
+
+double stored_energy(Law law, double k1, double delta) {
+  const double depth = std::max(delta, 0.0);
+  return k1 * depth * depth * (law == Law::hooke_newton ? 0.5 : 0.4 * std::sqrt(depth));
+}
+
+double penetration(const Scene& scene, int side, double x1, double x2) {
+  return side * (x2 - x1) - scene.clearance / 2;
+}
+
+// The stop that is penetrated deepest, or least missed.
+int nearest_stop(const Scene& scene, double x1, double x2) {
+  if (scene.stops != Stops::both) return scene.stops == Stops::right ? 1 : -1;
+  return x2 >= x1 ? 1 : -1;
+}
+
+// Brings the sums of a run up to the state that `now` describes; `before` is the state a step earlier.
+void account(const Case& run, double h, const Sample& before, int side_before, int side, double& work, Sample& now) {
+  const auto power = [](const Sample& at, int of) { return at.contact_force * of * (at.v2 - at.v1); };
+  work += h * (power(before, side_before) + power(now, side)) / 2;
+  const double stored =
+      now.contact_force != 0 ? stored_energy(run.law, run.scene.contact_stiffness, now.penetration) : 0;
+  now.energy_dissipated = work - stored;
+  now.drive_work =
+      before.drive_work + h * (drive_force(run, before.t) * before.v1 + drive_force(run, now.t) * now.v1) / 2;
+  now.impacts = before.impacts + (now.penetration > 0 && before.penetration <= 0 ? 1 : 0);
+  now.peak_force = std::max(before.peak_force, now.contact_force);
+}
+
+Sample initial_sample(const Case& run) {
+  const Scene& scene = run.scene;
+  Sample sample;
+  sample.x1 = scene.x1;
+  sample.v1 = scene.v1;
+  sample.x2 = scene.x2;
+  sample.v2 = scene.v2;
+  const int side = nearest_stop(scene, scene.x1, scene.x2);
+  sample.penetration = penetration(scene, side, scene.x1, scene.x2);
+  if (sample.penetration > 0) {
+    const double rate = side * (scene.v2 - scene.v1);
+    sample.contact_force =
+        contact_force(run.law, scene.contact_stiffness, scene.contact_damping, sample.penetration, rate).force;
+    if (scene.tension == Tension::clamp) sample.contact_force = std::max(sample.contact_force, 0.0);
+  }
+  sample.peak_force = std::max(sample.contact_force, 0.0);
+  return sample;
+}
+
+}  // namespace
+
+Motion newmark_step(const LinearSystem& system, double beta, double h, const Motion& start, const VectorXd& external,
+                    const InternalForceLaw& internal) {
+  constexpr double gamma = 0.5;
+  const VectorXd displacement = start.displacement + h * start.velocity + h * h * (0.5 - beta) * start.acceleration;
+  const VectorXd velocity = start.velocity + h * (1 - gamma) * start.acceleration;
+  Motion end{displacement, velocity, VectorXd::Zero(displacement.size())};
+  // Convergence is quadratic; the cap ends the last-bit cycles of a root that rounding does not let settle.
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const InternalForce inner = internal(end.displacement, end.velocity);
+    const VectorXd residual = external - system.mass * end.acceleration - system.damping * end.velocity -
+                              system.stiffness * end.displacement - inner.force;
+    const Eigen::MatrixXd tangent = system.mass + gamma * h * (system.damping + inner.damping) +
+                                    beta * h * h * (system.stiffness + inner.stiffness);
+    const VectorXd correction = tangent.partialPivLu().solve(residual);
+    end.acceleration += correction;
+    end.velocity = velocity + gamma * h * end.acceleration;
+    end.displacement = displacement + beta * h * h * end.acceleration;
+    if (correction.norm() <= 1e-14 * end.acceleration.norm()) break;
+  }
+  return end;
+}
+
+TextbookNewmark::TextbookNewmark(const Case& run, double beta, double step)
+    : run_(run), beta_(beta), step_(step), sample_(initial_sample(run)) {
+  const Scene& scene = run.scene;
+  system_.mass = Vector2d(scene.main_mass, scene.ball_mass).asDiagonal();
+  system_.damping = Vector2d(scene.main_damping, 0).asDiagonal();
+  system_.stiffness = Vector2d(scene.main_stiffness, 0).asDiagonal();
+  motion_.displacement = Vector2d(scene.x1, scene.x2);
+  motion_.velocity = Vector2d(scene.v1, scene.v2);
+  if (sample_.penetration > 0) side_ = nearest_stop(scene, scene.x1, scene.x2);
+  const double force = side_ * sample_.contact_force;
+  motion_.acceleration =
+      system_.mass.partialPivLu().solve(Vector2d(drive_force(run, 0) + force, -force) -
+                                        system_.damping * motion_.velocity - system_.stiffness * motion_.displacement);
+}
+
+void TextbookNewmark::step() {
+  Scene& scene = run_.scene;
+  const Sample before = sample_;
+  const int side_before = side_;
+  sample_.t = static_cast<double>(++steps_) * step_;
+  const Vector2d external(drive_force(run_, sample_.t), 0);
+
+  const auto no_contact = [](const VectorXd&, const VectorXd&) {
+    return InternalForce{Vector2d::Zero(), Matrix2d::Zero(), Matrix2d::Zero()};
+  };
+  Motion end = newmark_step(system_, beta_, step_, motion_, external, no_contact);
+  const int side = nearest_stop(scene, end.displacement[0], end.displacement[1]);
+  side_ = penetration(scene, side, end.displacement[0], end.displacement[1]) > 0 ? side : 0;
+  double force = 0;
+  if (side_ != 0) {
+    if (scene.damping == Damping::per_impact && side_before == 0) {
+      const double approach_speed = std::max(side_ * (before.v2 - before.v1), least_approach_speed);
+      scene.contact_damping = 1.5 * scene.contact_stiffness * (1 - scene.restitution) / approach_speed;
+    }
+    const auto contact = [&](const VectorXd& x, const VectorXd& v) {
+      return contact_force(run_.law, scene.contact_stiffness, scene.contact_damping,
+                           penetration(scene, side_, x[0], x[1]), side_ * (v[1] - v[0]));
+    };
+    const auto internal = [&](const VectorXd& x, const VectorXd& v) {
+      const ContactForce f = contact(x, v);
+      const Vector2d direction(-side_, side_);
+      const Matrix2d coupling = direction * direction.transpose();
+      return InternalForce{f.force * direction, f.stiffness * coupling, f.damping * coupling};
+    };
+    const Motion touching = newmark_step(system_, beta_, step_, motion_, external, internal);
+    force = contact(touching.displacement, touching.velocity).force;
+    if (scene.tension == Tension::clamp && force < 0) {
+      force = 0;
+    } else {
+      end = touching;
+    }
+  }
+  motion_ = end;
+
+  sample_.x1 = end.displacement[0];
+  sample_.v1 = end.velocity[0];
+  sample_.x2 = end.displacement[1];
+  sample_.v2 = end.velocity[1];
+  const int nearest = nearest_stop(scene, sample_.x1, sample_.x2);
+  sample_.penetration = penetration(scene, nearest, sample_.x1, sample_.x2);
+  sample_.contact_force = force;
+  account(run_, step_, before, side_before, side_, work_on_contact_, sample_);
+}
+
+TextbookRungeKutta::TextbookRungeKutta(const Case& run, double step)
+    : run_(run), step_(step), sample_(initial_sample(run)) {}
+
+void TextbookRungeKutta::step() {
+  const Scene& scene = run_.scene;
+  const Sample before = sample_;
+  const auto contact = [&](const Eigen::Vector4d& z) {
+    const int side = nearest_stop(scene, z[0], z[2]);
+    const double delta = penetration(scene, side, z[0], z[2]);
+    if (delta <= 0) return 0.0;
+    const double force =
+        contact_force(run_.law, scene.contact_stiffness, scene.contact_damping, delta, side * (z[3] - z[1])).force;
+    return scene.tension == Tension::clamp ? std::max(force, 0.0) : force;
+  };
+  const auto slope = [&](double t, const Eigen::Vector4d& z) -> Eigen::Vector4d {
+    const double force = nearest_stop(scene, z[0], z[2]) * contact(z);
+    const double pull = drive_force(run_, t) + force - scene.main_damping * z[1] - scene.main_stiffness * z[0];
+    return {z[1], pull / scene.main_mass, z[3], -force / scene.ball_mass};
+  };
+  const Eigen::Vector4d z(before.x1, before.v1, before.x2, before.v2);
+  const double t = before.t, h = step_;
+  const Eigen::Vector4d a = slope(t, z), b = slope(t + h / 2, z + h / 2 * a), c = slope(t + h / 2, z + h / 2 * b),
+                        d = slope(t + h, z + h * c);
+  const Eigen::Vector4d end = z + h / 6 * (a + 2 * b + 2 * c + d);
+
+  sample_.t = static_cast<double>(++steps_) * h;
+  sample_.x1 = end[0];
+  sample_.v1 = end[1];
+  sample_.x2 = end[2];
+  sample_.v2 = end[3];
+  const int side = nearest_stop(scene, end[0], end[2]);
+  sample_.penetration = penetration(scene, side, end[0], end[2]);
+  sample_.contact_force = contact(end);
+  account(run_, h, before, nearest_stop(scene, before.x1, before.x2), side, work_on_contact_, sample_);
+}
+
+}  // namespace impact::host

@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <chrono>
+#include <host_ref/tool/benchmark.hpp>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/text.hpp>
+#include <limits>
+
+namespace impact::host {
+namespace {
+
+// A negative number when there is no such stepper.
+double nanoseconds_per_step(Law law, Stepper stepper, Numeric numeric) {
+  Settings settings;
+  settings.request.law = law;
+  settings.request.stepper = stepper;
+  settings.request.numeric = numeric;
+  settings.request.duration = 2;
+  settle(settings, {});
+  const long steps = step_count(settings.request);
+  double fastest = std::numeric_limits<double>::infinity();
+  for (int repetition = 0; repetition < 5; ++repetition) {
+    const auto simulation = make_simulation(settings.request).simulation;
+    if (!simulation) return -1;
+    const auto start = std::chrono::steady_clock::now();
+    for (long n = 0; n < steps; ++n) simulation->step(0);
+    const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
+    fastest = std::min(fastest, elapsed.count() / static_cast<double>(steps));
+  }
+  return fastest;
+}
+
+}  // namespace
+
+void write_benchmark(const Settings& settings) {
+  Output output(settings.output);
+  output.write("law,newmark,numeric,host_ns_per_step\n");
+  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
+    for (const Stepper stepper : {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
+                                  Stepper::moment, Stepper::energy, Stepper::impulsive}) {
+      for (const Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}) {
+        const double time = nanoseconds_per_step(law, stepper, numeric);
+        if (time < 0) continue;
+        std::string row =
+            std::string(name_of(law)) + "," + std::string(name_of(stepper)) + "," + std::string(name_of(numeric)) + ",";
+        append_number(row, time, 4);
+        output.write(row + "\n");
+      }
+    }
+  }
+  output.commit();
+}
+
+}  // namespace impact::host

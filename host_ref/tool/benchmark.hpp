@@ -1,0 +1,12 @@
+#pragma once
+// Nanoseconds a step on this machine for each law, stepper and number format: law,newmark,numeric,host_ns_per_step.
+// The paper's scene over 2 s at h = 0.1 ms, one virtual call a step included; the fastest of five runs, because
+// whatever disturbs a run only slows it down.
+
+#include <host_ref/tool/settings.hpp>
+
+namespace impact::host {
+
+void write_benchmark(const Settings& settings);
+
+}  // namespace impact::host

@@ -1,0 +1,311 @@
+#include <algorithm>
+#include <functional>
+#include <host_ref/tool/options.hpp>
+#include <host_ref/tool/text.hpp>
+#include <utility>
+
+namespace impact::host {
+namespace {
+
+struct Option {
+  std::string name;
+  std::string placeholder;  // stands for the value in --help; empty for a flag
+  std::string help;
+  std::string allowed;
+  std::string initial;  // the default
+  bool scene;
+  std::function<bool(Settings&, const std::string&)> store;  // false: the value is not allowed
+
+  Option by_default(const char* text) && {
+    initial = text;
+    return std::move(*this);
+  }
+};
+
+template <class Value>
+using Field = std::function<Value&(Settings&)>;
+
+template <class Value>
+Field<Value> field(Value Scene::*member) {
+  return [member](Settings& settings) -> Value& { return settings.request.scene.*member; };
+}
+template <class Value>
+Field<Value> field(Value Request::*member) {
+  return [member](Settings& settings) -> Value& { return settings.request.*member; };
+}
+template <class Value>
+Field<Value> field(Value Settings::*member) {
+  return [member](Settings& settings) -> Value& { return settings.*member; };
+}
+// One bound given means that none is looked for: the others keep the kernel's defaults.
+Field<double> field(double Bounds::*member) {
+  return [member](Settings& settings) -> double& {
+    auto& bounds = settings.request.bounds;
+    if (!bounds) bounds.emplace();
+    return (*bounds).*member;
+  };
+}
+
+template <class Value>
+Value initial_value(const Field<Value>& field) {
+  Settings settings;
+  return field(settings);
+}
+
+Option number(const char* name, const char* unit, double lowest, double highest, const Field<double>& field,
+              const char* help) {
+  const std::string range = "a number from " + short_text(lowest) + " to " + short_text(highest);
+  return {name,
+          *unit ? unit : "E",
+          help,
+          *unit ? range + " " + unit : range,
+          short_text(initial_value(field)),
+          true,
+          [=](Settings& settings, const std::string& text) {
+            const auto value = number_from(text);
+            if (!value || *value < lowest || *value > highest) return false;
+            field(settings) = *value;
+            return true;
+          }};
+}
+
+template <class Value>
+Option choice(const char* name, const std::vector<std::pair<std::string, Value>>& values, const Field<Value>& field,
+              const char* help) {
+  std::string allowed, initial;
+  for (const auto& [text, value] : values) {
+    allowed += (allowed.empty() ? "" : ", ") + text;
+    if (value == initial_value(field)) initial = text;
+  }
+  return {name, "NAME", help, allowed, initial, true, [=](Settings& settings, const std::string& text) {
+            for (const auto& [name_of_value, value] : values) {
+              if (name_of_value != text) continue;
+              field(settings) = value;
+              return true;
+            }
+            return false;
+          }};
+}
+
+template <class Value>
+std::vector<std::pair<std::string, Value>> named(std::initializer_list<Value> values) {
+  std::vector<std::pair<std::string, Value>> names;
+  for (const Value value : values) names.emplace_back(name_of(value), value);
+  return names;
+}
+
+Option count(const char* name, const Field<long>& field, const char* help) {
+  return {name,
+          "N",
+          help,
+          "a whole number from 1 to 1000000000",
+          std::to_string(initial_value(field)),
+          false,
+          [=](Settings& settings, const std::string& text) {
+            const auto value = whole_number_from(text);
+            if (!value || *value < 1 || *value > 1000000000) return false;
+            field(settings) = *value;
+            return true;
+          }};
+}
+
+Option file(const char* name, const Field<std::string>& field, bool scene, const char* help) {
+  return {name, "FILE", help, "a file name", "", scene, [=](Settings& settings, const std::string& text) {
+            field(settings) = text;
+            return !text.empty();
+          }};
+}
+
+Option flag(const char* name, const Field<bool>& field, bool scene, const char* help) {
+  return {name, "", help, "yes, or leave the option out", "", scene, [=](Settings& settings, const std::string& text) {
+            return field(settings) = text == "yes";
+          }};
+}
+
+bool store_shard(Settings& settings, const std::string& text) {
+  const size_t slash = text.find('/');
+  if (slash == std::string::npos) return false;
+  const auto index = whole_number_from(text.substr(0, slash)), shards = whole_number_from(text.substr(slash + 1));
+  if (!index || !shards || *index < 1 || *index > *shards) return false;
+  settings.shard = {*index, *shards};
+  return true;
+}
+
+const std::vector<Option>& options() {
+  static const std::vector<Option> table = {
+      choice("law", named({Law::hooke_newton, Law::hertz, Law::hunt_crossley}), field(&Request::law), "contact law"),
+      choice("newmark",
+             named({Stepper::automatic, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
+                    Stepper::moment, Stepper::energy, Stepper::impulsive}),
+             field(&Request::stepper),
+             "time stepper (auto: the plan's rule, said on standard error; the next four: classical Newmark with "
+             "pointwise contact)"),
+      choice("numeric", named({Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}),
+             field(&Request::numeric), "number format (float32: with compensated state)"),
+      number("step", "s", 1e-9, 0.1, field(&Request::step), "length of a step"),
+      number("duration", "s", 0, 1e7, field(&Request::duration),
+             "simulated time, rounded to whole steps, at most 1e9 of them")
+          .by_default("1, or as long as --drive-file lasts"),
+
+      number("main-mass", "kg", 1e-6, 1e6, field(&Scene::main_mass), "main mass"),
+      number("main-stiffness", "N/m", 0, 1e12, field(&Scene::main_stiffness), "its spring"),
+      number("main-damping", "N.s/m", 0, 1e9, field(&Scene::main_damping), "its damper"),
+      number("ball-mass", "kg", 1e-6, 1e6, field(&Scene::ball_mass), "the absorber's ball"),
+      number("clearance", "m", 0, 1e9, field(&Scene::clearance), "the ball's whole free travel, from stop to stop"),
+      choice<Stops>("stops", {{"both", Stops::both}, {"left", Stops::left}, {"right", Stops::right}},
+                    field(&Scene::stops), "stops that are there"),
+
+      number("contact-stiffness", "N/m^p", 1e-6, 1e15, field(&Scene::contact_stiffness),
+             "stiffness of a stop, p = 1 for hooke-newton and 3/2 otherwise"),
+      number("contact-damping", "N.s/m^q", 0, 1e15, field(&Scene::contact_damping),
+             "damping of a stop, q = 1 for hooke-newton and 5/2 for hunt-crossley; hertz has none")
+          .by_default("19560 for hunt-crossley, 20.81 for hooke-newton (the paper's)"),
+      number("restitution", "", 1e-3, 1, field(&Scene::restitution),
+             "sets the contact damping, exactly for the law, instead of --contact-damping")
+          .by_default("not used"),
+      number("impact-speed", "m/s", 1e-6, 1e4, field(&Settings::impact_speed),
+             "speed at which hunt-crossley is to show that restitution; no matter to the other laws"),
+      flag("paper-damping", field(&Settings::paper_damping), true,
+           "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
+      choice<Damping>("damping", {{"constant", Damping::constant}, {"per-impact", Damping::per_impact}},
+                      field(&Scene::damping),
+                      "per-impact: hunt-crossley with --restitution, the paper's (2.9) at each impact's own speed"),
+      choice<Tension>("tension", {{"allow", Tension::allow}, {"clamp", Tension::clamp}}, field(&Scene::tension),
+                      "allow: a stop may pull until the penetration ends; clamp: it lets go at zero force"),
+
+      choice<DriveKind>("drive", {{"none", DriveKind::none}, {"sine", DriveKind::sine}}, field(&Request::drive),
+                        "force on the main mass"),
+      number("drive-amplitude", "N", 0, 1e9, field(&Scene::drive_amplitude), "of the sine"),
+      number("drive-pulsation", "rad/s", 0, 1e6, field(&Scene::drive_pulsation), "of the sine"),
+      file("drive-file", field(&Settings::drive_file), true,
+           "force samples instead, one a line and step: line n holds the force in N at the end of step n; 0 at t = 0"),
+
+      number("x1", "m", -1e3, 1e3, field(&Scene::x1), "initial displacement of the main mass"),
+      number("v1", "m/s", -1e4, 1e4, field(&Scene::v1), "and its velocity"),
+      number("x2", "m", -1e3, 1e3, field(&Scene::x2), "initial displacement of the ball, in the same frame"),
+      number("v2", "m/s", -1e4, 1e4, field(&Scene::v2), "and its velocity"),
+
+      number("bound-displacement", "m", 1e-9, 1e6, field(&Bounds::displacement),
+             "largest displacement that fixed32 makes room for, beyond which the kernel raises a fault; without any "
+             "--bound, twice what a float64 run reaches"),
+      number("bound-speed", "m/s", 1e-9, 1e6, field(&Bounds::speed), "and the largest speed"),
+      number("bound-penetration", "m", 1e-9, 1e6, field(&Bounds::penetration), "and the largest penetration"),
+      number("bound-force", "N", 1e-9, 1e9, field(&Bounds::force), "and the largest sample of a --drive-file"),
+
+      count("every", field(&Settings::every), "write every N-th step, the initial state first"),
+      file("output", field(&Settings::output), false, "replaced as a whole when the run ends")
+          .by_default("standard output"),
+      file("plot", field(&Settings::plot), false,
+           "draw the main mass's displacement with and without absorber as SVG (with gnuplot)"),
+      file("sweep", field(&Settings::sweep), false,
+           "one scene a line of a CSV whose header names options; the other options hold for all; a summary row a "
+           "scene, on all cores; goes on where an interrupted run with the same --output stopped"),
+      {"shard", "I/N", "with --sweep: every N-th scene, beginning with the I-th", "I/N, whole numbers, 1 <= I <= N",
+       "1/1", false, store_shard},
+      flag("benchmark", field(&Settings::benchmark), false,
+           "instead of a scene: nanoseconds a step on this machine for each law, stepper and number format")};
+  return table;
+}
+
+const Option* find_option(const std::string& name) {
+  for (const Option& option : options()) {
+    if (option.name == name) return &option;
+  }
+  return nullptr;
+}
+
+// Levenshtein's distance: the fewest insertions, deletions and replacements of a letter.
+size_t edits_between(const std::string& a, const std::string& b) {
+  std::vector<size_t> row(b.size() + 1);
+  for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = std::exchange(row[0], i);
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+const Option& option_named(const std::string& name, const std::string& value) {
+  if (const Option* option = find_option(name)) return *option;
+  const auto nearest = std::min_element(options().begin(), options().end(), [&](const Option& a, const Option& b) {
+    return edits_between(name, a.name) < edits_between(name, b.name);
+  });
+  const bool near = edits_between(name, nearest->name) <= 2;
+  throw BadInput("--" + name, value,
+                 near ? "the options of --help; --" + nearest->name + "?" : "the options of --help");
+}
+
+// As lines of at most 100 columns under an option's name.
+std::string indented(const std::string& text) {
+  constexpr size_t width = 94;
+  std::string lines;
+  for (size_t start = 0; start < text.size();) {
+    size_t end = text.size();
+    if (end - start > width) end = text.rfind(' ', start + width);
+    lines += "      " + text.substr(start, end - start) + "\n";
+    start = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<Argument> arguments_from(int count, const char* const* texts) {
+  std::vector<Argument> arguments;
+  for (int i = 1; i < count; ++i) {
+    const std::string text = texts[i];
+    if (text.size() < 3 || text.compare(0, 2, "--") != 0) throw BadInput(text, "", "the options of --help");
+    const size_t equals = text.find('=');
+    const std::string name = text.substr(2, equals == std::string::npos ? equals : equals - 2);
+    const Option* option = find_option(name);
+    if (equals != std::string::npos) {
+      arguments.push_back({name, text.substr(equals + 1)});
+    } else if (name == "help" || (option && option->placeholder.empty())) {
+      arguments.push_back({name, "yes"});
+    } else if (i + 1 < count && std::string(texts[i + 1]).compare(0, 2, "--") != 0) {
+      arguments.push_back({name, texts[++i]});
+    } else {
+      throw BadInput("--" + name, "without a value", option_named(name, "").allowed);
+    }
+  }
+  return arguments;
+}
+
+Settings settings_from(const std::vector<Argument>& arguments) {
+  Settings settings;
+  Given given;
+  for (const auto& [name, value] : arguments) {
+    const Option& option = option_named(name, value);
+    if (!given.emplace(name, value).second) throw BadInput("--" + name, value, "once");
+    if (!option.store(settings, value)) throw BadInput("--" + name, value.empty() ? "''" : value, option.allowed);
+  }
+  settle(settings, given);
+  return settings;
+}
+
+bool describes_scene(const std::string& name) { return option_named(name, "").scene; }
+
+std::string help() {
+  std::string text =
+      "impact-sim: runs one scene of an impact absorber with the kernel and writes CSV, in SI units:\n"
+      "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n\n"
+      "Without options it runs the paper's Hunt-Crossley scene at 40 rad/s. Options, as --name value or "
+      "--name=value:\n\n";
+  for (const Option& option : options()) {
+    const bool takes_value = !option.placeholder.empty();
+    text += "  --" + option.name + (takes_value ? " " + option.placeholder : "") + "\n";
+    std::string line = option.help;
+    if (takes_value && option.placeholder != "FILE") line += ": " + option.allowed;
+    if (!option.initial.empty()) line += "; default " + option.initial;
+    text += indented(line);
+  }
+  return text +
+         "\nExit codes: 0; 1 a file could not be written; 2 bad input, nothing written; 3 the kernel raised a fault,\n"
+         "the data up to the fault are written (a sweep goes on and names the fault in its row).\n";
+}
+
+}  // namespace impact::host

@@ -1,0 +1,23 @@
+#pragma once
+// The tool's options: one table drives parsing, --help and the text of every refusal.
+
+#include <host_ref/tool/settings.hpp>
+#include <string>
+#include <vector>
+
+namespace impact::host {
+
+struct Argument {
+  std::string name, value;  // name without its dashes
+};
+
+// `--name value` and `--name=value`; throws BadInput for anything else.
+std::vector<Argument> arguments_from(int count, const char* const* texts);
+
+// Throws BadInput for an unknown or repeated name, a value out of range and a contradiction.
+Settings settings_from(const std::vector<Argument>& arguments);
+
+bool describes_scene(const std::string& name);  // may head a column of a sweep
+std::string help();
+
+}  // namespace impact::host

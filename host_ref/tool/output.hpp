@@ -1,0 +1,34 @@
+#pragma once
+// A file that appears whole or not at all: written beside its target and renamed at the end. Standard output, devices
+// and pipes are written directly. Every write, the flush and the close are checked.
+
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace impact::host {
+
+// Exit code 1; the message names the file and the system's reason (errno).
+struct OutputError : std::runtime_error {
+  explicit OutputError(const std::string& file);
+};
+
+class Output {
+ public:
+  explicit Output(const std::string& path);  // empty: standard output
+  ~Output();                                 // without commit() the target stays as it was
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  void write(std::string_view text);
+  void flush();
+  void commit();
+  const std::string& written_path() const { return temporary_.empty() ? target_ : temporary_; }
+
+ private:
+  std::string target_, temporary_;
+  std::FILE* file_ = nullptr;
+};
+
+}  // namespace impact::host

@@ -1,0 +1,88 @@
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/plot.hpp>
+#include <host_ref/tool/text.hpp>
+#include <iostream>
+#include <sstream>
+
+namespace impact::host {
+namespace {
+
+bool on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char letter : text) result += letter == '\'' ? std::string("''") : std::string(1, letter);
+  return result + "'";
+}
+
+std::string data_block(const char* name, const Curve& curve) {
+  std::string text = std::string(name) + " << end\n";
+  for (const Curve::Point& point : curve.points()) {
+    append_number(text, point.t, 9);
+    text += ' ';
+    append_number(text, 1e3 * point.x, 6);
+    text += '\n';
+  }
+  return text + "end\n";
+}
+
+std::string title(const Request& request) {
+  std::string text = std::string(name_of(request.law)) + " contact, ";
+  switch (request.drive) {
+    case DriveKind::none:
+      return text + "no drive";
+    case DriveKind::sampled:
+      return text + "sampled drive";
+    case DriveKind::sine:
+      break;
+  }
+  return text + "driven by " + short_text(request.scene.drive_amplitude) + " N at " +
+         short_text(request.scene.drive_pulsation) + " rad/s";
+}
+
+}  // namespace
+
+void draw(const std::string& path, const Request& request, const Curve& with_absorber, const Curve& without_absorber) {
+  if (!on_path("gnuplot")) {
+    std::cerr << "impact-sim: --plot " << path << ": no gnuplot on this machine, nothing drawn\n";
+    return;
+  }
+  Output output(path);
+  // Vermilion and blue of Okabe and Ito's palette, which colour-blind readers tell apart; widths differ for print.
+  const std::string script =
+      "set terminal svg size 960,480 font 'sans-serif,15' background rgb 'white' noenhanced\n"
+      "set output " +
+      quoted(output.written_path()) +
+      "\n"
+      "set title '" +
+      title(request) +
+      "'\n"
+      "set xlabel 'time, s'\n"
+      "set ylabel 'displacement of the main mass, mm'\n"
+      "set key below height 1 samplen 3\n"
+      "set grid linecolor rgb '#dddddd'\n"
+      "set border 3 linecolor rgb '#444444'\n"
+      "set tics nomirror\n" +
+      data_block("$without", without_absorber) + data_block("$with", with_absorber) +
+      "plot $without with lines linewidth 1 linecolor rgb '#D55E00' title 'without absorber', "
+      "$with with lines linewidth 2 linecolor rgb '#0072B2' title 'with absorber'\n";
+  std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies shows in its exit status
+  std::FILE* gnuplot = popen("gnuplot", "w");
+  if (!gnuplot) throw OutputError(path);
+  std::fputs(script.c_str(), gnuplot);
+  if (pclose(gnuplot) != 0) throw std::runtime_error("--plot " + path + ": gnuplot failed");
+  output.commit();
+}
+
+}  // namespace impact::host

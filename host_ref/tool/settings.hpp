@@ -1,0 +1,40 @@
+#pragma once
+// What one call of the tool asks for, and the one way to refuse it.
+
+#include <host_ref/simulation.hpp>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace impact::host {
+
+struct Shard {
+  long index = 1, count = 1;  // the index-th of every `count` scenes
+};
+
+struct Settings {
+  Request request;
+  long every = 1;
+  double impact_speed = 0.8;  // m/s, at which Hunt-Crossley is to show the stated restitution
+  bool paper_damping = false, benchmark = false;
+  std::string drive_file, output, plot, sweep;
+  Shard shard;
+};
+
+// Exit code 2: one line that names the option, its value and what is allowed.
+struct BadInput : std::runtime_error {
+  BadInput(const std::string& option, const std::string& value, const std::string& allowed)
+      : std::runtime_error(option + (value.empty() ? "" : " ") + value + ": allowed: " + allowed) {}
+  explicit BadInput(const Refusal& refusal) : BadInput("--" + refusal.field, refusal.value, refusal.allowed) {}
+  BadInput(const std::string& where, const BadInput& what) : std::runtime_error(where + ": " + what.what()) {}
+};
+
+using Given = std::map<std::string, std::string>;  // the options as they were given: name without dashes, value
+
+// Refuses options that contradict each other and settles what depends on several: the contact damping (from
+// --restitution, or the law's default), the drive's samples, the duration that a drive file implies.
+void settle(Settings& settings, const Given& given);
+
+long step_count(const Request& request);  // duration / step to the nearest whole number
+
+}  // namespace impact::host

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/progress.hpp>
+#include <host_ref/tool/run.hpp>
+#include <host_ref/tool/summary_file.hpp>
+#include <host_ref/tool/sweep.hpp>
+#include <host_ref/tool/text.hpp>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace impact::host {
+namespace {
+
+struct SweptScene {
+  long number;
+  std::vector<Argument> arguments;
+  std::string key;  // how its row begins: the number and the values, each with its comma
+};
+
+struct Sweep {
+  std::string header;
+  std::vector<SweptScene> scenes;
+  std::map<long, std::string> keys;
+};
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  for (size_t start = 0; start <= line.size();) {
+    const size_t comma = std::min(line.find(',', start), line.size());
+    cells.emplace_back(trimmed(std::string_view(line).substr(start, comma - start)));
+    start = comma + 1;
+  }
+  return cells;
+}
+
+// That a kernel exists for the scene. When only running it tells fixed32's bounds, what depends on them is left to the
+// row's `fault`.
+void check(const std::vector<Argument>& arguments) {
+  Request request = settings_from(arguments).request;
+  if (request.numeric == Numeric::fixed32 && !request.bounds) request.numeric = Numeric::float64;
+  simulation_of(request);
+}
+
+// Reads and checks every line.
+Sweep read_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
+  std::ifstream input(settings.sweep);
+  std::string line;
+  if (!input || !std::getline(input, line)) throw BadInput("--sweep", settings.sweep, "a CSV file with a header");
+  const auto where = [&](long number) { return settings.sweep + " line " + std::to_string(number); };
+
+  std::vector<Argument> common;
+  for (const Argument& argument : arguments) {
+    if (describes_scene(argument.name)) common.push_back(argument);
+  }
+  const std::vector<std::string> columns = cells_of(line);
+  Sweep sweep{"scene,", {}, {}};
+  for (const Argument& argument : common) sweep.header += argument.name + ",";
+  for (const std::string& column : columns) {
+    try {
+      if (!describes_scene(column)) throw BadInput("--" + column, "", "the options that describe a scene");
+    } catch (const BadInput& bad) {
+      throw BadInput(where(1), bad);
+    }
+    sweep.header += column + ",";
+  }
+  sweep.header += "max_x1,rms_x1,attenuation,energy_dissipated,impacts,fault\n";
+
+  long scene = 0;
+  for (long number = 2; std::getline(input, line); ++number) {
+    if (trimmed(line).empty()) continue;
+    ++scene;
+    try {
+      const std::vector<std::string> cells = cells_of(line);
+      if (cells.size() != columns.size())
+        throw BadInput("a line", "of " + std::to_string(cells.size()) + " cells",
+                       std::to_string(columns.size()) + " as in the header");
+      SweptScene swept{scene, common, std::to_string(scene) + ","};
+      for (const Argument& argument : common) swept.key += argument.value + ",";
+      for (size_t i = 0; i < cells.size(); ++i) {
+        if (!cells[i].empty()) swept.arguments.push_back({columns[i], cells[i]});
+        swept.key += cells[i] + ",";
+      }
+      check(swept.arguments);
+      sweep.keys.emplace(scene, swept.key);
+      if ((scene - settings.shard.index) % settings.shard.count == 0) sweep.scenes.push_back(std::move(swept));
+    } catch (const BadInput& bad) {
+      throw BadInput(where(number), bad);
+    }
+  }
+  if (input.bad()) throw BadInput("--sweep", settings.sweep, "a file that can be read");
+  return sweep;
+}
+
+struct Summary {
+  double largest = 0, root_mean_square = 0;  // of x1, m
+  Sample last;
+  const char* fault = nullptr;
+};
+
+Summary summary_of(Simulation& simulation, const Request& request) {
+  Summary summary;
+  double squares = 0;
+  long samples = 0;
+  summary.fault = run(simulation, request, [&](long) {
+    summary.last = simulation.sample();
+    summary.largest = std::max(summary.largest, std::abs(summary.last.x1));
+    squares += summary.last.x1 * summary.last.x1;
+    ++samples;
+  });
+  summary.root_mean_square = std::sqrt(squares / static_cast<double>(samples));
+  return summary;
+}
+
+std::string one_cell(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ';');
+  return text;
+}
+
+// What follows the key in a scene's row.
+std::string results_of(const SweptScene& scene) {
+  const Request request = settings_from(scene.arguments).request;
+  const Outcome outcome = make_simulation(request);
+  if (!outcome.simulation) return ",,,,," + one_cell(BadInput(outcome.refusal).what()) + "\n";
+  const Summary summary = summary_of(*outcome.simulation, request);
+  const Request bare = without_absorber(request);
+  const double bare_largest = summary_of(*simulation_of(bare), bare).largest;
+
+  const int digits = significant_digits(request.numeric);
+  std::string text;
+  append_number(text, summary.largest, digits);
+  text += ',';
+  append_number(text, summary.root_mean_square, digits);
+  text += ',';
+  if (bare_largest > 0) append_number(text, 1 - summary.largest / bare_largest, digits);
+  text += ',';
+  append_number(text, summary.last.energy_dissipated, digits);
+  text += ',' + std::to_string(summary.last.impacts) + ',';
+  if (summary.fault) text += one_cell(summary.fault);
+  return text + "\n";
+}
+
+}  // namespace
+
+int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
+  const Sweep sweep = read_sweep(settings, arguments);
+  SummaryFile file(settings.output, sweep.header, sweep.keys);
+  std::vector<const SweptScene*> waiting;
+  for (const SweptScene& scene : sweep.scenes) {
+    if (!file.holds(scene.number)) waiting.push_back(&scene);
+  }
+
+  std::atomic<size_t> next{0};
+  std::mutex one_at_a_time;
+  std::exception_ptr error;
+  {
+    const auto total = static_cast<long>(sweep.scenes.size());
+    long done = total - static_cast<long>(waiting.size());
+    Progress progress("scenes", total);
+    const auto work = [&] {
+      for (size_t i = next++; i < waiting.size(); i = next++) {
+        try {
+          const std::string results = results_of(*waiting[i]);
+          const std::lock_guard<std::mutex> lock(one_at_a_time);
+          file.add(waiting[i]->number, waiting[i]->key + results);
+          progress.at(++done);
+        } catch (...) {
+          const std::lock_guard<std::mutex> lock(one_at_a_time);
+          error = std::current_exception();
+          next = waiting.size();
+        }
+      }
+    };
+    std::vector<std::thread> others;
+    for (size_t i = 1; i < std::min<size_t>(std::thread::hardware_concurrency(), waiting.size()); ++i)
+      others.emplace_back(work);
+    work();
+    for (std::thread& thread : others) thread.join();
+  }
+  if (error) std::rethrow_exception(error);
+  file.finish();
+  const bool fault = std::any_of(sweep.scenes.begin(), sweep.scenes.end(), [&](const SweptScene& scene) {
+    const std::string& row = file.row(scene.number);
+    return row.compare(row.size() - 2, 2, ",\n") != 0;  // its last cell names one
+  });
+  return fault ? 3 : 0;
+}
+
+}  // namespace impact::host

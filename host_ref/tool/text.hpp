@@ -1,0 +1,52 @@
+#pragma once
+// Numbers to and from text, in the C locale whatever the environment says.
+
+#include <charconv>
+#include <cmath>
+#include <host_ref/simulation.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace impact::host {
+
+template <class Value>
+std::optional<Value> value_from(std::string_view text) {
+  Value value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return {};
+  return value;
+}
+
+inline std::optional<long> whole_number_from(std::string_view text) { return value_from<long>(text); }
+
+// Finite numbers only.
+inline std::optional<double> number_from(std::string_view text) {
+  const auto value = value_from<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+inline void append_number(std::string& text, double value, int significant_digits) {
+  char digits[64];
+  text.append(digits,
+              std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, significant_digits).ptr);
+}
+
+inline std::string short_text(double value) {
+  std::string text;
+  append_number(text, value, 6);
+  return text;
+}
+
+// Enough to tell neighbouring values of the format apart.
+inline int significant_digits(Numeric numeric) {
+  return numeric == Numeric::float64 ? 17 : numeric == Numeric::fixed32 ? 13 : 9;
+}
+
+inline std::string_view trimmed(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \t\r");
+  return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+}  // namespace impact::host

@@ -1,0 +1,67 @@
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/plot.hpp>
+#include <host_ref/tool/progress.hpp>
+#include <host_ref/tool/run.hpp>
+#include <host_ref/tool/text.hpp>
+#include <host_ref/tool/trajectory.hpp>
+#include <iostream>
+
+namespace impact::host {
+namespace {
+
+constexpr int time_digits = 15;  // n h to the last digit that n and h determine
+constexpr long steps_between_looks_at_the_clock = 1024;
+
+std::string row(const Sample& sample, int digits) {
+  std::string text;
+  append_number(text, sample.t, time_digits);
+  for (const double value : {sample.x1, sample.v1, sample.x2, sample.v2, sample.penetration, sample.contact_force,
+                             sample.energy_dissipated}) {
+    text += ',';
+    append_number(text, value, digits);
+  }
+  return text += '\n';
+}
+
+Curve bare_curve(const Request& request) {
+  const Request bare = without_absorber(request);
+  const auto simulation = simulation_of(bare);
+  Curve curve(step_count(bare));
+  run(*simulation, bare, [&](long) {
+    const Sample sample = simulation->sample();
+    curve.add(sample.t, sample.x1);
+  });
+  return curve;
+}
+
+}  // namespace
+
+int write_trajectory(const Settings& settings) {
+  const Request& request = settings.request;
+  const auto simulation = simulation_of(request);
+  if (request.stepper == Stepper::automatic) std::cerr << "impact-sim: " << simulation->description() << "\n";
+
+  const long steps = step_count(request);
+  const int digits = significant_digits(request.numeric);
+  const bool plots = !settings.plot.empty();
+  Curve curve(steps);
+  const Curve bare = plots ? bare_curve(request) : Curve(0);
+  Output output(settings.output);
+  output.write("t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n");
+  const char* fault = nullptr;
+  {
+    Progress progress("steps", steps);
+    fault = run(*simulation, request, [&](long n) {
+      if (n % settings.every == 0) output.write(row(simulation->sample(), digits));
+      if (plots) curve.add(simulation->sample().t, simulation->sample().x1);
+      if (n % steps_between_looks_at_the_clock == 0) progress.at(n);
+    });
+  }
+  output.commit();
+  if (plots) draw(settings.plot, request, curve, bare);
+  if (!fault) return 0;
+  std::cerr << "impact-sim: fault at t = " << short_text(simulation->sample().t) << " s: " << fault << "\n";
+  return 3;
+}
+
+}  // namespace impact::host

@@ -1,0 +1,198 @@
+#pragma once
+// The kernel: an impact absorber that is stepped in real time. The one header that most users include.
+//
+//     struct Rig {
+//       static constexpr impact::Scene scene{};    // SI units
+//       static constexpr impact::Bounds bounds{};  // the largest values that the scene reaches
+//       static constexpr double step = 1e-4;       // s
+//     };
+//     using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sine, impact::Fixed32>;
+//     Absorber absorber;
+//     void timer_interrupt() { absorber.step(); write_dac(absorber.displacement()); }
+//
+// A scene is a type. What its template arguments do not name is not compiled: no power table for Hooke-Newton, no oscillator
+// for a sampled drive, no ledger and no log unless asked for.
+//
+//     contact law   HookeNewton, Hertz, HuntCrossley
+//     stepper       Moment, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference
+//     drive         NoDrive, Sine, Sampled
+//     format        Fixed32, Float32, Float32Plain, Float64 (host)
+//     features      EnergyLedger, ImpactLog
+//
+// A step is: both masses fly freely to its end (newmark/linear_flow.hpp); where the ball then stands inside a stop, the
+// contact finds the force's impulse and moment, and both masses answer to them.
+
+#include <impact/contact/hertz.hpp>
+#include <impact/contact/hooke_newton.hpp>
+#include <impact/contact/hunt_crossley.hpp>
+#include <impact/drive/none.hpp>
+#include <impact/drive/sampled.hpp>
+#include <impact/drive/sine.hpp>
+#include <impact/features.hpp>
+#include <impact/newmark/moment.hpp>
+#include <impact/newmark/pointwise.hpp>
+#include <impact/numeric/fixed32.hpp>
+#include <impact/numeric/real.hpp>
+#include <impact/plan.hpp>
+#include <impact/plan_source.hpp>
+#include <impact/scene.hpp>
+
+#include <stdint.h>
+
+namespace impact {
+
+// Why a state is no longer to be trusted. Sticky: the first fault stays until clear_fault() or reset(). The state has been
+// held at its bound and is finite.
+enum class Fault : uint16_t {
+  none,
+  displacement,  // a mass went beyond Bounds::displacement
+  speed,         // beyond Bounds::speed
+  penetration,   // beyond Bounds::penetration
+};
+
+template <class Rig, class ContactLaw, class Stepper, class Drive, class Format_, class... Features>
+class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Drive>> {
+ public:
+  using Format = Format_;
+  using Value = typename Format::Value;
+  using Long = typename Format::Long;
+  using PlanType = Plan<Format, ContactLaw, Stepper, Drive>;
+  using Contact = typename Stepper::template Contact<Format, ContactLaw>;
+  using PlanSource<Rig, PlanType>::plan;
+
+  // All that changes from step to step. Plain: it can be copied, kept and given back.
+  struct State : Features::template State<Format>... {
+    Long x1, w1, x2, w2;  // displacement and displacement per step: main mass, ball
+    typename Drive::template State<Format> drive;
+    Contact contact;
+    uint16_t at_left;  // the stop of the contact under way or last
+    Fault fault;
+  };
+
+  constexpr Absorber() { reset(); }
+  explicit constexpr Absorber(const PlanType& made) : PlanSource<Rig, PlanType>(made) { reset(); }
+
+  // Back to the scene's initial state, without fault.
+  constexpr void reset() {
+    state_ = State{};
+    state_.x1 = plan.x1;
+    state_.w1 = plan.w1;
+    state_.x2 = plan.x2;
+    state_.w2 = plan.w2;
+    state_.drive = decltype(state_.drive)::start(plan.drive);
+    const Value right = plan.units.penetration(state_.x2 - state_.x1), left = plan.units.penetration(state_.x1 - state_.x2);
+    if (plan.right_stop && is_positive(right)) {
+      state_.contact.start(plan.contact, plan.units, right, relative_rate(false));
+    } else if (plan.left_stop && is_positive(left)) {
+      state_.at_left = 1;
+      state_.contact.start(plan.contact, plan.units, left, relative_rate(true));
+    }
+    (Features::start(plan, state_), ...);
+  }
+
+  // Advances by one step. A sampled drive takes the sample at the step's end: newtons in a floating-point format, a fraction
+  // of Bounds::force in Q1.31 in Fixed32; the sample before the first is 0.
+  constexpr void step(Value sample = Value{}) {
+    Long made = state_.w1;
+    if constexpr (Drive::is_sampled) plan.units.add(made, state_.drive.kick(plan.drive, sample));
+    state_.x1.advance(made);
+    state_.x2.advance(state_.w2);
+    Value increment = -(plan.stiffness * plan.units.position(state_.x1)) - plan.damping * plan.units.displacement(state_.w1);
+    if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
+    if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
+    plan.units.add(state_.w1, increment);
+
+    if (!plan.units.in_range(state_.x1, state_.x2, state_.w1)) hold();
+    const bool is_right = plan.right_stop && plan.units.beyond_stop(state_.x2, state_.x1);
+    const bool is_left = plan.left_stop && plan.units.beyond_stop(state_.x1, state_.x2);
+    if (state_.contact.phase != Phase::apart || is_right || is_left) touch(made, is_left);
+    (Features::after_step(plan, state_), ...);
+  }
+
+  constexpr Value displacement() const { return plan.units.position(state_.x1); }       // of the main mass
+  constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
+  constexpr bool is_touching() const { return state_.contact.phase == Phase::touching; }
+  constexpr Fault fault() const { return state_.fault; }
+  constexpr void clear_fault() { state_.fault = Fault::none; }
+  constexpr const State& state() const { return state_; }
+  constexpr void restore(const State& state) { state_ = state; }
+
+  // In SI units, for a host: double arithmetic.
+  struct Reading {
+    double x1, v1, x2, v2;
+  };
+  constexpr Reading reading() const {
+    double u1 = plan.units.si(state_.w1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.w2);
+    if constexpr (Contact::carries) {
+      const double side = state_.at_left ? -1 : 1;
+      u1 -= side * plan.units.si_penetration(plan.contact.w1_share * state_.contact.force);
+      u2 += side * plan.units.si_penetration(plan.contact.w2_share * state_.contact.force);
+    }
+    return {plan.units.si_at(state_.x1), u1 / plan.step, plan.units.si_at(state_.x2), u2 / plan.step};
+  }
+
+ private:
+  // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
+  constexpr Value rate_ahead() const {
+    Value ahead = plan.rate_by_w1 * plan.units.displacement(state_.w1) + plan.rate_by_x1 * plan.units.position(state_.x1);
+    if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state_.drive.rate(plan.drive);
+    return ahead;
+  }
+
+  __attribute__((noinline)) constexpr void touch(Long made, bool is_left) {
+    const auto& units = plan.units;
+    if (state_.contact.phase == Phase::apart) state_.at_left = is_left;
+    const bool left = state_.at_left != 0;
+    if constexpr (Contact::carries) {
+      const Value carried = mirrored(state_.contact.force, left);
+      units.push(state_.w1, plan.contact.w1_next * carried);
+      units.push(state_.w2, -(plan.contact.w2_next * carried));
+    }
+    const Value trial = units.penetration(mirrored(state_.x2 - state_.x1, left));
+    if (state_.contact.phase == Phase::apart && !is_positive(trial)) return;
+    if (units.saturated(trial)) raise(Fault::penetration);
+    if (units.hold_displacement(state_.w2)) raise(Fault::speed);
+    const Value trial_rate = relative_rate(left);
+    Value before = trial - mirrored(units.relative(state_.w2 - made), left);
+    if (is_positive(before)) before = Value{};
+
+    const Contact contact_before = state_.contact;
+    const auto kick = state_.contact.resolve(plan.contact, units, trial, trial_rate, before);
+    const Value impulse = mirrored(kick.impulse, left), moment = mirrored(kick.moment, left);
+    const auto& response = plan.contact.response;
+    units.push(state_.x1, response.x1 * moment);
+    units.push(state_.w1, response.w1 * impulse + response.w1_by_moment * moment);
+    units.push(state_.x2, -(response.x2 * moment));
+    units.push(state_.w2, -(response.w2 * impulse));
+    if constexpr (sizeof...(Features) > 0) {
+      const Value rate = trial_rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
+      const Value penetration = trial - response.penetration * kick.moment;
+      const bool begins = contact_before.phase == Phase::apart;
+      const Value rate_before = (trial - before) + (trial - before) - trial_rate;
+      const ContactStep<Value> step = {Contact::moments(contact_before, state_.contact, kick),
+                                       state_.contact.phase == Phase::touching ? ContactLaw::template stored<Format>(units, penetration) : Value{},
+                                       rate_before, rate, begins};
+      (Features::after_contact(plan, state_, step), ...);
+    }
+  }
+
+  // Rate of penetration, for the state as it stands.
+  constexpr Value relative_rate(bool left) const {
+    return mirrored(plan.units.relative(state_.w2 - state_.w1) - rate_ahead(), left);
+  }
+
+  // A state beyond its bounds is put back on them.
+  __attribute__((noinline)) constexpr void hold() {
+    const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);
+    plan.units.hold_displacement(state_.w1);
+    raise(is_far || is_ball_far ? Fault::displacement : Fault::speed);
+  }
+
+  constexpr void raise(Fault fault) {
+    if (state_.fault == Fault::none) state_.fault = fault;
+  }
+
+  State state_{};
+};
+
+}  // namespace impact

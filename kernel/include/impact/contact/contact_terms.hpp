@@ -1,0 +1,47 @@
+#pragma once
+// What a contact treatment needs to make its constants, in SI units, and how its forces are counted.
+//
+// Penetrations count in 2^penetration metres and rates in the same unit per step. A force counts in
+//
+//     force_unit = k1 2^(power penetration) 2^force newtons,    power = 1 (Hooke-Newton) or 3/2,
+//
+// so that k1 and the step length vanish from the contact's formulas: impulses are in force_unit h, moments of a force (the
+// integral of (h - s) f(s) over the step) in force_unit h^2.
+
+#include <impact/numeric/units.hpp>
+
+#include <stdint.h>
+
+namespace impact {
+
+struct ContactTerms {
+  double step = 0;              // h, s
+  double stiffness = 0;         // k1
+  double damping_time = 0;      // c1 / k1, s (Hooke-Newton) or s/m
+  double ball_mass = 0;         // m, kg
+  double main_mass = 0, main_stiffness = 0, main_damping = 0;
+  double largest_penetration = 0, largest_rate = 0;  // m, m/s
+  double force_unit = 0;        // N
+  int damping_exponent = 0;     // of the damping term: c1/k1 delta' counts in 2^damping_exponent
+  double restitution = 1;       // for a damping set at each impact
+  bool clamped = true;
+};
+
+// What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and w1 are the
+// main mass's displacement and its displacement per step, x2 and w2 the ball's; the last three act on the penetration and
+// its rate. Signs are those of a push on the right stop: x1 and w1 grow, the others fall.
+template <class Gain>
+struct Response {
+  Gain x1, w1, w1_by_moment, x2, w2;
+  Gain penetration, rate, rate_by_moment;
+};
+
+// Where a contact stands between steps. `released`: let go at zero force, still inside the stop.
+enum class Phase : uint32_t { apart, touching, released };
+
+template <class Value>
+struct Kick {
+  Value impulse, moment;
+};
+
+}  // namespace impact

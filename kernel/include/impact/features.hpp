@@ -1,0 +1,86 @@
+#pragma once
+// What a scene may ask to have recorded. A feature that is not named costs nothing.
+
+#include <impact/contact/contact_terms.hpp>
+#include <impact/numeric/formula.hpp>
+#include <impact/numeric/units.hpp>
+
+#include <stdint.h>
+
+namespace impact {
+
+// A step in contact as the features see it: the force's impulse and moment, the energy stored at its end, the rate of
+// penetration at both ends (the first for a step with which contact begins).
+template <class Value>
+struct ContactStep {
+  Kick<Value> force;
+  Value stored, rate_at_impact, rate;
+  bool begins;
+};
+
+// Energies since the start: what contact has dissipated, what it stores now, and the work of the drive.
+//
+//     work on the contact in a step   = J0 v1 - (v1 - v0) J1 / h     (the rate linear in time; exact for a free pair)
+//     dissipated                      = work - change of the stored energy; what a spring still holds when it lets go is lost
+//     work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
+//
+// Contact energies count in force_unit 2^penetration joules, the drive's work in drive units 2^penetration.
+struct EnergyLedger {
+  template <class Format>
+  struct State {
+    typename Format::Tally dissipated, drive_work;
+    typename Format::Value stored, rate;  // at the end of the last step in contact
+    typename Format::Value drive_force;
+    typename Format::Long x1_before;
+  };
+
+  template <class Plan, class State>
+  static constexpr void start(const Plan& plan, State& state) {
+    state.x1_before = plan.x1;
+    state.drive_force = state.drive.force(plan.drive);
+  }
+  template <class Plan, class State, class Step>
+  static constexpr void after_contact(const Plan&, State& state, const Step& step) {
+    using Format = typename Plan::FormatType;
+    const auto rate_before = step.begins ? step.rate_at_impact : state.rate;
+    const auto work = Format::value(step.force.impulse * step.rate) -
+                      Format::value((step.rate - rate_before) * step.force.moment);
+    state.dissipated.add(work - (step.stored - state.stored));
+    state.stored = step.stored;
+    state.rate = step.rate;
+  }
+  template <class Plan, class State>
+  static constexpr void after_step(const Plan& plan, State& state) {
+    using Format = typename Plan::FormatType;
+    const auto force = state.drive.force(plan.drive);
+    const auto moved = plan.units.relative(state.x1 - state.x1_before);
+    state.drive_work.add(Format::value(half(force) * moved) + Format::value(half(state.drive_force) * moved));
+    state.drive_force = force;
+    state.x1_before = state.x1;
+  }
+};
+
+// Contacts begun, the rate at which the last one began (2^penetration metres per step), and the largest mean force over a
+// step (force_unit).
+struct ImpactLog {
+  template <class Format>
+  struct State {
+    uint32_t impacts;
+    typename Format::Value impact_rate, peak_force;
+  };
+
+  template <class Plan, class State>
+  static constexpr void start(const Plan&, State&) {}
+  template <class Plan, class State, class Step>
+  static constexpr void after_contact(const Plan&, State& state, const Step& step) {
+    if (step.begins) {
+      ++state.impacts;
+      state.impact_rate = step.rate_at_impact;
+    }
+    if (is_positive(step.force.impulse - state.peak_force)) state.peak_force = step.force.impulse;
+  }
+  template <class Plan, class State>
+  static constexpr void after_step(const Plan&, State&) {}
+};
+
+}  // namespace impact

@@ -1,0 +1,74 @@
+#pragma once
+// Reciprocal and quotient without a divide instruction, in 32-bit integer arithmetic: the same bits on every target.
+//
+// For d in [2^31, 2^32) a table of 16 parabolas (128 bytes) gives X = 2^48 / d, 17 bits, to within 2^32 / d units, and
+// one pass of Newton's iteration squares the relative error:
+//
+//     e = 2^47 - d X / 2          |e| < 2^31, so its low 32 bits are all of it
+//     r = 2^15 X + X e / 2^32  =  (2^63 / d) (1 - (e / 2^47)^2)
+//
+// Each rounding goes down, so that r never exceeds 2^63 / d.
+
+#include <stdint.h>
+
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/high_product.hpp>
+
+namespace impact {
+
+struct ReciprocalTable {
+  // 2^48 / d with two fraction bits, by powers of t in [0, 1) from the start of one of 16 equal parts of [2^31, 2^32).
+  struct Segment {
+    int32_t constant;
+    int16_t slope, bend;
+  };
+  Segment segments[16];
+
+  // Interpolation at the Chebyshev nodes 1/2 and 1/2 +- sqrt(3)/4.
+  constexpr ReciprocalTable() : segments() {
+    constexpr double node = 0.433012701892219323382;
+    constexpr double fractions = 4;
+    for (int i = 0; i < 16; ++i) {
+      const double middle = 16.5 + i, scale = 16 * 131072 * fractions;
+      const double left = scale / (middle - node), centre = scale / middle, right = scale / (middle + node);
+      const double slope = (right - left) / (2 * node), bend = (right - 2 * centre + left) / (2 * node * node);
+      segments[i].constant = static_cast<int32_t>(constant::nearest(centre - slope / 2 + bend / 4 + fractions / 2));
+      segments[i].slope = static_cast<int16_t>(constant::nearest(slope - bend));
+      segments[i].bend = static_cast<int16_t>(constant::nearest(bend));
+    }
+  }
+
+  // X = 2^48 / d.
+  constexpr int32_t reciprocal(uint32_t d) const {
+    const Segment& segment = segments[(d >> 27) & 15];
+    const auto t = static_cast<int32_t>((d >> 12) & 0x7fff);
+    return (segment.constant + ((t * (segment.slope + ((t * segment.bend) >> 15))) >> 15)) >> 2;
+  }
+};
+
+inline constexpr ReciprocalTable reciprocal_table{};
+
+// 2^63 / d for d in [2^31, 2^32): 2^63 / d - 2 < result <= 2^63 / d, and 2^32 - 1 for 2^31.
+constexpr uint32_t reciprocal_q31(uint32_t d) {
+  const int32_t seed = reciprocal_table.reciprocal(d);
+  const auto x = static_cast<uint32_t>(seed);
+  const uint32_t half_product = (d >> 1) * x + (((x + 1) >> 1) & (0u - (d & 1)));
+  return (x << 15) + static_cast<uint32_t>(high_product(static_cast<int32_t>(0u - half_product), seed));
+}
+
+// (numerator / denominator) 2^32 for 0 <= numerator <= denominator, denominator > 0: never above the true quotient, and
+// below it by less than 1 + 2^-30 of it. 0 for 0.
+constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
+  numerator <<= normalise<1>(denominator);
+  const uint32_t reciprocal = reciprocal_q31(denominator);
+  return (high_product(numerator, reciprocal) << 1) | ((numerator * reciprocal) >> 31);
+}
+
+// (numerator / denominator) 2^16 for 0 <= numerator <= denominator, denominator > 0, within -5 and +1: on Cortex-M0
+// half the instructions of quotient_q32.
+constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
+  numerator <<= normalise<1>(denominator);
+  return ((numerator >> 16) * (static_cast<uint32_t>(reciprocal_table.reciprocal(denominator)) >> 1)) >> 15;
+}
+
+}  // namespace impact

@@ -1,0 +1,152 @@
+#pragma once
+// Square root by table, in fixed point and on a float's bits, in integer arithmetic: the same bits on every target.
+//
+// Y = 4^k U with U in [1/4, 1). That interval is cut into 3 2^(index_bits-2) segments of one width; in each, with t in
+// [-1, 1) from its middle, sqrt(U) is replaced by the polynomial of degree `order` that meets it at the Chebyshev nodes
+// stretched to reach both ends,
+//
+//     t_j = cos((2j+1) pi / (2 order + 2)) / cos(pi / (2 order + 2)),    j = 0..order,
+//
+// so that neighbouring segments join and the root never falls. sqrt is hardest at U = 1/4, where the relative error is
+// |binomial(1/2, order+1)| (2 / 2^index_bits)^(order+1) max|(t-t_0)..(t-t_order)|, the maximum being 1, 0.385, 0.172
+// for order 1, 2, 3. Rounding adds less than 2^-30. Bounds of the relative error:
+//
+//     index_bits, order        6, 3       5, 3       6, 2       6, 1
+//     table, bytes              768        384        576        384
+//     bound                   2^-27    1.04e-7    7.36e-7    1.23e-4
+//
+// A float's result adds 2^-24 for its own rounding.
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/high_product.hpp>
+
+namespace impact {
+
+template <int index_bits, int order>
+struct SquareRootTable {
+  static_assert(index_bits >= 5 && index_bits <= 8 && order >= 1 && order <= 3, "no such table");
+
+  // The coefficient of t^k has 32 + k fraction bits. The third needs only 16 bits of t, and the fraction bits that make
+  // it 16 bits wide itself.
+  static constexpr int third_bits = 3 * index_bits + 17;
+  struct Segment {
+    uint32_t constant;
+    int32_t slope[size_t{order}];
+  };
+  Segment segments[size_t{3} << (index_bits - 2)];
+
+  constexpr SquareRootTable() : segments() {
+    constexpr int first = 1 << (index_bits - 2);
+    double node[size_t{order} + 1] = {};
+    for (int j = 0; j <= order; ++j) {
+      constexpr double angle = 1.570796326794896619231 / (order + 1);
+      node[j] = constant::cosine((2 * j + 1) * angle) / constant::cosine(angle);
+    }
+    for (int i = 0; i < 3 * first; ++i) {
+      double difference[size_t{order} + 1] = {};
+      for (int j = 0; j <= order; ++j)
+        difference[j] = constant::square_root((first + i + 0.5 + 0.5 * node[j]) * constant::power_of_two(-index_bits));
+      for (int k = 1; k <= order; ++k)
+        for (int j = order; j >= k; --j) difference[j] = (difference[j] - difference[j - 1]) / (node[j] - node[j - k]);
+
+      double power[size_t{order} + 1] = {};  // from Newton's form to powers of t
+      for (int k = order; k >= 0; --k) {
+        for (int j = order; j > 0; --j) power[j] = power[j - 1] - node[k] * power[j];
+        power[0] = difference[k] - node[k] * power[0];
+      }
+      segments[i].constant = static_cast<uint32_t>(constant::nearest(power[0] * constant::power_of_two(32)));
+      for (int k = 1; k <= order; ++k)
+        segments[i].slope[k - 1] =
+            static_cast<int32_t>(constant::nearest(power[k] * constant::power_of_two(k == 3 ? third_bits : 32 + k)));
+    }
+  }
+
+  // sqrt(u / 2^32) 2^32 for u in [2^30, 2^32).
+  constexpr uint32_t root(uint32_t u) const {
+    const Segment& segment = segments[(u >> (32 - index_bits)) - (1u << (index_bits - 2))];
+    const auto t = static_cast<int32_t>((u << index_bits) ^ 0x80000000u);
+    int32_t slope = 0;
+    if constexpr (order == 3) slope = ((t >> 16) * segment.slope[2]) >> (third_bits - 19);
+    if constexpr (order >= 2) slope = high_product(t, segment.slope[1] + slope);
+    return segment.constant + static_cast<uint32_t>(high_product(t, segment.slope[0] + slope));
+  }
+};
+
+template <int index_bits, int order>
+inline constexpr SquareRootTable<index_bits, order> square_root_table{};
+
+// Y = y / 2^32 gives sqrt(Y) 2^32: |error| <= bound result + 1/2 for every y, with the bound above. Never falls; 0 for
+// 0, 2^(16+k) for 4^k, 2^32 - 2 for 2^32 - 1.
+template <int index_bits = 6, int order = 3>
+constexpr uint32_t square_root_q32(uint32_t y) {
+  if (y == 0) return 0;
+  const int shift = normalise<2>(y);
+  return (square_root_table<index_bits, order>.root(y) + ((1u << shift) >> 1)) >> shift;
+}
+
+inline uint32_t bits_of(float y) {
+  uint32_t bits;
+  __builtin_memcpy(&bits, &y, sizeof bits);
+  return bits;
+}
+inline float float_of(uint32_t bits) {
+  float y;
+  __builtin_memcpy(&y, &bits, sizeof y);
+  return y;
+}
+
+// |relative error| <= bound + 2^-24 for every float >= 0, subnormal ones too; never falls. 0 for 0 and for what has no
+// root (y < 0, NaN); infinity for infinity.
+template <int index_bits = 6, int order = 3>
+inline float square_root(float y) {
+  constexpr uint32_t smallest_normal = 0x00800000, infinity = 0x7f800000;
+  const uint32_t bits = bits_of(y);
+  auto exponent = static_cast<int32_t>(bits >> 23);
+  uint32_t u = bits << 8 | 0x80000000u;  // y = u 2^(exponent - 158)
+  if (bits - smallest_normal >= infinity - smallest_normal) {
+    if (bits == infinity) return y;
+    if (bits == 0 || bits > infinity) return 0;
+    u = bits;
+    exponent = 9 - normalise<1>(u);
+  }
+  const uint32_t root = square_root_table<index_bits, order>.root(u >> (exponent & 1));
+  const auto root_exponent = static_cast<uint32_t>(((exponent + 1) >> 1) + 62);
+  return float_of((root_exponent << 23) + (((root >> 7) + 1) >> 1));
+}
+
+// The square root of a float as a policy: by table, or by the processor's own instruction.
+struct LookupRoot {
+  static float square_root(float y) { return impact::square_root<>(y); }
+};
+
+// One correctly rounded instruction, written out because a compiler adds a call to sqrtf for the sake of errno. For y <
+// 0 it gives NaN.
+struct HardwareRoot {
+#if (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__aarch64__) || defined(__SSE2__) || \
+    defined(__riscv_flen)
+  static float square_root(float y) {
+    float root;
+#if defined(__arm__)
+    __asm__("vsqrt.f32 %0, %1" : "=t"(root) : "t"(y));
+#elif defined(__aarch64__)
+    __asm__("fsqrt %s0, %s1" : "=w"(root) : "w"(y));
+#elif defined(__SSE2__)
+    __asm__("sqrtss %1, %0" : "=x"(root) : "x"(y));
+#else
+    __asm__("fsqrt.s %0, %1" : "=f"(root) : "f"(y));
+#endif
+    return root;
+  }
+#else
+  template <class Float>
+  static float square_root(Float) {
+    static_assert(sizeof(Float) == 0, "this processor has no square root instruction: use LookupRoot");
+    return 0;
+  }
+#endif
+};
+
+}  // namespace impact

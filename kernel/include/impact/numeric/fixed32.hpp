@@ -1,0 +1,216 @@
+#pragma once
+// The fixed-point format of the step. Values are Q1.31 fractions of a power of two that the plan chooses for each quantity
+// from the scene's bounds; states are 64-bit integers at one common scale, because what a step adds to a position is a
+// thousand times smaller than a 32-bit position's last place.
+//
+//     position x = raw * 2^(position - 63); its upper word is a Value. 2^position is twice the bound or more, so that a state
+//     that passes its bound is seen before anything wraps.
+//
+// Rounding: a Gain rounds to nearest where it shifts right, and otherwise down.
+
+#include <impact/lookup/reciprocal.hpp>
+#include <impact/lookup/square_root.hpp>
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/fraction.hpp>
+#include <impact/numeric/oscillator.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/status.hpp>
+
+namespace impact {
+
+struct Fixed32 {
+  using Value = Signed<31>;
+  using Root = Unsigned<31>;
+  using Oscillator = IntegerOscillator;
+
+  struct Long {
+    int64_t raw;
+
+    constexpr void advance(Long other) { raw += other.raw; }
+    friend constexpr Long operator-(Long a, Long b) { return {a.raw - b.raw}; }
+    friend constexpr Long mirrored(Long x, bool left) { return {left ? -x.raw : x.raw}; }
+    constexpr bool is_negative() const { return raw < 0; }
+  };
+
+  // A sum of Values without end: 2^32 of the largest fit.
+  struct Tally {
+    int64_t raw;
+
+    constexpr void add(Value x) { raw += x.raw; }
+    constexpr double total() const { return static_cast<double>(raw) * constant::power_of_two(-31); }
+  };
+
+  // value * gain = (high word of value * mantissa) >> shift
+  struct Gain {
+    int32_t mantissa;
+    int shift;
+
+    friend constexpr Value operator*(Gain gain, Value x) {
+      if (gain.mantissa == 0) return {0};
+      const bool is_power_of_two = gain.mantissa == (1 << 30);
+      const int shift = is_power_of_two ? gain.shift + 2 : gain.shift;
+      if (shift > 0) {
+        const int32_t product = is_power_of_two ? x.raw : high_product(x.raw, gain.mantissa);
+        return {(product + (1 << (shift - 1))) >> shift};
+      }
+      // To the left before the product as far as it cannot overflow, to keep the product's low bits.
+      const int after = shift < -2 ? 2 : -shift;
+      const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (-shift - after));
+      const int32_t product = is_power_of_two ? ahead : rounded_high_product(ahead, gain.mantissa);
+      return {static_cast<int32_t>(static_cast<uint32_t>(product) << after)};
+    }
+  };
+
+  static constexpr UnitExponents exponents(const UnitBounds& bounds) {
+    using constant::exponent_above;
+    UnitExponents e{};
+    e.position = exponent_above(bounds.position) + 1;
+    e.displacement = exponent_above(bounds.displacement) + 1;
+    e.increment = exponent_above(bounds.increment);
+    if (e.increment < e.position - 32) e.increment = e.position - 32;
+    e.push = exponent_above(bounds.push);
+    if (e.push < e.position - 32) e.push = e.position - 32;
+    e.penetration = exponent_above(bounds.penetration);
+    if (e.penetration < e.position - 32) e.penetration = e.position - 32;
+    e.force = exponent_above(bounds.force_factor);
+    e.sample = exponent_above(bounds.sample);
+    return e;
+  }
+
+  // Every quantity that is added to a position must count in units between 2^-32 and 1 of a position's.
+  static constexpr Status status_of(const UnitExponents& e, double gap) {
+    const auto fits = [&e](int exponent) { return exponent <= e.position && exponent > e.position - 32; };
+    if (gap > constant::power_of_two(e.position - 1)) return Status::displacement_bound;
+    if (!fits(e.displacement)) return Status::speed_bound;
+    if (!fits(e.penetration) || !fits(e.push)) return Status::penetration_bound;
+    if (!fits(e.increment)) return Status::displacement_bound;
+    if (e.force < 0 || e.force > 20) return Status::speed_bound;
+    return Status::ok;
+  }
+
+  struct Units {
+    int64_t gap;
+    int position_exponent, displacement_shift, increment_shift, push_shift, penetration_shift, penetration_exponent, force_bits;
+
+    static constexpr Units make(const UnitExponents& e, double gap) {
+      return {static_cast<int64_t>(gap * constant::power_of_two(63 - e.position)),
+              e.position,
+              32 - (e.position - e.displacement),
+              32 - (e.position - e.increment),
+              32 - (e.position - e.push),
+              32 - (e.position - e.penetration),
+              e.penetration,
+              e.force};
+    }
+
+    constexpr Long state(double x) const {
+      return {static_cast<int64_t>(x * constant::power_of_two(63 - position_exponent))};
+    }
+    // Positions carry half a last place of their upper word, so that taking the upper word rounds to nearest.
+    static constexpr int64_t half_place = int64_t{1} << 31;
+    constexpr Long state_at(double x) const { return {state(x).raw + half_place}; }
+    constexpr double si_at(Long x) const { return si({x.raw - half_place}); }
+    constexpr double si(Long x) const { return static_cast<double>(x.raw) * constant::power_of_two(position_exponent - 63); }
+    constexpr double si_penetration_unit() const { return constant::power_of_two(penetration_exponent); }
+    constexpr double si_penetration(Value x) const { return x.raw * constant::power_of_two(-31) * si_penetration_unit(); }
+    static constexpr double fraction(Value x) { return x.raw * constant::power_of_two(-31); }
+
+    static constexpr Value position(Long x) { return {static_cast<int32_t>(x.raw >> 32)}; }
+    constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
+    constexpr void add(Long& x, Value increment) const {
+      x.raw += static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(increment.raw)) << increment_shift);
+    }
+    constexpr void push(Long& x, Value increment) const {
+      x.raw += static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(increment.raw)) << push_shift);
+    }
+    constexpr Value relative(Long difference) const { return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)}; }
+    constexpr Value penetration(Long along) const {
+      const int64_t fine = (along.raw - gap) >> penetration_shift;
+      return {fine > INT32_MAX ? INT32_MAX : fine < INT32_MIN ? INT32_MIN : static_cast<int32_t>(fine)};
+    }
+    // On the upper words alone: true whenever x2 - x1 > gap, and at times one last place early.
+    constexpr bool beyond_stop(Long x2, Long x1) const {
+      return static_cast<int32_t>(x2.raw >> 32) - static_cast<int32_t>(x1.raw >> 32) >= static_cast<int32_t>(gap >> 32);
+    }
+    static constexpr bool saturated(Value x) { return x.raw == INT32_MAX; }
+    // In range while the top two bits of each Value agree.
+    constexpr bool in_range(Long x1, Long x2, Long w1) const {
+      const auto bits = [](Value value) {
+        const auto raw = static_cast<uint32_t>(value.raw);
+        return raw ^ raw << 1;
+      };
+      return static_cast<int32_t>(bits(position(x1)) | bits(position(x2)) | bits(displacement(w1))) >= 0;
+    }
+    constexpr bool hold_position(Long& x) const {
+      constexpr int64_t bound = (int64_t{1} << 62) - 1;
+      return hold(x, bound);
+    }
+    constexpr bool hold_displacement(Long& w) const { return hold(w, (int64_t{1} << (displacement_shift + 30)) - 1); }
+    static constexpr bool hold(Long& x, int64_t bound) {
+      const int64_t held = x.raw > bound ? bound : x.raw < -bound ? -bound : x.raw;
+      const bool is_beyond = held != x.raw;
+      x.raw = held;
+      return is_beyond;
+    }
+    // 1, and a purely elastic force, in the unit of forces.
+    constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
+    constexpr Value elastic(Value x) const { return {x.raw >> force_bits}; }
+  };
+
+  static constexpr Unsigned<32> constant(double x) { return {static_cast<uint32_t>(x * 4294967296.0 + 0.5)}; }
+  static constexpr Gain gain(double factor, int from, int to) {
+    const double scaled = factor * constant::power_of_two(from - to);
+    if (scaled == 0) return {0, 0};
+    int e = constant::exponent_above(constant::magnitude(scaled));
+    int64_t mantissa = constant::nearest(scaled * constant::power_of_two(31 - e));
+    if (mantissa > INT32_MAX) {
+      mantissa /= 2;
+      ++e;
+    }
+    if (-1 - e > 30) return {0, 0};
+    return {static_cast<int32_t>(mantissa), -1 - e};
+  }
+  // x -> gain * x / divisor, for |x| up to about the divisor, which is positive. The gain is in [0, 2).
+  static constexpr Gain gain_over(Gain gain, Value divisor) {
+    const int zeros = leading_zeros(static_cast<uint32_t>(divisor.raw));
+    const uint32_t inverse = reciprocal_q31(static_cast<uint32_t>(divisor.raw) << zeros);
+    return {static_cast<int32_t>((gain * Value{static_cast<int32_t>(inverse >> 1)}).raw >> 1), -zeros - 2};
+  }
+  static constexpr double sample_unit(double largest) { return largest; }
+  static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
+  static constexpr Value reading(int32_t native) { return {native}; }
+  // A fraction as a Value, held at the ends of its range.
+  static constexpr Value sample(double fraction) {
+    return {fraction >= 1 ? INT32_MAX : fraction <= -1 ? -INT32_MAX : static_cast<int32_t>(fraction * 2147483647.0)};
+  }
+  template <int bits>
+  static constexpr Value value(Signed<bits> x) { return with_bits<31>(x); }
+  template <int bits>
+  static constexpr Value value(Unsigned<bits> x) { return with_bits<31>(with_sign(x)); }
+  // numerator <= denominator
+  template <int a, int b>
+  static constexpr Unsigned<32 + a - b> quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
+    return {quotient_q32(numerator.raw, denominator.raw)};
+  }
+  // x / (1 + y), y >= 0
+  static constexpr Value over_one_plus(Value x, Value y) {
+    const uint32_t one = UINT32_C(1) << 30;
+    return value(x * Unsigned<32>{quotient_q32(one, one + (static_cast<uint32_t>(y.raw) >> 1))});
+  }
+  // A root t of a decreasing function, moved by its value over its steepness.
+  static constexpr Unsigned<32> corrected(Unsigned<32> t, Value value, Unsigned<31> steepness) {
+    const bool later = value.raw > 0;
+    const uint32_t step = quotient_q32(static_cast<uint32_t>(later ? value.raw : -value.raw), steepness.raw);
+    if (later) return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
+    return {t.raw < step ? 0 : t.raw - step};
+  }
+  static constexpr Root root(Value x) { return {square_root_q32(static_cast<uint32_t>(x.raw) << 1) >> 1}; }
+};
+
+template <int bits>
+constexpr Signed<bits> mirrored(Signed<bits> x, bool left) {
+  const int32_t sign = -static_cast<int32_t>(left);
+  return {(x.raw ^ sign) - sign};
+}
+
+}  // namespace impact

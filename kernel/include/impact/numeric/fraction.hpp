@@ -1,0 +1,127 @@
+#pragma once
+// 32-bit fixed-point numbers that carry their number of fraction bits in their type, so that formulas read as formulas:
+// the product of two is the high word of the full product, and a sum has the fraction bits of its coarser operand.
+//
+//     Signed<31>: [-1, 1) in steps of 2^-31 (Q1.31 in ARM's notation, which counts the sign bit)
+//     Unsigned<32>: [0, 1) in steps of 2^-32 (UQ0.32)
+//
+// A product and a shift to fewer fraction bits round down: an error in (-1, 0] last places. Nothing saturates here: whoever
+// writes a formula shows that its values fit.
+
+#include <impact/numeric/high_product.hpp>
+
+#include <stdint.h>
+
+namespace impact {
+
+template <int bits>
+struct Signed {
+  int32_t raw;
+};
+template <int bits>
+struct Unsigned {
+  uint32_t raw;
+};
+
+// Bits become fewer by an arithmetic shift to the right, more by one to the left.
+template <int to, int from>
+constexpr Signed<to> with_bits(Signed<from> x) {
+  if constexpr (to <= from)
+    return {x.raw >> (from - to)};
+  else
+    return {static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (to - from))};
+}
+template <int to, int from>
+constexpr Unsigned<to> with_bits(Unsigned<from> x) {
+  if constexpr (to <= from)
+    return {x.raw >> (from - to)};
+  else
+    return {x.raw << (to - from)};
+}
+template <int bits>
+constexpr Signed<bits - 1> with_sign(Unsigned<bits> x) {
+  return {static_cast<int32_t>(x.raw >> 1)};
+}
+// The same number, known not to be negative.
+template <int bits>
+constexpr Unsigned<bits> without_sign(Signed<bits> x) {
+  return {static_cast<uint32_t>(x.raw)};
+}
+
+template <int a, int b>
+constexpr auto operator+(Signed<a> x, Signed<b> y) {
+  constexpr int bits = a < b ? a : b;
+  return Signed<bits>{with_bits<bits>(x).raw + with_bits<bits>(y).raw};
+}
+template <int a, int b>
+constexpr auto operator-(Signed<a> x, Signed<b> y) {
+  constexpr int bits = a < b ? a : b;
+  return Signed<bits>{with_bits<bits>(x).raw - with_bits<bits>(y).raw};
+}
+template <int a, int b>
+constexpr auto operator+(Unsigned<a> x, Unsigned<b> y) {
+  constexpr int bits = a < b ? a : b;
+  return Unsigned<bits>{with_bits<bits>(x).raw + with_bits<bits>(y).raw};
+}
+template <int a, int b>
+constexpr auto operator-(Unsigned<a> x, Unsigned<b> y) {
+  constexpr int bits = a < b ? a : b;
+  return Unsigned<bits>{with_bits<bits>(x).raw - with_bits<bits>(y).raw};
+}
+template <int a, int b>
+constexpr auto operator+(Signed<a> x, Unsigned<b> y) {
+  return x + with_sign(y);
+}
+template <int a, int b>
+constexpr auto operator-(Signed<a> x, Unsigned<b> y) {
+  return x - with_sign(y);
+}
+template <int a, int b>
+constexpr auto operator-(Unsigned<a> x, Signed<b> y) {
+  return with_sign(x) - y;
+}
+template <int bits>
+constexpr Signed<bits> operator-(Signed<bits> x) {
+  return {-x.raw};
+}
+
+template <int a, int b>
+constexpr Signed<a + b - 32> operator*(Signed<a> x, Signed<b> y) {
+  return {high_product(x.raw, y.raw)};
+}
+template <int a, int b>
+constexpr Unsigned<a + b - 32> operator*(Unsigned<a> x, Unsigned<b> y) {
+  return {high_product(x.raw, y.raw)};
+}
+template <int a, int b>
+constexpr auto operator*(Signed<a> x, Unsigned<b> y) {
+  return x * with_sign(y);
+}
+template <int a, int b>
+constexpr auto operator*(Unsigned<a> x, Signed<b> y) {
+  return with_sign(x) * y;
+}
+
+// Powers of two cost nothing: they move the point.
+template <int bits>
+constexpr Signed<bits + 1> half(Signed<bits> x) { return {x.raw}; }
+template <int bits>
+constexpr Unsigned<bits + 1> half(Unsigned<bits> x) { return {x.raw}; }
+template <int bits>
+constexpr Signed<bits - 1> twice(Signed<bits> x) { return {x.raw}; }
+template <int bits>
+constexpr Unsigned<bits - 1> twice(Unsigned<bits> x) { return {x.raw}; }
+
+template <int bits>
+constexpr Unsigned<2 * bits - 32> square(Unsigned<bits> x) { return x * x; }
+template <int bits>
+constexpr Unsigned<2 * bits - 32> square(Signed<bits> x) { return {static_cast<uint32_t>(high_product(x.raw, x.raw))}; }
+
+// x - y, signed, for x and y below 1.
+constexpr Signed<31> difference(Unsigned<31> x, Unsigned<31> y) { return {static_cast<int32_t>(x.raw - y.raw)}; }
+template <int bits>
+constexpr bool is_positive(Signed<bits> x) { return x.raw > 0; }
+template <int bits>
+constexpr Unsigned<bits> positive_part(Signed<bits> x) { return {static_cast<uint32_t>(x.raw > 0 ? x.raw : 0)}; }
+
+}  // namespace impact

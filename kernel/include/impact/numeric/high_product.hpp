@@ -1,0 +1,114 @@
+#pragma once
+// The two integer operations that fixed point lives on and that not every processor has an instruction for: the high
+// half of a 32 by 32 bit product, and the count of leading zeros.
+//
+//     high_product(a, b)         = floor(a b / 2^32)          for two signed or two unsigned operands, exact
+//     rounded_high_product(a, b) = floor(a b / 2^32 + 1/2)    exact; halves go up
+//     leading_zeros(x)           = 31 - floor(log2 x), and 32 for x = 0
+//     normalise<step>(x)         shifts x != 0 left as far as no bit is lost, by steps of 1 or 2 bits; says how many
+//
+// A processor with a long multiplication or CLZ uses it (namespace `instruction`); Thumb-1 (Cortex-M0, M0+, M23) and
+// RISC-V without Zbb compose the same bits from short operations (`composed`), never a call into the compiler's
+// library.
+
+#include <stdint.h>
+
+namespace impact {
+
+namespace instruction {
+
+constexpr int32_t high_product(int32_t a, int32_t b) { return static_cast<int32_t>((int64_t{a} * b) >> 32); }
+constexpr uint32_t high_product(uint32_t a, uint32_t b) { return static_cast<uint32_t>((uint64_t{a} * b) >> 32); }
+
+constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
+  return static_cast<int32_t>((int64_t{a} * b + INT64_C(0x80000000)) >> 32);
+}
+constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
+  return static_cast<uint32_t>((uint64_t{a} * b + UINT64_C(0x80000000)) >> 32);
+}
+
+constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(static_cast<unsigned>(x)); }
+
+template <int step>
+constexpr int normalise(uint32_t& x) {
+  static_assert(step == 1 || step == 2, "steps of 1 or 2 bits");
+  const int steps = __builtin_clz(static_cast<unsigned>(x)) / step;
+  x <<= step * steps;
+  return steps;
+}
+
+}  // namespace instruction
+
+namespace composed {
+
+// With 16-bit halves a = ah 2^16 + al: a b / 2^32 = ah bh + (ah bl + al bh + al bl / 2^16) / 2^16. The carries are
+// collected from the right; no partial sum leaves 32 bits.
+struct SignedProduct {
+  int32_t high, middle;  // a b = high 2^32 + middle 2^16 + (less than 2^16)
+};
+constexpr SignedProduct product(int32_t a, int32_t b) {
+  const auto al = static_cast<int32_t>(a & 0xffff), bl = static_cast<int32_t>(b & 0xffff);
+  const int32_t ah = a >> 16, bh = b >> 16;
+  const auto low = static_cast<int32_t>((static_cast<uint32_t>(al) * static_cast<uint32_t>(bl)) >> 16);
+  const int32_t left = ah * bl + low;
+  return {ah * bh + (left >> 16), al * bh + (left & 0xffff)};
+}
+struct UnsignedProduct {
+  uint32_t high, middle;
+};
+constexpr UnsignedProduct product(uint32_t a, uint32_t b) {
+  const uint32_t al = a & 0xffff, bl = b & 0xffff, ah = a >> 16, bh = b >> 16;
+  const uint32_t left = ah * bl + ((al * bl) >> 16);
+  return {ah * bh + (left >> 16), al * bh + (left & 0xffff)};
+}
+
+constexpr int32_t high_product(int32_t a, int32_t b) {
+  const SignedProduct ab = product(a, b);
+  return ab.high + (ab.middle >> 16);
+}
+constexpr uint32_t high_product(uint32_t a, uint32_t b) {
+  const UnsignedProduct ab = product(a, b);
+  return ab.high + (ab.middle >> 16);
+}
+constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
+  const SignedProduct ab = product(a, b);
+  return ab.high + (((ab.middle >> 15) + 1) >> 1);
+}
+constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
+  const UnsignedProduct ab = product(a, b);
+  return ab.high + (((ab.middle >> 15) + 1) >> 1);
+}
+
+template <int step>
+constexpr int normalise(uint32_t& x) {
+  static_assert(step == 1 || step == 2, "steps of 1 or 2 bits");
+  int steps = 0;
+  if (x >> 16 == 0) x <<= 16, steps = 16 / step;
+  if (x >> 24 == 0) x <<= 8, steps += 8 / step;
+  if (x >> 28 == 0) x <<= 4, steps += 4 / step;
+  if (x >> 30 == 0) x <<= 2, steps += 2 / step;
+  if (step == 1 && x >> 31 == 0) x <<= 1, steps += 1;
+  return steps;
+}
+
+constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : normalise<1>(x); }
+
+}  // namespace composed
+
+#if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
+using composed::high_product;
+using composed::rounded_high_product;
+#else
+using instruction::high_product;
+using instruction::rounded_high_product;
+#endif
+
+#if (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || (defined(__riscv) && !defined(__riscv_zbb))
+using composed::leading_zeros;
+using composed::normalise;
+#else
+using instruction::leading_zeros;
+using instruction::normalise;
+#endif
+
+}  // namespace impact

@@ -1,0 +1,88 @@
+#pragma once
+// A sinusoid sampled once a step by one multiplication, without a table and without libm:
+//
+//     s' = s + d        d = d_before - curvature s        curvature = 4 sin^2(turn / 2), turn = pulsation * step
+//
+// (the "magic circle"; it is the exact recurrence of any sinusoid of that pulsation). In integers it is also a reversible
+// map of a grid onto itself, so that the amplitude cannot spiral: at 40 rad/s and h = 1e-4 it drifts by 3e-7 in 24 h, and the
+// phase, set by the 31 bits of the curvature, by less than pulsation * time * 2^-31.
+
+#include <impact/newmark/linear_flow.hpp>
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/high_product.hpp>
+
+#include <stdint.h>
+
+namespace impact {
+
+// The recurrence in 64-bit integers. The sinusoid is s * 2^(exponent - 63); its upper word is s in Q1.31 of 2^exponent.
+struct IntegerOscillator {
+  struct Plan {
+    int32_t curvature = 0;    // * 2^-curvature_bits
+    int curvature_bits = 32;
+    int slope_bits = 0;       // the slope's upper word holds this many bits more than the value's
+    int exponent = 0;
+    int64_t value = 0, slope = 0;
+  };
+  static constexpr Plan make_plan(Sinusoid sinusoid, double turn) {
+    const double amplitude =
+        constant::square_root(sinusoid.sine * sinusoid.sine + sinusoid.cosine * sinusoid.cosine);
+    if (!(amplitude > 0)) return {};
+    const double half = constant::sine(turn / 2), curvature = 4 * half * half;
+    const double before = sinusoid.cosine * constant::cosine(turn) - sinusoid.sine * constant::sine(turn);
+    Plan plan{};
+    plan.exponent = constant::exponent_above(amplitude) + 1;
+    const double scale = constant::power_of_two(63 - plan.exponent);
+    plan.curvature_bits = curvature > 0 ? 31 - constant::exponent_above(curvature) : 62;
+    if (plan.curvature_bits > 62) plan.curvature_bits = 62;
+    plan.curvature =
+        static_cast<int32_t>(constant::smaller(2147483647.0, curvature * constant::power_of_two(plan.curvature_bits)+0.5));
+    const double steepest = 2 * constant::magnitude(half);
+    plan.slope_bits = steepest > 0 ? -constant::exponent_above(steepest) : 31;
+    if (plan.slope_bits > 31) plan.slope_bits = 31;
+    if (plan.slope_bits < 0) plan.slope_bits = 0;
+    plan.value = constant::nearest(sinusoid.cosine * scale);
+    plan.slope = constant::nearest((sinusoid.cosine - before) * scale);
+    return plan;
+  }
+
+  int64_t value, slope;
+
+  static constexpr IntegerOscillator start(const Plan& plan) { return {plan.value, plan.slope}; }
+  constexpr void advance(const Plan& plan) {
+    const int32_t bend = high_product(value_head(), plan.curvature);
+    slope -= static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(bend)) << (64 - plan.curvature_bits));
+    value += slope;
+  }
+  static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }
+  constexpr int32_t value_head() const { return static_cast<int32_t>(value >> 32); }
+  constexpr int32_t slope_head(const Plan& plan) const { return static_cast<int32_t>(slope >> (32 - plan.slope_bits)); }
+};
+
+// The recurrence in floating point, in metres: for double, and for plain float, whose amplitude wanders by about
+// 6e-8 sqrt(steps).
+template <class Real>
+struct RealOscillator {
+  struct Plan {
+    Real curvature = 0, value = 0, slope = 0;
+  };
+  static constexpr Plan make_plan(Sinusoid sinusoid, double turn) {
+    const double half = constant::sine(turn / 2);
+    const double before = sinusoid.cosine * constant::cosine(turn) - sinusoid.sine * constant::sine(turn);
+    return {static_cast<Real>(4 * half * half), static_cast<Real>(sinusoid.cosine),
+            static_cast<Real>(sinusoid.cosine - before)};
+  }
+
+  Real value, slope;
+
+  static constexpr RealOscillator start(const Plan& plan) { return {plan.value, plan.slope}; }
+  constexpr void advance(const Plan& plan) {
+    slope -= plan.curvature * value;
+    value += slope;
+  }
+  static constexpr int slope_bits(const Plan&) { return 0; }
+  constexpr Real value_head() const { return value; }
+  constexpr Real slope_head(const Plan&) const { return slope; }
+};
+
+}  // namespace impact

@@ -1,0 +1,134 @@
+#pragma once
+// The floating-point formats of the step: Float32 (float with compensated state and an integer sine), Float32Plain (one
+// float a state, the fewest cycles), and Float64 for the host, which separates the method's error from rounding.
+//
+// A format offers: Value, what a step computes with; Long, what it carries from step to step; Gain, a constant of the plan
+// that multiplies a Value; Units, the powers of two that Values count in. Floating point keeps metres, metres per step and
+// newtons: its units are all 1, and the functions that elsewhere move points and signs do nothing.
+
+#include <impact/lookup/square_root.hpp>
+#include <impact/numeric/formula.hpp>
+#include <impact/numeric/oscillator.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/status.hpp>
+
+namespace impact {
+
+// A state in one machine number.
+template <class Real>
+struct PlainState {
+  Real sum;
+
+  constexpr void advance(PlainState other) { sum += other.sum; }
+  constexpr void add(Real increment) { sum += increment; }
+  friend constexpr PlainState operator-(PlainState a, PlainState b) { return {a.sum - b.sum}; }
+  friend constexpr PlainState mirrored(PlainState x, bool left) { return {left ? -x.sum : x.sum}; }
+  constexpr bool is_negative() const { return sum < 0; }
+  constexpr Real value() const { return sum; }
+  constexpr double total() const { return static_cast<double>(sum); }
+};
+
+// A state with what its last addition rounded off (Kahan 1965): sum + rest keeps some 40 bits through millions of small
+// increments.
+template <class Real>
+struct CompensatedState {
+  Real sum, rest;
+
+  constexpr void advance(CompensatedState other) { add(other.sum + other.rest); }
+  constexpr void add(Real increment) {
+    const Real term = increment + rest;
+    const Real next = sum + term;
+    rest = term - (next - sum);
+    sum = next;
+  }
+  // Positions that differ by a clearance have sums whose difference is exact.
+  friend constexpr CompensatedState operator-(CompensatedState a, CompensatedState b) {
+    return {a.sum - b.sum, a.rest - b.rest};
+  }
+  friend constexpr CompensatedState mirrored(CompensatedState x, bool left) {
+    return {left ? -x.sum : x.sum, left ? -x.rest : x.rest};
+  }
+  constexpr bool is_negative() const { return sum < 0; }
+  constexpr Real value() const { return sum + rest; }
+  constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
+};
+
+template <class RealType, template <class> class State, class OscillatorType, class RootPolicy>
+struct RealFormat {
+  using Real = RealType;
+  using Value = Real;
+  using Root = Real;
+  using Gain = Real;
+  using Long = State<Real>;
+  using Tally = State<Real>;
+  using Oscillator = OscillatorType;
+
+  static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
+  static constexpr Status status_of(const UnitExponents&, double) { return Status::ok; }
+
+  struct Units {
+    Long gap;  // m
+
+    static constexpr Units make(const UnitExponents&, double gap) { return {state(gap)}; }
+
+    static constexpr Long state(double x) {
+      Long result{};
+      result.sum = static_cast<Real>(x);
+      if constexpr (sizeof(Long) > sizeof(Real)) result.rest = static_cast<Real>(x - static_cast<double>(result.sum));
+      return result;
+    }
+    static constexpr Long state_at(double x) { return state(x); }
+    static constexpr double si_at(Long x) { return x.total(); }
+    static constexpr double si(Long x) { return x.total(); }
+    static constexpr double si_penetration(Value x) { return static_cast<double>(x); }
+    static constexpr double si_penetration_unit() { return 1; }
+    static constexpr double fraction(Value x) { return static_cast<double>(x); }
+
+    static constexpr Value position(Long x) { return x.sum; }
+    static constexpr Value displacement(Long w) { return w.sum; }
+    static constexpr void add(Long& x, Value increment) { x.add(increment); }
+    static constexpr void push(Long& x, Value increment) { x.add(increment); }
+    static constexpr Value relative(Long difference) { return difference.value(); }
+    constexpr Value penetration(Long along) const { return (along - gap).value(); }
+    constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
+    static constexpr bool saturated(Value) { return false; }
+    static constexpr bool in_range(Long, Long, Long) { return true; }
+    static constexpr bool hold_position(Long&) { return false; }
+    static constexpr bool hold_displacement(Long&) { return false; }
+    static constexpr Value one() { return 1; }
+    static constexpr Value elastic(Value x) { return x; }
+  };
+
+  static constexpr Real constant(double x) { return static_cast<Real>(x); }
+  static constexpr Gain gain(double factor, int from, int to) {
+    return static_cast<Real>(factor * constant::power_of_two(from - to));
+  }
+  static constexpr Gain gain_over(Gain gain, Value divisor) { return gain / divisor; }
+  static constexpr double sample_unit(double) { return 1; }
+  static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent - 31; }
+  static constexpr int oscillator_exponent(const typename RealOscillator<Real>::Plan&) { return 0; }
+  static constexpr Value reading(Real native) { return native; }
+  static constexpr Value reading(int32_t native) { return static_cast<Real>(native); }
+  static constexpr Value sample(double force) { return static_cast<Real>(force); }
+  static constexpr Value value(Real x) { return x; }
+  static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
+  static constexpr Real quotient(Real numerator, Real denominator) { return numerator / denominator; }
+  static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
+  // A root t of a decreasing function, moved by its value over its steepness.
+  static constexpr Real corrected(Real t, Real value, Real steepness) { return steepness > 0 ? t + value / steepness : t; }
+};
+
+// Host only.
+struct DoubleRoot {
+  static double square_root(double x) { return __builtin_sqrt(x); }
+};
+
+template <class RootPolicy = LookupRoot>
+using BasicFloat32 = RealFormat<float, CompensatedState, IntegerOscillator, RootPolicy>;
+template <class RootPolicy = LookupRoot>
+using BasicFloat32Plain = RealFormat<float, PlainState, RealOscillator<float>, RootPolicy>;
+using Float32 = BasicFloat32<>;
+using Float32Plain = BasicFloat32Plain<>;
+using Float64 = RealFormat<double, PlainState, RealOscillator<double>, DoubleRoot>;
+
+}  // namespace impact

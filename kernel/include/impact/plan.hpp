@@ -1,0 +1,115 @@
+#pragma once
+// From a scene and a step length to every constant of a step: flow, formats, drive, contact. All of it is a constant
+// expression in double, so that a firmware image holds only the constants that its step reads, and a host can make the
+// same plan at run time.
+
+#include <impact/contact/contact_terms.hpp>
+#include <impact/newmark/linear_flow.hpp>
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+#include <impact/status.hpp>
+
+namespace impact {
+
+template <class Format, class ContactLaw, class Stepper, class Drive>
+struct Plan {
+  using FormatType = Format;
+  using Gain = typename Format::Gain;
+  using Long = typename Format::Long;
+  using ContactPlan = typename Stepper::template Contact<Format, ContactLaw>::Plan;
+
+  Status status;  // unless ok, the rest is meaningless
+  double step;    // h, s
+  typename Format::Units units;
+  Gain stiffness, damping;             // of the recurrence in linear_flow.hpp
+  Gain rate_by_w1, rate_by_x1;         // a velocity from the displacement that the coming step will make
+  typename Drive::template Plan<Format> drive;
+  ContactPlan contact;
+  double force_unit, drive_unit;       // N
+  bool left_stop, right_stop;
+  Long x1, w1, x2, w2;                 // the initial state
+
+  static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step);
+  static constexpr Plan refused(Status why) {
+    Plan plan{};
+    plan.status = why;
+    return plan;
+  }
+};
+
+template <class Format, class ContactLaw, class Stepper, class Drive>
+constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Stepper, Drive>::make(const Scene& scene,
+                                                                                                  const Bounds& bounds,
+                                                                                                  double h) {
+  Status status = status_of(scene, h, Stepper::longest_phase);
+  if (status == Status::ok) status = status_of(scene, bounds);
+  if (status != Status::ok) return refused(status);
+  using constant::larger;
+  using constant::power_of_two;
+  const LinearFlow flow = Stepper::flow(scene, h);
+  const bool is_linear = ContactLaw::law == Law::hooke_newton;
+  const auto to_the_power = [is_linear](double d) { return is_linear ? d : d * constant::square_root(d); };
+
+  const double largest_rate = 2 * bounds.speed;
+  const double k1 = scene.contact_stiffness;
+  // A damping set per impact is 3 (1 - e)/2 at the impact's own speed: here as one at the largest speed.
+  const double damping_time = !ContactLaw::is_damped            ? 0
+                              : ContactLaw::is_damped_per_impact ? 1.5 * (1 - scene.restitution) / largest_rate
+                                                                 : scene.contact_damping / k1;
+  UnitBounds largest{};
+  largest.position = bounds.displacement;
+  largest.displacement = bounds.speed * h;
+  largest.penetration = larger(bounds.penetration, largest_rate * h);
+  const double unit = power_of_two(constant::exponent_above(largest.penetration));
+  const double largest_force =
+      is_linear ? k1 * (bounds.penetration + damping_time * largest_rate)
+                : k1 * to_the_power(bounds.penetration) * (1 + damping_time * largest_rate);
+  largest.force_factor = is_linear ? (bounds.penetration + damping_time * largest_rate) / unit : 1.01 + damping_time * largest_rate;
+  if (!is_linear && !ContactLaw::is_damped) largest.force_factor = 1;
+  const double drive = larger(scene.drive_amplitude, bounds.force);
+  largest.increment = h * h * (2 * drive + scene.main_stiffness * bounds.displacement) / scene.main_mass;
+  largest.push = h * h * largest_force / constant::smaller(scene.ball_mass, scene.main_mass);
+  largest.sample = bounds.force;
+  const UnitExponents exponents = Format::exponents(largest);
+
+  status = Format::status_of(exponents, scene.clearance / 2);
+  if (status != Status::ok) return refused(status);
+
+  ContactTerms terms{};
+  terms.step = h;
+  terms.stiffness = k1;
+  terms.damping_time = damping_time;
+  terms.ball_mass = scene.ball_mass;
+  terms.main_mass = scene.main_mass;
+  terms.main_stiffness = scene.main_stiffness;
+  terms.main_damping = scene.main_damping;
+  terms.largest_penetration = bounds.penetration;
+  terms.largest_rate = largest_rate;
+  terms.force_unit = k1 * to_the_power(power_of_two(exponents.penetration)) * power_of_two(exponents.force);
+  terms.damping_exponent = exponents.force + (is_linear ? exponents.penetration : 0);
+  terms.restitution = scene.restitution;
+  terms.clamped = scene.tension == Tension::clamp;
+
+  const auto units = Format::Units::make(exponents, scene.clearance / 2);
+  const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);
+  return {status,
+          h,
+          units,
+          Format::gain(flow.stiffness(), exponents.position, exponents.increment),
+          Format::gain(flow.damping(), exponents.displacement, exponents.increment),
+          Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration),
+          Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration),
+          Drive::template make_plan<Format>(scene, bounds, h, flow, exponents),
+          Stepper::template Contact<Format, ContactLaw>::make_plan(terms, flow, exponents),
+          terms.force_unit,
+          Drive::template force_unit<Format>(scene, bounds),
+          scene.stops != Stops::right,
+          scene.stops != Stops::left,
+          units.state_at(scene.x1),
+          units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0)),
+          units.state_at(scene.x2),
+          units.state(scene.v2 * h)};
+}
+
+}  // namespace impact

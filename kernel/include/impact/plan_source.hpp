@@ -1,0 +1,42 @@
+#pragma once
+// Where an absorber has its plan from: a rig that states scene, bounds and step as constants, so that the plan is
+// a constant of the image, or AtRunTime, with a plan that the constructor is given.
+
+#include <impact/plan.hpp>
+
+namespace impact {
+
+struct AtRunTime {};
+
+template <class Rig, class PlanType>
+class PlanSource {
+ public:
+  static constexpr PlanType plan = PlanType::make(Rig::scene, Rig::bounds, Rig::step);
+
+ protected:
+  constexpr PlanSource() {
+    constexpr Status status = plan.status;
+    static_assert(status != Status::displacement_bound,
+                  "Bounds::displacement does not hold the clearance or the initial state, or is out of range");
+    static_assert(status != Status::speed_bound,
+                  "Bounds::speed does not hold the initial state, or a step at that speed is longer than Bounds::displacement "
+                  "or shorter than 2^-32 of it, or c1/k1 times it passes 2^20");
+    static_assert(status != Status::penetration_bound,
+                  "Bounds::penetration is above Bounds::displacement or below 2^-32 of it, or its force moves a mass by as much "
+                  "in one step");
+    static_assert(status != Status::force_bound, "Bounds::force is out of range");
+    static_assert(status != Status::step, "Rig::step is out of range: see longest_step in status.hpp");
+    static_assert(status == Status::ok, "a value of Rig::scene is out of range: see plan.status and status.hpp");
+  }
+};
+
+template <class PlanType>
+class PlanSource<AtRunTime, PlanType> {
+ public:
+  PlanType plan;
+
+ protected:
+  explicit constexpr PlanSource(const PlanType& made) : plan(made) {}
+};
+
+}  // namespace impact

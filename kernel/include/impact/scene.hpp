@@ -1,0 +1,59 @@
+#pragma once
+// The physical scene, in SI units: a main mass on a spring and a damper, driven by F(t), with a ball that moves
+// freely in a cavity of the main mass and hits its left and right stops.
+//
+//     M x1'' + c x1' + k x1 = F(t) + Fc        m x2'' = -Fc        y = x2 - x1
+//     right stop: penetration =  y - d/2       left stop: penetration = -y - d/2       contact while it is > 0
+//
+// Fc > 0 pushes the main mass towards the stop that is hit. The clearance d is the ball's whole free travel: the stops
+// stand at +-d/2 from the middle of the cavity, where the ball starts. The equations are (2.1) to (2.8) of
+// Chehaibi, Mrad & Nasri, "Collision modeling of single unit impact absorber for mechanical systems vibration
+// attenuation"; the defaults below are that paper's Hunt-Crossley scene (Table 2), driven at 40 rad/s.
+
+namespace impact {
+
+// Hooke-Newton: Fc = k1 delta + c1 delta'               (2.1), Kelvin-Voigt
+// Hertz:        Fc = k1 delta^(3/2)                     (2.5), c1 is not used
+// Hunt-Crossley: Fc = delta^(3/2) (k1 + c1 delta')      (2.7)
+enum class Law { hooke_newton, hertz, hunt_crossley };
+
+enum class Stops { both, left, right };
+
+// What a negative contact force means: `clamp` lets the ball go at zero force (a stop cannot pull); `allow` keeps the
+// law as the paper writes it, with separation at zero penetration.
+enum class Tension { clamp, allow };
+
+// How Hunt-Crossley's c1 is had: `constant` is Scene::contact_damping; `per_impact` sets it at each impact from that
+// impact's own speed by the paper's (2.9), c1 = 3 k1 (1 - e) / (2 v0), with e = Scene::restitution.
+enum class Damping { constant, per_impact };
+
+struct Scene {
+  double main_mass = 1.0;              // M, kg
+  double main_stiffness = 1000.0;      // k, N/m; 0 for a free main mass
+  double main_damping = 0.01;          // c, N s/m
+  double ball_mass = 0.3;              // m, kg
+  double clearance = 0.02;             // d, m
+  double contact_stiffness = 32600.0;  // k1, N/m (Hooke-Newton) or N/m^(3/2)
+  double contact_damping = 19560.0;    // c1, N s/m (Hooke-Newton) or N s/m^(5/2)
+  double drive_amplitude = 10.0;       // F0, N: F(t) = F0 sin(w t) for a sine drive
+  double drive_pulsation = 40.0;       // w, rad/s
+  double x1 = 0.0;                     // initial displacement of the main mass, m
+  double v1 = 0.0;                     // initial velocity of the main mass, m/s
+  double x2 = 0.0;                     // initial displacement of the ball, m, in the same frame as x1
+  double v2 = 0.0;                     // initial velocity of the ball, m/s
+  Stops stops = Stops::both;
+  Tension tension = Tension::clamp;
+  Damping damping = Damping::constant;
+  double restitution = 1.0;            // e, used by Damping::per_impact only
+};
+
+// The largest values that the scene reaches, in SI units. Fixed32 chooses every format from them; beyond them it
+// saturates and raises a fault. Float formats use them only to report a fault.
+struct Bounds {
+  double displacement = 0.25;  // of either mass, m
+  double speed = 4.0;          // of either mass, m/s
+  double penetration = 0.03;   // m
+  double force = 10.0;         // of a sampled drive, N
+};
+
+}  // namespace impact

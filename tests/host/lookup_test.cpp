@@ -1,0 +1,238 @@
+// The lookups on every input that they have. Bounds are checked in exact integers where the operands allow it and
+// otherwise against double, whose own error (2^-53) is far below them.
+
+#include <float.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <impact/lookup/power_three_halves.hpp>
+#include <impact/lookup/reciprocal.hpp>
+#include <impact/lookup/square_root.hpp>
+#include <random>
+#include <vector>
+
+namespace impact {
+namespace {
+
+constexpr uint64_t two_32 = UINT64_C(1) << 32, two_63 = UINT64_C(1) << 63;
+
+// Every power of two and its neighbours, and their negatives.
+std::vector<uint32_t> edges() {
+  std::vector<uint32_t> values{0};
+  for (int k = 0; k < 32; ++k)
+    for (uint32_t offset : {0xffffffffu, 0u, 1u}) {
+      values.push_back((1u << k) + offset);
+      values.push_back(0u - values.back());
+    }
+  return values;
+}
+
+int64_t floor_of_ratio_to_two_32(__int128 numerator) {
+  const auto unit = static_cast<__int128>(two_32);
+  return static_cast<int64_t>((numerator - ((numerator % unit) + unit) % unit) / unit);
+}
+
+void expect_high_products_agree(uint32_t a, uint32_t b) {
+  const auto half = static_cast<__int128>(two_32 / 2);
+  const auto unsigned_product = static_cast<__int128>(a) * b;
+  ASSERT_EQ(instruction::high_product(a, b), floor_of_ratio_to_two_32(unsigned_product)) << a << " " << b;
+  ASSERT_EQ(composed::high_product(a, b), floor_of_ratio_to_two_32(unsigned_product)) << a << " " << b;
+  ASSERT_EQ(instruction::rounded_high_product(a, b), floor_of_ratio_to_two_32(unsigned_product + half))
+      << a << " " << b;
+  ASSERT_EQ(composed::rounded_high_product(a, b), floor_of_ratio_to_two_32(unsigned_product + half)) << a << " " << b;
+  const auto c = static_cast<int32_t>(a), d = static_cast<int32_t>(b);
+  const auto product = static_cast<__int128>(c) * d;
+  ASSERT_EQ(instruction::high_product(c, d), floor_of_ratio_to_two_32(product)) << c << " " << d;
+  ASSERT_EQ(composed::high_product(c, d), floor_of_ratio_to_two_32(product)) << c << " " << d;
+  ASSERT_EQ(instruction::rounded_high_product(c, d), floor_of_ratio_to_two_32(product + half)) << c << " " << d;
+  ASSERT_EQ(composed::rounded_high_product(c, d), floor_of_ratio_to_two_32(product + half)) << c << " " << d;
+}
+
+TEST(Lookup, HighProductIsExactInBothForms) {
+  for (uint32_t a : edges())
+    for (uint32_t b : edges()) expect_high_products_agree(a, b);
+  std::mt19937 random(1);
+  for (int i = 0; i < 3000000 && !HasFatalFailure(); ++i) {
+    const auto a = static_cast<uint32_t>(random()), b = static_cast<uint32_t>(random());
+    expect_high_products_agree(a, b);
+  }
+}
+
+template <int step>
+void expect_normalised(uint32_t x) {
+  uint32_t by_instruction = x, by_composition = x;
+  const int steps = instruction::normalise<step>(by_instruction);
+  EXPECT_EQ(composed::normalise<step>(by_composition), steps) << x;
+  EXPECT_EQ(by_composition, by_instruction) << x;
+  EXPECT_EQ(by_instruction >> (step * steps), x);
+  EXPECT_GE(by_instruction, UINT32_C(1) << (32 - step)) << x;
+}
+
+TEST(Lookup, LeadingZerosAgreeInBothForms) {
+  for (uint32_t x : edges()) {
+    int zeros = 0;
+    while (zeros < 32 && (x >> (31 - zeros)) == 0) ++zeros;
+    EXPECT_EQ(instruction::leading_zeros(x), zeros) << x;
+    EXPECT_EQ(composed::leading_zeros(x), zeros) << x;
+    if (x == 0) continue;
+    expect_normalised<1>(x);
+    expect_normalised<2>(x);
+  }
+}
+
+// |root^2 - u 2^32| <= 2 bound u 2^32 is |error| <= bound root, to first order in a bound with room for the second.
+template <int index_bits, int order>
+void expect_every_root(double bound) {
+  const auto limit = static_cast<uint64_t>(2 * bound * static_cast<double>(two_32));
+  int64_t failures = 0;
+  uint32_t previous = 0;
+  for (uint64_t u = two_32 / 4; u < two_32; ++u) {
+    const uint32_t root = square_root_table<index_bits, order>.root(static_cast<uint32_t>(u));
+    const auto excess = static_cast<int64_t>(uint64_t{root} * root - u * two_32);
+    failures += (root < previous) + (static_cast<uint64_t>(excess < 0 ? -excess : excess) > limit * u);
+    previous = root;
+  }
+  EXPECT_EQ(failures, 0) << index_bits << ", " << order;
+}
+TEST(Lookup, RootOfEveryMantissa24Cubic) { expect_every_root<5, 3>(1.04e-7); }
+TEST(Lookup, RootOfEveryMantissa48Quadratic) { expect_every_root<6, 2>(7.36e-7); }
+TEST(Lookup, RootOfEveryMantissa48Linear) { expect_every_root<6, 1>(1.23e-4); }
+
+static_assert(sizeof square_root_table<6, 3> == 768, "the table's size as its header states it");
+static_assert(sizeof square_root_table<5, 3> == 384, "the table's size as its header states it");
+static_assert(sizeof square_root_table<6, 2> == 576, "the table's size as its header states it");
+static_assert(sizeof square_root_table<6, 1> == 384, "the table's size as its header states it");
+static_assert(sizeof reciprocal_table == 128, "the table's size as its header states it");
+
+// Judged on squares, so that the test takes no root itself: with T = sqrt(y 2^32), |root - T| <= 2^-27 T + 1/2 is
+// |root^2 - T^2| <= 2^-26 T^2 + root = 64 y + root. The power is floor(y root / 2^32), whose bound follows: the root's
+// error times y / 2^32 is at most 2^-27 of the power plus 1/2, and the floor takes less than 1.
+TEST(Lookup, EveryUint32) {
+  int64_t root_failures = 0, power_failures = 0, previous_root = 0, previous_power = 0;
+  for (int64_t y = 1; y < static_cast<int64_t>(two_32); ++y) {
+    const auto root = static_cast<int64_t>(square_root_q32(static_cast<uint32_t>(y)));
+    const auto excess = static_cast<int64_t>(static_cast<uint64_t>(root * root) - static_cast<uint64_t>(y) * two_32);
+    root_failures += (root < previous_root) + (std::abs(excess) > 64 * y + root);
+    previous_root = root;
+
+    const auto power = static_cast<int64_t>(power_three_halves_q32(static_cast<uint32_t>(y)));
+    const uint64_t product = static_cast<uint64_t>(y) * static_cast<uint64_t>(root);
+    power_failures += (power < previous_power) + (static_cast<uint64_t>(power) != product / two_32);
+    previous_power = power;
+  }
+  EXPECT_EQ(root_failures, 0);
+  EXPECT_EQ(power_failures, 0);
+}
+
+TEST(Lookup, PowerThreeHalvesAgainstDouble) {
+  const double bound = std::ldexp(1.0, -27);
+  for (uint64_t i = 0; i < two_32 && !HasFailure(); i += i < 100000 ? 1 : 1021) {
+    const auto y = static_cast<double>(i);
+    const double exact = y * std::sqrt(y) / 65536, error = power_three_halves_q32(static_cast<uint32_t>(i)) - exact;
+    EXPECT_LE(error, 0.5 + bound * exact) << i;
+    EXPECT_GE(error, -1.5 - bound * exact) << i;
+  }
+}
+
+TEST(Lookup, EndsOfUint32) {
+  EXPECT_EQ(square_root_q32(0), 0u);
+  EXPECT_EQ(power_three_halves_q32(0), 0u);
+  EXPECT_EQ(square_root_q32(0xffffffffu), 0xfffffffeu);
+  for (int k = 0; k < 16; ++k) EXPECT_EQ(square_root_q32(1u << (2 * k)), 1u << (16 + k));
+}
+
+constexpr uint32_t infinity_bits = 0x7f800000;
+
+TEST(Lookup, EveryFloat) {
+  const double root_bound = std::ldexp(1.0, -27) + std::ldexp(1.0, -24);
+  const double power_bound = root_bound + std::ldexp(1.0, -29);
+  const double smallest = static_cast<double>(FLT_MIN) * static_cast<double>(FLT_MIN);
+  const double largest = static_cast<double>(FLT_MAX) * static_cast<double>(FLT_MAX);
+  int64_t root_failures = 0, power_failures = 0;
+  float previous_root = 0, previous_power = 0;
+  for (uint32_t bits = 0; bits < infinity_bits; ++bits) {
+    const float root = square_root(float_of(bits));
+    const auto y = static_cast<double>(float_of(bits)), r = static_cast<double>(root);
+    root_failures += (root < previous_root) + (std::fabs(r * r - y) <= 2 * root_bound * y ? 0 : 1);
+    previous_root = root;
+
+    const float power = power_three_halves(float_of(bits));
+    const double cube = y * y * y, p = static_cast<double>(power);
+    const bool good = cube < smallest  ? power == 0
+                      : cube > largest ? power == FLT_MAX
+                                       : std::fabs(p * p - cube) <= 2 * power_bound * cube;
+    power_failures += (power < previous_power) + (good ? 0 : 1);
+    previous_power = power;
+  }
+  EXPECT_EQ(root_failures, 0);
+  EXPECT_EQ(power_failures, 0);
+}
+
+TEST(Lookup, EndsOfFloat) {
+  EXPECT_EQ(bits_of(square_root(0.0f)), 0u);
+  EXPECT_EQ(bits_of(power_three_halves(0.0f)), 0u);
+  EXPECT_EQ(square_root(INFINITY), INFINITY);
+  EXPECT_EQ(power_three_halves(INFINITY), FLT_MAX);
+  EXPECT_EQ(power_three_halves(std::ldexp(1.0f, -84)), FLT_MIN);
+}
+
+TEST(Lookup, WhatHasNoRootGivesZero) {
+  std::vector<uint32_t> rootless{0x80000000, 0x80000001, 0x807fffff, 0x80800000, 0xbf800000, 0xff7fffff, 0xff800000,
+                                 0x7f800001, 0x7fc00000, 0x7fffffff, 0xff800001, 0xffc00000, 0xffffffff};
+  for (uint32_t bits = 0x80000000; bits >= 0x80000000; bits += 4093) rootless.push_back(bits);
+  for (uint32_t bits : rootless) {
+    ASSERT_EQ(bits_of(square_root(float_of(bits))), 0u) << bits;
+    ASSERT_EQ(bits_of(power_three_halves(float_of(bits))), 0u) << bits;
+  }
+}
+
+TEST(Lookup, RootPolicies) {
+  for (float y : {0.0f, FLT_TRUE_MIN, FLT_MIN, 1e-6f, 0.25f, 2.0f, 1e10f, FLT_MAX}) {
+    EXPECT_EQ(HardwareRoot::square_root(y), std::sqrt(y));
+    EXPECT_EQ(LookupRoot::square_root(y), square_root(y));
+  }
+}
+
+TEST(Lookup, ReciprocalOfEveryNormalisedDivisor) {
+  int64_t failures = 0;
+  for (uint64_t d = two_32 / 2; d < two_32; ++d) {
+    const uint64_t r = reciprocal_q31(static_cast<uint32_t>(d));
+    failures += (r * d > two_63) + ((r + 2) * d <= two_63);
+  }
+  EXPECT_EQ(failures, 0);
+  EXPECT_EQ(reciprocal_q31(0x80000000u), 0xffffffffu);
+}
+
+// With r > 2^63/d - 2 the product n r / 2^31 lacks less than 2^-30 of the quotient, and its floor less than 1 more.
+void expect_quotient(uint32_t numerator, uint32_t denominator) {
+  const uint64_t n = numerator, d = denominator;
+  const uint64_t fine = quotient_q32(numerator, denominator);
+  ASSERT_LE(fine * d, n * two_32) << n << " / " << d;
+  ASSERT_LT(n * two_32 - fine * d, d + 4 * n) << n << " / " << d;
+  const uint64_t coarse = quotient_q16(numerator, denominator);
+  ASSERT_LE(coarse * d, n * 65536 + d) << n << " / " << d;
+  ASSERT_LT(n * 65536, (coarse + 5) * d) << n << " / " << d;
+}
+
+TEST(Lookup, Quotients) {
+  for (uint32_t d = 1; d < 1024; ++d)
+    for (uint32_t n = 0; n <= d; ++n) expect_quotient(n, d);
+  for (uint32_t a : edges())
+    for (uint32_t b : edges())
+      if (a <= b && b != 0) expect_quotient(a, b);
+  std::mt19937 random(2);
+  for (int i = 0; i < 10000000 && !HasFatalFailure(); ++i) {
+    const auto d = static_cast<uint32_t>(random()) >> (i % 32) | 1;
+    expect_quotient(static_cast<uint32_t>(static_cast<uint64_t>(random()) * (uint64_t{d} + 1) / two_32), d);
+  }
+  for (uint32_t d : edges())
+    if (d != 0) {
+      EXPECT_EQ(quotient_q32(0, d), 0u);
+      EXPECT_EQ(quotient_q16(0, d), 0u);
+    }
+}
+
+}  // namespace
+}  // namespace impact

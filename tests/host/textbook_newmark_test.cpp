@@ -1,0 +1,223 @@
+#include "host_ref/textbook_newmark.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "host_ref/closed_form.hpp"
+#include "host_ref/error_measures.hpp"
+
+namespace impact::host {
+namespace {
+
+constexpr double betas[] = {0.25, 1.0 / 6, 1.0 / 12, 0.0};
+
+InternalForce no_force(const Eigen::VectorXd& x, const Eigen::VectorXd&) {
+  return {Eigen::VectorXd::Zero(x.size()), Eigen::MatrixXd::Zero(x.size(), x.size()),
+          Eigen::MatrixXd::Zero(x.size(), x.size())};
+}
+
+Case paper_case(Law law, Tension tension = Tension::clamp) {
+  Case run;
+  run.law = law;
+  run.scene.tension = tension;
+  if (law == Law::hooke_newton) run.scene.contact_damping = 20.81;
+  return run;
+}
+
+// Released in a mode of pulsation w, a chain of masses does x_n = x_0 cos(n theta),
+// cos theta = 1 - (w h)^2 / 2 / (1 + beta (w h)^2), exactly.
+TEST(NewmarkStep, ModesOfAChainVibrateAtTheDiscretePulsation) {
+  constexpr int size = 4;
+  const double h = 0.3;
+  LinearSystem system;
+  system.mass = Eigen::MatrixXd::Identity(size, size) * 2;
+  system.damping = Eigen::MatrixXd::Zero(size, size);
+  system.stiffness = Eigen::MatrixXd::Zero(size, size);
+  for (int i = 0; i < size; ++i) {
+    system.stiffness(i, i) = 10;
+    if (i > 0) system.stiffness(i, i - 1) = system.stiffness(i - 1, i) = -5;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(system.stiffness / 2);
+  for (const double beta : betas) {
+    for (int mode = 0; mode < size; ++mode) {
+      const double square = h * h * modes.eigenvalues()[mode];
+      ASSERT_LT(square, 4);  // the limit of stability for beta = 0
+      const double theta = std::acos(1 - square / 2 / (1 + beta * square));
+      const Eigen::VectorXd shape = modes.eigenvectors().col(mode);
+      Motion motion{shape, Eigen::VectorXd::Zero(size), -modes.eigenvalues()[mode] * shape};
+      for (int n = 1; n <= 100; ++n) {
+        motion = newmark_step(system, beta, h, motion, Eigen::VectorXd::Zero(size), no_force);
+        // 100 steps of a few ulps each, whose phase errors add up quadratically.
+        EXPECT_LT((motion.displacement - std::cos(n * theta) * shape).norm(), 1e-12) << beta << ", mode " << mode;
+      }
+    }
+  }
+}
+
+// A hardening spring and a quadratic damper between two masses: the equations of motion hold at the end of the step.
+TEST(NewmarkStep, SolvesTheNonlinearEquationsOfMotion) {
+  LinearSystem system;
+  system.mass = Eigen::Vector2d(1, 0.3).asDiagonal();
+  system.damping = Eigen::Vector2d(0.5, 0).asDiagonal();
+  system.stiffness = Eigen::Vector2d(1000, 0).asDiagonal();
+  const auto internal = [](const Eigen::VectorXd& x, const Eigen::VectorXd& v) {
+    const double y = x[1] - x[0], w = v[1] - v[0];
+    const Eigen::Vector2d direction(-1, 1);
+    const Eigen::Matrix2d coupling = direction * direction.transpose();
+    return InternalForce{(1e5 * y * y * y + 3 * w * std::abs(w)) * direction, 3e5 * y * y * coupling,
+                         6 * std::abs(w) * coupling};
+  };
+  for (const double beta : betas) {
+    Motion motion{Eigen::Vector2d(0.01, -0.02), Eigen::Vector2d(1, -2), Eigen::Vector2d(0, 0)};
+    for (int n = 0; n < 20; ++n) {
+      const Eigen::Vector2d external(5.0 - n, 1);
+      motion = newmark_step(system, beta, 1e-3, motion, external, internal);
+      const Eigen::VectorXd residual = system.mass * motion.acceleration + system.damping * motion.velocity +
+                                       system.stiffness * motion.displacement +
+                                       internal(motion.displacement, motion.velocity).force - external;
+      EXPECT_LT(residual.norm(), 1e-12) << beta;  // of forces of some 10 N
+    }
+  }
+}
+
+// Contact as one scalar equation: delta = trial - B f, its rate the trial's - R f.
+TEST(TextbookNewmark, ContactIsTheScalarEquation) {
+  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
+    for (const Tension tension : {Tension::clamp, Tension::allow}) {
+      for (const double beta : betas) {
+        const Case run = paper_case(law, tension);
+        const Scene& scene = run.scene;
+        const double h = 1e-3;
+        TextbookNewmark textbook(run, beta, h);
+        double a1 = 0, force1 = 0;  // acceleration of the main mass, force on it, at the start of the step
+        int contacts = 0;
+        for (int n = 1; n <= 1000; ++n) {
+          const Sample before = textbook.sample();
+          textbook.step();
+          const Sample after = textbook.sample();
+          const double a2 = -force1 / scene.ball_mass, drive = drive_force(run, after.t);
+          const double x1 = before.x1 + h * before.v1 + h * h * (0.5 - beta) * a1, v1 = before.v1 + h / 2 * a1;
+          const double x2 = before.x2 + h * before.v2 + h * h * (0.5 - beta) * a2, v2 = before.v2 + h / 2 * a2;
+          const double mass = scene.main_mass + h / 2 * scene.main_damping + beta * h * h * scene.main_stiffness;
+          const double a_trial = (drive - scene.main_damping * v1 - scene.main_stiffness * x1) / mass;
+          const double y = x2 - x1 - beta * h * h * a_trial, side = y < 0 ? -1 : 1;
+          const double trial = side * y - scene.clearance / 2, trial_rate = side * (v2 - v1 - h / 2 * a_trial);
+          const double compliance = 1 / scene.ball_mass + 1 / mass;
+          double force = 0;
+          if (trial > 0) {
+            force = after.contact_force;
+            const double delta = trial - beta * h * h * compliance * force,
+                         rate = trial_rate - h / 2 * compliance * force;
+            const double power = delta > 0 ? delta * std::sqrt(delta) : 0;
+            const double law_force =
+                law == Law::hooke_newton ? scene.contact_stiffness * delta + scene.contact_damping * rate
+                : law == Law::hertz      ? scene.contact_stiffness * power
+                                         : power * (scene.contact_stiffness + scene.contact_damping * rate);
+            const double expected = tension == Tension::clamp ? std::max(law_force, 0.0) : law_force;
+            // Displacements are rounded to 7e-18 m; through k1 and c1 / h that is 1e-12 N.
+            EXPECT_NEAR(force, expected, 5e-12) << beta << ", step " << n;
+            ++contacts;
+          }
+          EXPECT_EQ(after.contact_force != 0, force != 0);
+          const double a1_end = a_trial + side * force / mass;
+          EXPECT_NEAR(after.x1, x1 + beta * h * h * a1_end, 1e-16);
+          EXPECT_NEAR(after.v1, v1 + h / 2 * a1_end, 1e-14);
+          EXPECT_NEAR(after.x2, x2 - beta * h * h * side * force / scene.ball_mass, 1e-16);
+          a1 = a1_end;
+          force1 = side * force;
+        }
+        EXPECT_GT(contacts, 50);
+      }
+    }
+  }
+}
+
+// Slope of log error over log h, by least squares on five steps, each half the one before.
+double order_of(const double (&errors)[5]) {
+  double sum = 0;
+  for (int i = 0; i < 5; ++i) {
+    sum += (2 - i) * std::log2(errors[i]) / 10;
+    std::printf(" %.1e", errors[i]);
+  }
+  std::printf("  order %.2f\n", sum);
+  return sum;
+}
+
+// Largest error of the restitution of two free masses over the phase at which the impact falls within a step.
+template <typename Textbook>
+double restitution_error(Textbook make, Law law, int steps_per_contact) {
+  Impact impact;
+  impact.law = law;
+  Case run = paper_case(law, impact.tension = Tension::clamp);
+  impact.contact_damping = run.scene.contact_damping;
+  run.drive = DriveKind::none;
+  run.scene.main_stiffness = run.scene.main_damping = 0;
+  run.scene.stops = Stops::right;
+  run.scene.v2 = impact.speed;
+  const double h = *contact_time(impact) / steps_per_contact, e = *restitution(impact);
+  constexpr int phases = 65;
+  double largest = 0;
+  for (int phase = 0; phase < phases; ++phase) {
+    run.scene.x2 = 0.01 - impact.speed * h * (1 + (phase + 0.5) / phases);
+    auto textbook = make(run, h);
+    for (int n = 0; n < 2 * steps_per_contact + 10; ++n) textbook.step();
+    const Sample& after = textbook.sample();
+    EXPECT_LT(after.penetration, 0);
+    largest = std::max(largest, std::abs((after.v1 - after.v2) / impact.speed - e));
+  }
+  return largest;
+}
+
+// Orders over the phases of one impact: 1 where the force jumps and a pointwise scheme sees it up to a step late, else
+// 2 for Newmark and 5/2 for Runge-Kutta, which the infinite second derivative of delta^(3/2) at the impact robs of its
+// fourth order. From 20 to 320 steps per contact the next power of h still bends the slope by a tenth or two.
+TEST(TextbookNewmark, OrderOverAnImpact) {
+  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
+    for (const double beta : betas) {
+      std::printf("  law %d, beta %.4f:", static_cast<int>(law), beta);
+      double errors[5];
+      const auto make = [&](const Case& run, double h) { return TextbookNewmark(run, beta, h); };
+      for (int i = 0; i < 5; ++i) errors[i] = restitution_error(make, law, 20 << i);
+      EXPECT_GT(order_of(errors), law == Law::hooke_newton ? 0.8 : 1.8);
+    }
+  }
+}
+
+TEST(TextbookRungeKutta, OrderOverAnImpact) {
+  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
+    std::printf("  law %d:", static_cast<int>(law));
+    double errors[5];
+    const auto make = [](const Case& run, double h) { return TextbookRungeKutta(run, h); };
+    for (int i = 0; i < 5; ++i) errors[i] = restitution_error(make, law, 20 << i);
+    EXPECT_GT(order_of(errors), law == Law::hooke_newton ? 0.8 : 2.3);
+  }
+}
+
+// The same in the driven scene over 1 s, for the laws whose force is continuous: Hooke-Newton's first-order errors are,
+// at these steps, past what its trajectories allow to compare.
+TEST(TextbookNewmark, OrderOverASecond) {
+  for (const Law law : {Law::hertz, Law::hunt_crossley}) {
+    const Case run = paper_case(law);
+    const Samples reference = reference_trajectory(run, 0.01, 1).samples;
+    for (const double beta : betas) {
+      std::printf("  law %d, beta %.4f:", static_cast<int>(law), beta);
+      double errors[5];
+      for (int i = 0; i < 5; ++i) {
+        const int steps = 2000 << i;
+        TextbookNewmark textbook(run, beta, 1.0 / steps);
+        Samples samples{textbook.sample()};
+        for (int n = 1; n <= steps; ++n) {
+          textbook.step();
+          if (n % (steps / 100) == 0) samples.push_back(textbook.sample());
+        }
+        errors[i] = largest_difference(samples, reference);
+      }
+      EXPECT_GT(order_of(errors), 1.8);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impact::host

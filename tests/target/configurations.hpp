@@ -1,0 +1,147 @@
+#pragma once
+// What the images run: the paper's scene under each law, stepper, number format and drive. A configuration is added
+// here, to Configurations, and nowhere else.
+
+#include <stdint.h>
+
+#include <impact/absorber.hpp>
+
+namespace impact::target {
+
+template <class Part>
+constexpr const char* name = nullptr;
+template <>
+constexpr const char* name<HookeNewton> = "hooke-newton";
+template <>
+constexpr const char* name<Hertz> = "hertz";
+template <>
+constexpr const char* name<HuntCrossley> = "hunt-crossley";
+template <>
+constexpr const char* name<Moment> = "moment";
+template <>
+constexpr const char* name<AverageAcceleration> = "average";
+template <>
+constexpr const char* name<LinearAcceleration> = "linear";
+template <>
+constexpr const char* name<FoxGoodwin> = "fox-goodwin";
+template <>
+constexpr const char* name<CentralDifference> = "central";
+template <>
+constexpr const char* name<Fixed32> = "fixed32";
+template <>
+constexpr const char* name<Float32> = "float32";
+template <>
+constexpr const char* name<Float32Plain> = "float32-plain";
+template <>
+constexpr const char* name<NoDrive> = "none";
+template <>
+constexpr const char* name<Sine> = "sine";
+template <>
+constexpr const char* name<Sampled> = "sampled";
+
+// The columns law,newmark,numeric,drive as one string.
+struct Label {
+  char text[64] = {};
+
+  constexpr bool operator==(const char* other) const {
+    const char* own = text;
+    while (*own != 0 && *own == *other) ++own, ++other;
+    return *own == *other;
+  }
+};
+template <class... Parts>
+constexpr Label make_label() {
+  const char* const columns[] = {name<Parts>...};
+  Label label;
+  char* end = label.text;
+  for (const char* column : columns) {
+    if (end != label.text) *end++ = ',';
+    while (*column != 0) *end++ = *column++;
+  }
+  return label;
+}
+
+// The paper's tables 1 and 2, at rest under the paper's sine, and otherwise released from beyond the first impact.
+template <class Law, class Drive>
+constexpr Scene paper_scene() {
+  Scene scene;
+  if (Law::law == impact::Law::hooke_newton) scene.contact_damping = 20.81;
+  if (!Drive::is_sine) scene.x1 = scene.x2 = 0.03;
+  return scene;
+}
+
+// Samples of a drive: a triangle of 128 steps between +-Bounds::force.
+constexpr int32_t triangle(uint32_t index) {
+  const int32_t level = static_cast<int32_t>(index % 128);
+  return (level < 64 ? level - 32 : 95 - level) << 26;
+}
+constexpr void set(float& sample, int32_t fraction) {
+  sample = static_cast<float>(fraction) * (static_cast<float>(Bounds{}.force) / 2147483648.0f);
+}
+template <int bits>
+constexpr void set(Signed<bits>& sample, int32_t fraction) {
+  sample = {fraction};
+}
+
+template <class Law, class Newmark, class Numeric, class Drive>
+struct Configuration {
+  static constexpr Label label = make_label<Law, Newmark, Numeric, Drive>();
+  template <int microseconds>
+  struct Rig {
+    static constexpr Scene scene = paper_scene<Law, Drive>();
+    static constexpr Bounds bounds{};
+    static constexpr double step = microseconds * 1e-6;
+  };
+  template <int microseconds>
+  using Absorber = impact::Absorber<Rig<microseconds>, Law, Newmark, Drive, Numeric>;
+
+  // Makes step `index` of the trajectory.
+  template <class Absorber>
+  static void advance(Absorber& absorber, uint32_t index) {
+    if constexpr (Drive::is_sampled) {
+      typename Numeric::Value sample;
+      set(sample, triangle(index));
+      absorber.step(sample);
+    } else {
+      absorber.step();
+    }
+  }
+};
+
+template <class... Configurations>
+struct List {};
+template <class Function, class... Configurations>
+void for_each(List<Configurations...>, Function function) {
+  (function(Configurations{}), ...);
+}
+template <class... A, class... B>
+constexpr List<A..., B...> operator+(List<A...>, List<B...>) {
+  return {};
+}
+
+// Every law, stepper and drive in the given number formats.
+template <class Law, class Newmark, class Numeric, class... Drives>
+constexpr auto with_drives(List<Drives...>) {
+  return List<Configuration<Law, Newmark, Numeric, Drives>...>{};
+}
+template <class Law, class Numeric, class... Newmarks>
+constexpr auto with_newmarks(List<Newmarks...>) {
+  return (with_drives<Law, Newmarks, Numeric>(List<NoDrive, Sine, Sampled>{}) + ...);
+}
+template <class Numeric, class... Laws>
+constexpr auto with_laws(List<Laws...>) {
+  using Newmarks = List<Moment, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
+  return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
+}
+template <class... Numerics>
+constexpr auto all_configurations() {
+  return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
+}
+
+// Those whose cost is measured and has a budget.
+using Budgeted = List<  //
+    Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
+    Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
+    Configuration<HookeNewton, Moment, Fixed32, Sine>>;
+
+}  // namespace impact::target

@@ -1,0 +1,75 @@
+#include "instruction_counter.hpp"
+
+namespace impact::target {
+namespace {
+
+#ifdef __riscv
+
+// The counter's advance across a call: the reading itself, the call, and the function.
+[[gnu::naked, gnu::noinline]] uint32_t advance_across(void (*)(void*), void*) {
+  asm(".option push\n"
+      ".option arch, +zicsr\n"
+      "addi sp, sp, -16\n"
+      "sw ra, 12(sp)\n"
+      "sw s0, 8(sp)\n"
+      "mv t0, a0\n"
+      "mv a0, a1\n"
+      "csrr s0, minstret\n"
+      "jalr t0\n"
+      "csrr a0, minstret\n"
+      "sub a0, a0, s0\n"
+      "lw s0, 8(sp)\n"
+      "lw ra, 12(sp)\n"
+      "addi sp, sp, 16\n"
+      "ret\n"
+      ".option pop\n");
+}
+void start() {}
+uint32_t instructions_in(uint32_t advance) { return advance; }
+
+#else
+
+[[gnu::naked, gnu::noinline]] uint32_t advance_across(void (*)(void*), void*) {
+  asm("push {r4, r5, r6, lr}\n"
+      "ldr r5, =0xE000E018\n"  // SYST_CVR
+      "mov r6, r0\n"
+      "mov r0, r1\n"
+      "ldr r4, [r5]\n"
+      "blx r6\n"
+      "ldr r0, [r5]\n"
+      "sub r0, r4, r0\n"
+      "lsl r0, r0, #8\n"
+      "lsr r0, r0, #8\n"
+      "pop {r4, r5, r6, pc}\n"
+      ".ltorg\n");
+}
+
+void start() {
+  auto* const systick = reinterpret_cast<volatile uint32_t*>(0xE000E010);
+  systick[1] = 0xFFFFFF;  // reload
+  systick[2] = 0;         // current
+  systick[0] = 5;         // count the core's clock, no interrupt
+}
+
+uint32_t instructions_in(uint32_t ticks) {
+#if __ARM_ARCH == 6
+  return (ticks * 125 + 1024) / 2048;  // microbit
+#else
+  return (ticks * 5 + 64) / 128;  // mps2
+#endif
+}
+
+#endif
+
+constexpr uint32_t reading_and_call = 2;
+
+}  // namespace
+
+uint32_t instructions_of(void (*function)(void*), void* argument) {
+  static bool started = false;
+  if (!started) start();
+  started = true;
+  return instructions_in(advance_across(function, argument)) - reading_and_call;
+}
+
+}  // namespace impact::target

@@ -1,0 +1,59 @@
+// The instruction counter against code whose length is known: straight lines, loops, calls, and both ways of a branch.
+
+#include "instruction_counter.hpp"
+
+#include "check.hpp"
+
+namespace {
+
+using impact::target::check_equal;
+using impact::target::instructions_of;
+
+#ifdef __riscv
+#define RETURN "ret\n"
+#define COUNT_DOWN(n) "li a0, " #n "\n 1: addi a0, a0, -1\n bnez a0, 1b\n"
+#define SKIP_IF_ZERO "beqz a0, 1f\n"
+#else
+#define RETURN "bx lr\n"
+#define COUNT_DOWN(n) "ldr r0, =" #n "\n 1: sub r0, r0, #1\n cmp r0, #0\n bne 1b\n"
+#define SKIP_IF_ZERO "cmp r0, #0\n beq 1f\n"
+#endif
+#define STRAIGHT(n) ".rept " #n "\n nop\n .endr\n"
+
+[[gnu::naked]] void nothing(void*) { asm(RETURN); }
+[[gnu::naked]] void straight_1(void*) { asm(STRAIGHT(1) RETURN); }
+[[gnu::naked]] void straight_2(void*) { asm(STRAIGHT(2) RETURN); }
+[[gnu::naked]] void straight_10(void*) { asm(STRAIGHT(10) RETURN); }
+[[gnu::naked]] void straight_999(void*) { asm(STRAIGHT(999) RETURN); }
+[[gnu::naked]] void straight_5000(void*) { asm(STRAIGHT(5000) RETURN); }
+[[gnu::naked]] void loop_1000(void*) { asm(COUNT_DOWN(1000) RETURN ".balign 4\n"); }
+[[gnu::naked]] void loop_200000(void*) { asm(COUNT_DOWN(200000) RETURN ".balign 4\n"); }
+[[gnu::naked]] void branch(void*) { asm(SKIP_IF_ZERO STRAIGHT(7) "1:\n" RETURN); }
+
+#ifdef __riscv
+constexpr uint32_t per_turn = 2, per_condition = 1, load_200000 = 2;
+#else
+constexpr uint32_t per_turn = 3, per_condition = 2, load_200000 = 1;
+#endif
+
+}  // namespace
+
+int main() {
+  check_equal("nothing", instructions_of(nothing, nullptr), 1);
+  check_equal("straight_1", instructions_of(straight_1, nullptr), 2);
+  check_equal("straight_2", instructions_of(straight_2, nullptr), 3);
+  check_equal("straight_10", instructions_of(straight_10, nullptr), 11);
+  check_equal("straight_999", instructions_of(straight_999, nullptr), 1000);
+  check_equal("straight_5000", instructions_of(straight_5000, nullptr), 5001);
+  check_equal("loop_1000", instructions_of(loop_1000, nullptr), 1 + 1000 * per_turn + 1);
+  check_equal("loop_200000", instructions_of(loop_200000, nullptr), load_200000 + 200000 * per_turn + 1);
+  check_equal("branch_taken", instructions_of(branch, nullptr), per_condition + 1);
+  int something = 1;
+  check_equal("branch_not_taken", instructions_of(branch, &something), per_condition + 8);
+
+  // Whatever the phase between instructions and ticks, and across the wrap of the 24-bit counter.
+  uint32_t wrong = 0;
+  for (uint32_t i = 0; i < 20000; ++i) wrong += instructions_of(straight_10, nullptr) != 11;
+  check_equal("wrong_of_20000", wrong, 0);
+  return impact::target::failures();
+}

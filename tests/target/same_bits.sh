@@ -1,0 +1,13 @@
+#!/bin/sh
+# The trajectories on a host, compiled by any compiler with any flags: same_bits.sh PROJECT COMPILER FLAG...
+set -eu
+project=$1 compiler=$2 && shift 2
+command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
+case "$*" in *-mfma*) grep -qw fma /proc/cpuinfo || { echo "this processor has no FMA" && exit 77; } ;; esac
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+"$compiler" "$@" -std=c++17 -ffp-contract=off \
+  -DIMPACT_NUMERICS=impact::Fixed32,impact::Float32,impact::Float32Plain -I "$project/kernel/include" \
+  -I "$project/toolchains" "$project/tests/target/trajectory_test.cpp" \
+  "$project/tests/target/host_console.cpp" -o "$folder/trajectory_test"
+"$folder/trajectory_test"

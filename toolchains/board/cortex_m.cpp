@@ -1,0 +1,40 @@
+// Start-up code of a Cortex-M: the vector table, the FPU, and what happens on a fault.
+
+#include <board/start.hpp>
+
+extern "C" {
+
+extern uint32_t stack_top[];
+
+// Naked, because the prologue of an ordinary function may push FPU registers while the FPU is still off.
+[[gnu::naked]] void reset_handler() {
+#ifdef __ARM_FP
+  asm("ldr r0, =0xE000ED88\n"  // CPACR: full access to coprocessors 10 and 11
+      "ldr r1, [r0]\n"
+      "orr r1, r1, #(15 << 20)\n"
+      "str r1, [r0]\n"
+      "dsb\n"
+      "isb\n");
+#endif
+  asm("bl start\n"
+      ".ltorg\n");
+}
+
+[[gnu::used]] void start() { impact::board::start(); }
+
+void fault_handler() {
+  impact::board::print("processor fault\n");
+  impact::board::exit(3);
+}
+
+struct VectorTable {
+  uint32_t* stack;
+  void (*reset)();
+  void (*system[14])();  // NMI to SysTick
+};
+[[gnu::section(".vectors"), gnu::used]] const VectorTable vectors = {
+    stack_top,
+    reset_handler,
+    {fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler,
+     fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler}};
+}

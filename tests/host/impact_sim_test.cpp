@@ -225,9 +225,10 @@ TEST_F(ImpactSim, AFileThatRunsFullLeavesTheOldOneAndNoRemains) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 3);
 }
 
-// The main mass of the paper's scene moves by 17 mm; a bound of 2 mm makes room for less than 4 mm.
+// The ball of the paper's scene moves by 30 mm; a bound of 12 mm makes room for less than 15.625 mm = 2^-6 m. (A bound
+// below half the clearance is refused.)
 TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
-  const std::string scene = "--newmark moment --numeric fixed32 --bound-displacement 2e-3 --output data.csv";
+  const std::string scene = "--newmark moment --numeric fixed32 --bound-displacement 0.012 --output data.csv";
   write(file("data.csv"), "old\n");
   const Result result = run(scene);
   EXPECT_EQ(result.code, 3);
@@ -238,12 +239,13 @@ TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
   ASSERT_GT(lines.size(), 100u);
   for (size_t i = 1; i < lines.size(); ++i) {
     ASSERT_THAT(split(lines[i], ','), SizeIs(8));
-    EXPECT_LT(std::abs(std::stod(split(lines[i], ',')[1])), 4e-3);
+    EXPECT_LE(std::abs(std::stod(split(lines[i], ',')[1])), 0x1p-6);
+    EXPECT_LE(std::abs(std::stod(split(lines[i], ',')[3])), 0x1p-6);
   }
 }
 
 TEST_F(ImpactSim, AFaultStandsInItsRowOfASweep) {
-  write(file("scenes.csv"), "bound-displacement\n0.1\n2e-3\n");
+  write(file("scenes.csv"), "bound-displacement\n0.1\n0.012\n");
   const Result result = run("--sweep scenes.csv --newmark moment --numeric fixed32 --output rows.csv");
   EXPECT_EQ(result.code, 3);
   const auto lines = lines_of(read(file("rows.csv")));

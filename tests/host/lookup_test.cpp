@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <impact/lookup/power_three_halves.hpp>
 #include <impact/lookup/reciprocal.hpp>
 #include <impact/lookup/square_root.hpp>
@@ -82,16 +81,21 @@ TEST(Lookup, LeadingZerosAgreeInBothForms) {
   }
 }
 
+// |x| > limit, without a branch that the processor would have to guess.
+int beyond(int64_t x, int64_t limit) {
+  return static_cast<uint64_t>(x) + static_cast<uint64_t>(limit) > 2 * static_cast<uint64_t>(limit);
+}
+
 // |root^2 - u 2^32| <= 2 bound u 2^32 is |error| <= bound root, to first order in a bound with room for the second.
 template <int index_bits, int order>
 void expect_every_root(double bound) {
-  const auto limit = static_cast<uint64_t>(2 * bound * static_cast<double>(two_32));
+  const auto limit = static_cast<int64_t>(2 * bound * static_cast<double>(two_32));
   int64_t failures = 0;
   uint32_t previous = 0;
   for (uint64_t u = two_32 / 4; u < two_32; ++u) {
     const uint32_t root = square_root_table<index_bits, order>.root(static_cast<uint32_t>(u));
     const auto excess = static_cast<int64_t>(uint64_t{root} * root - u * two_32);
-    failures += (root < previous) + (static_cast<uint64_t>(excess < 0 ? -excess : excess) > limit * u);
+    failures += (root < previous) + beyond(excess, limit * static_cast<int64_t>(u));
     previous = root;
   }
   EXPECT_EQ(failures, 0) << index_bits << ", " << order;
@@ -110,16 +114,16 @@ static_assert(sizeof reciprocal_table == 128, "the table's size as its header st
 // |root^2 - T^2| <= 2^-26 T^2 + root = 64 y + root. The power is floor(y root / 2^32), whose bound follows: the root's
 // error times y / 2^32 is at most 2^-27 of the power plus 1/2, and the floor takes less than 1.
 TEST(Lookup, EveryUint32) {
-  int64_t root_failures = 0, power_failures = 0, previous_root = 0, previous_power = 0;
-  for (int64_t y = 1; y < static_cast<int64_t>(two_32); ++y) {
-    const auto root = static_cast<int64_t>(square_root_q32(static_cast<uint32_t>(y)));
-    const auto excess = static_cast<int64_t>(static_cast<uint64_t>(root * root) - static_cast<uint64_t>(y) * two_32);
-    root_failures += (root < previous_root) + (std::abs(excess) > 64 * y + root);
+  int64_t root_failures = 0, power_failures = 0;
+  uint64_t previous_root = 0, previous_power = 0;
+  for (uint64_t y = 1; y < two_32; ++y) {
+    const uint64_t root = square_root_q32(static_cast<uint32_t>(y));
+    const auto excess = static_cast<int64_t>(root * root - y * two_32);
+    root_failures += (root < previous_root) + beyond(excess, static_cast<int64_t>(64 * y + root));
     previous_root = root;
 
-    const auto power = static_cast<int64_t>(power_three_halves_q32(static_cast<uint32_t>(y)));
-    const uint64_t product = static_cast<uint64_t>(y) * static_cast<uint64_t>(root);
-    power_failures += (power < previous_power) + (static_cast<uint64_t>(power) != product / two_32);
+    const uint64_t power = power_three_halves_q32(static_cast<uint32_t>(y));
+    power_failures += (power < previous_power) + (power != y * root / two_32);
     previous_power = power;
   }
   EXPECT_EQ(root_failures, 0);
@@ -136,11 +140,25 @@ TEST(Lookup, PowerThreeHalvesAgainstDouble) {
   }
 }
 
+// Where the number of leading zeros changes, the rounding shift does too.
+template <int index_bits, int order>
+void expect_rising_across_normalisations() {
+  for (int k = 1; k < 16; ++k) {
+    const auto last = static_cast<uint32_t>((UINT64_C(1) << (2 * k)) - 1);
+    const uint32_t root = square_root_q32<index_bits, order>(last);
+    EXPECT_LE((square_root_q32<index_bits, order>(last - 1)), root) << k;
+    EXPECT_LE(root, (square_root_q32<index_bits, order>(last + 1))) << k;
+  }
+}
+
 TEST(Lookup, EndsOfUint32) {
   EXPECT_EQ(square_root_q32(0), 0u);
   EXPECT_EQ(power_three_halves_q32(0), 0u);
   EXPECT_EQ(square_root_q32(0xffffffffu), 0xfffffffeu);
   for (int k = 0; k < 16; ++k) EXPECT_EQ(square_root_q32(1u << (2 * k)), 1u << (16 + k));
+  expect_rising_across_normalisations<5, 3>();
+  expect_rising_across_normalisations<6, 1>();
+  expect_rising_across_normalisations<6, 2>();
 }
 
 constexpr uint32_t infinity_bits = 0x7f800000;

@@ -26,7 +26,7 @@ void measure(Cost& free, Cost& contact, uint32_t steps) {
     typename Configuration::template Absorber<microseconds> absorber{};
     uint32_t index = 0;
   } run;
-  bool touched = run.absorber.penetration() > 0;
+  bool touched = run.absorber.is_touching();
   for (; run.index < steps; ++run.index) {
     const uint32_t instructions = instructions_of(
         [](void* argument) {
@@ -34,7 +34,7 @@ void measure(Cost& free, Cost& contact, uint32_t steps) {
           Configuration::advance(absorber, index);
         },
         &run);
-    const bool touches = run.absorber.penetration() > 0;
+    const bool touches = run.absorber.is_touching();
     (touched || touches ? contact : free).add(instructions);
     touched = touches;
   }

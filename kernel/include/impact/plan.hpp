@@ -70,7 +70,6 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   const double drive = larger(scene.drive_amplitude, bounds.force);
   largest.increment = h * h * (2 * drive + scene.main_stiffness * bounds.displacement) / scene.main_mass;
   largest.push = h * h * largest_force / constant::smaller(scene.ball_mass, scene.main_mass);
-  largest.sample = bounds.force;
   const UnitExponents exponents = Format::exponents(largest);
 
   status = Format::status_of(exponents, scene.clearance / 2);

@@ -78,8 +78,8 @@ struct SquareRootTable {
 template <int index_bits, int order>
 inline constexpr SquareRootTable<index_bits, order> square_root_table{};
 
-// Y = y / 2^32 gives sqrt(Y) 2^32: |error| <= bound result + 1/2 for every y, with the bound above. Never falls; 0 for
-// 0, 2^(16+k) for 4^k, 2^32 - 2 for 2^32 - 1.
+// Y = y / 2^32 gives sqrt(Y) 2^32: |error| <= bound result + 1/2 for every y, with the bound above; never falls; 0 for
+// 0. With the default table 2^(16+k) for 4^k and 2^32 - 2 for 2^32 - 1.
 template <int index_bits = 6, int order = 3>
 constexpr uint32_t square_root_q32(uint32_t y) {
   if (y == 0) return 0;
@@ -122,8 +122,8 @@ struct LookupRoot {
   static float square_root(float y) { return impact::square_root<>(y); }
 };
 
-// One correctly rounded instruction, written out because a compiler adds a call to sqrtf for the sake of errno. For y <
-// 0 it gives NaN.
+// One correctly rounded instruction, written out because for the sake of errno a compiler adds a call to sqrtf. NaN for
+// y < 0.
 struct HardwareRoot {
 #if (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__aarch64__) || defined(__SSE2__) || \
     defined(__riscv_flen)

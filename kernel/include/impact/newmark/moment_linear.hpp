@@ -1,15 +1,19 @@
 #pragma once
 // The moment-fitted contact for Hooke-Newton, f = d + C v in the units of contact_terms.hpp (d: penetration, v: its rate per
-// step, C = c1/(k1 h)). With the rate linear in time over the step,
+// step, C = c1/(k1 h)).
 //
-//     inside    J0 = (d0 + d1)/2 - (v1 - v0)/12 + C (d1 - d0)      J1 = J0/2 - (d1 - d0 + C (v1 - v0))/12
-//               linear in d1 and v1, solved by the plan: J0 and J1 are gains of d0, trial - d0, trial rate - v0
-//     entering  u = d1/(d1 - d0), the share of the step in contact; A = d1 u/2 - (v1 - v0) u^2 (1/4 - u/6)  (integral of d)
-//               J0 = A + C d1        J1 = J0/2 - d1 u (1/4 - u/6) - C (d1/2 - A)
-//     leaving   at zero penetration (tension allowed): the mirror image, J0 = A - C d0, J1 = J0/2 + d0 u (1/4 - u/6) - ...
-//     released  at zero force (tension clamped): f is a parabola in time from its value and slope at the start and its value
-//               at the end; J0 and J1 are its integrals up to its root. What the spring still holds is lost, and
-//               the ball is free until it is out or pushed in again by a positive force.
+// Without contact d would run through the step as the cubic through its values and rates at both ends: from d0 and v0 with
+// the acceleration a and the jerk j. The law gives each derivative of the force from those of d, and the masses give
+// each of d from the force's:
+//
+//     f^(n) = d^(n) + C d^(n+1)        d^(n+2) = (a, j, 0, ..) - G f^(n)        G: response of the rate to the force
+//
+// a Taylor series that makes J0 and J1 linear in d0, v0, a and j: over a whole step inside, the plan sums it to the end and
+// the step has eight multiplications. A step in which the ball comes or goes finds that instant and sums the series up to it:
+//
+//     entering  at the root of the free parabola of d, from d = 0
+//     leaving   at the root of d (tension allowed) or of f (clamped: what the spring still holds is lost, and
+//               the ball is free until it is out or a positive force pushes it in again)
 
 #include <impact/newmark/moment_response.hpp>
 
@@ -23,34 +27,43 @@ struct MomentLinear {
 
   struct Plan {
     Response<Gain> response;
-    Gain damping;                                                            // C
-    Gain impulse, impulse_by_change, impulse_by_rate;                        // of d0, trial - d0, trial rate - v0
-    Gain moment, moment_by_change, moment_by_rate;
+    Gain damping;                                   // C
+    struct {
+      Gain penetration, change, rate_change, sag;   // d0, trial - d0, trial rate - v0, trial - d0 - v0
+    } impulse, moment;
     bool clamped;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const MomentResponse answer(terms);
-    const double scale = terms.stiffness * terms.step * terms.step, C = terms.damping_time / terms.step;
-    const double gx = scale * (1 / terms.ball_mass + answer.gx), gv = scale * (1 / terms.ball_mass + answer.g0);
-    const double g1 = scale * answer.hg1;
-    // J0 = d0 + p0 a - q0 b, J1 = d0/2 + p1 a - q1 b with a = d1 - d0, b = v1 - v0.
-    const double p0 = 0.5 + C, q0 = 1.0 / 12, p1 = 1.0 / 6 + C / 2, q1 = 1.0 / 24 + C / 12;
-    const double m11 = 1 + gx * p1, m12 = -gx * q1, m21 = gv * p0 + g1 * p1, m22 = 1 - gv * q0 - g1 * q1;
-    const double determinant = m11 * m22 - m12 * m21;
+    const double C = terms.damping_time / terms.step;
+    const double G = terms.stiffness * terms.step * terms.step * (1 / terms.ball_mass + answer.g0);
     struct Moments {
       double impulse, moment;
     };
-    const auto solve = [&](double d0, double change, double rate_change) {
-      const double right_a = change - gx * d0 / 2, right_b = rate_change - gv * d0 - g1 * d0 / 2;
-      const double a = (m22 * right_a - m12 * right_b) / determinant, b = (m11 * right_b - m21 * right_a) / determinant;
-      return Moments{d0 + p0 * a - q0 * b, d0 / 2 + p1 * a - q1 * b};
+    const auto moments = [&](double d0, double change, double rate_change, double sag) {
+      const double a = 6 * sag - 2 * rate_change, jerk = 6 * rate_change - 12 * sag;
+      double d[3] = {d0, change - sag, 0}, share = 1;
+      Moments sum{};
+      for (int n = 0; n < 40; ++n) {
+        const double force = d[0] + C * d[1];
+        d[2] = (n == 0 ? a : n == 1 ? jerk : 0) - G * force;
+        share /= n + 1;
+        sum.impulse += share * force;
+        sum.moment += share / (n + 2) * force;
+        d[0] = d[1];
+        d[1] = d[2];
+      }
+      return sum;
     };
-    const Moments by_d0 = solve(1, 0, 0), by_change = solve(0, 1, 0), by_rate = solve(0, 0, 1);
+    const Moments by_penetration = moments(1, 0, 0, 0), by_change = moments(0, 1, 0, 0), by_rate = moments(0, 0, 1, 0),
+                  by_sag = moments(0, 0, 0, 1);
     const int to = unit.force;
     return {answer.gains<Format>(terms, flow, unit),
             Format::gain(C, unit.penetration, terms.damping_exponent),
-            Format::gain(by_d0.impulse, 0, to), Format::gain(by_change.impulse, 0, to), Format::gain(by_rate.impulse, 0, to),
-            Format::gain(by_d0.moment, 0, to), Format::gain(by_change.moment, 0, to), Format::gain(by_rate.moment, 0, to),
+            {Format::gain(by_penetration.impulse, 0, to), Format::gain(by_change.impulse, 0, to),
+             Format::gain(by_rate.impulse, 0, to), Format::gain(by_sag.impulse, 0, to)},
+            {Format::gain(by_penetration.moment, 0, to), Format::gain(by_change.moment, 0, to),
+             Format::gain(by_rate.moment, 0, to), Format::gain(by_sag.moment, 0, to)},
             terms.clamped};
   }
 
@@ -67,20 +80,21 @@ struct MomentLinear {
   }
   static constexpr Kick<Value> moments(const MomentLinear&, const MomentLinear&, Kick<Value> kick) { return kick; }
 
-  constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
-    const Value change = trial - penetration, rate_change = trial_rate - rate;
-    const Kick<Value> kick = {
-        plan.impulse * penetration + plan.impulse_by_change * change + plan.impulse_by_rate * rate_change,
-        plan.moment * penetration + plan.moment_by_change * change + plan.moment_by_rate * rate_change};
+    const Value change = trial - penetration, rate_change = trial_rate - rate, sag = change - rate;
+    const Kick<Value> kick = {plan.impulse.penetration * penetration + plan.impulse.change * change +
+                                  plan.impulse.rate_change * rate_change + plan.impulse.sag * sag,
+                              plan.moment.penetration * penetration + plan.moment.change * change +
+                                  plan.moment.rate_change * rate_change + plan.moment.sag * sag};
     const Value d = trial - plan.response.penetration * kick.moment;
     const Value v = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
     if (plan.clamped) {
       const Value force = units.elastic(d) + plan.damping * v;
-      if (!is_positive(force)) return release(plan, units, trial, trial_rate, force);
+      if (!is_positive(force)) return leave(plan, units, trial, trial_rate, force);
     } else if (!is_positive(d)) {
-      return leave(plan, units, trial, trial_rate);
+      return leave(plan, units, trial, trial_rate, d);
     }
     penetration = d;
     rate = v;
@@ -88,82 +102,86 @@ struct MomentLinear {
   }
 
  private:
-  constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate, Kick<Value> kick) {
+  [[gnu::always_inline]] constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate, Kick<Value> kick) {
     penetration = trial - plan.response.penetration * kick.moment;
     rate = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
     return kick;
   }
 
-  // Integral of d over the share u of the step in contact, d being its value at the inner end, and d u (1/4 - u/6).
-  template <class Share>
-  static constexpr Value area(Value d, Share u, Value dv) {
-    return Format::value(half(d * u)) - Format::value(lever(dv, u) * u);
-  }
-  template <class Share>
-  static constexpr Value lever(Value d, Share u) {
-    return Format::value(d * (u * (Format::constant(1.0 / 4) - Format::constant(1.0 / 6) * u)));
-  }
+  static constexpr int terms = 5;  // of the series; the next one is below (pulsation h)^5 / 720 of the impulse
 
-  constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
-    const Value rate_before = (trial - before) + (trial - before) - trial_rate;
-    Value d = trial;
-    Kick<Value> kick{};
-    for (int pass = 0; pass < 4; ++pass) {
-      if (!is_positive(d)) d = Value{};
-      const auto u = Format::quotient(without_sign(d), without_sign(d - before));
-      const Value push = plan.damping * d;
-      const Value dv = trial_rate - rate_before -
-                       plan.response.rate * (units.elastic(Format::value(half(d * u))) + push);
-      const Value A = area(d, u, dv);
-      kick.impulse = units.elastic(A) + push;
-      kick.moment = Format::value(half(kick.impulse)) - units.elastic(lever(d, u)) -
-                    (Format::value(half(push)) - plan.damping * A);
-      d = trial - plan.response.penetration * kick.moment;
+  struct Series {
+    Value d[terms + 1], f[terms];  // derivatives at the start, per step
+  };
+  [[gnu::always_inline]] static constexpr Series series(const Plan& plan, const Units& units, Value d, Value v, Value a,
+                                                            Value jerk) {
+    Series result{};
+    result.d[0] = d;
+    result.d[1] = v;
+    for (int n = 0; n < terms; ++n) {
+      result.f[n] = units.elastic(result.d[n]) + plan.damping * result.d[n + 1];
+      if (n + 2 <= terms) result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Value{}) - plan.response.rate * result.f[n];
     }
-    return settle(plan, trial, trial_rate, kick);
+    return result;
   }
 
-  constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial, Value trial_rate) {
-    const Value d = penetration, pull = plan.damping * d;
-    Value end = trial;
-    Kick<Value> kick{};
-    for (int pass = 0; pass < 4; ++pass) {
-      if (is_positive(end)) end = Value{};
-      const auto u = Format::quotient(without_sign(d), without_sign(d - end));
-      const Value dv = trial_rate - rate - plan.response.rate * (units.elastic(Format::value(half(d * u))) - pull);
-      const Value A = area(d, u, dv);
-      kick.impulse = units.elastic(A) - pull;
-      kick.moment = Format::value(half(kick.impulse)) + units.elastic(lever(d, u)) -
-                    (Format::value(half(pull)) - plan.damping * A);
-      end = trial - plan.response.penetration * kick.moment;
+  // x0 + x1 t/(1 + integrals) + x2 t^2/((1 + integrals)(2 + integrals)) + ...: the series at t, or its repeated integral
+  // from 0 to t over t^integrals / integrals!.
+  template <int integrals, class Time>
+  [[gnu::always_inline]] static constexpr Value at(const Value* x, Time t) {
+    Value sum = x[terms - 1];
+    for (int n = terms - 1; n > 0; --n) {
+      const Value term = Format::value(sum * t);
+      sum = x[n - 1] + (n + integrals == 1 ? term : Format::value(Format::constant(1.0 / (n + integrals)) * term));
     }
-    return settle(plan, trial, trial_rate, kick);
+    return sum;
   }
 
-  // f(t) = f0 + slope t + bend t^2 with t in steps; its root by the secant and one correction. The impulse has its maximum
-  // there, so that the root's own error enters squared.
-  constexpr Kick<Value> release(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value end) {
-    const Value start = units.elastic(penetration) + plan.damping * rate;
-    const Value acceleration = trial_rate - rate - plan.response.rate * start;
-    const Value slope = units.elastic(rate) + plan.damping * acceleration;
-    const Value bend = end - start - slope;
-    auto t = Format::quotient(positive_part(start), positive_part(start - end));
-    const Value still = start + Format::value((slope + Format::value(bend * t)) * t);
-    t = Format::corrected(t, still, positive_part(-(slope + Format::value(twice(bend * t)))));
-    const Value tt_slope = Format::value(slope * t), tt_bend = Format::value(Format::value(bend * t) * t);
-    const Value third = Format::value(Format::constant(1.0 / 3) * tt_bend);
-    Kick<Value> kick{};
-    kick.impulse = Format::value((start + Format::value(half(tt_slope)) + third) * t);
-    kick.moment = kick.impulse - Format::value(Format::value((Format::value(half(start)) + Format::value(Format::constant(1.0 / 3) * tt_slope) +
-                                  Format::value(half(half(tt_bend)))) * t) * t);
+  // The kick of a force that acts from the series' start for the time t, then not for the rest of the step.
+  template <class Time>
+  [[gnu::always_inline]] static constexpr Kick<Value> kick_until(const Series& from, Time t) {
+    const Value impulse = Format::value(at<1>(from.f, t) * t);
+    const Value lever = Format::value(half(Format::value(at<2>(from.f, t) * t)) * t);
+    return {impulse, lever};
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial, Value trial_rate,
+                                                     Value before) {
+    const Value a = twice_value(trial_rate - (trial - before));
+    auto t = Format::quotient(without_sign(trial), without_sign(trial - before));
+    for (int pass = 0; pass < 2; ++pass) {
+      const Value still = trial - Format::value((trial_rate - Format::value(half(a * t))) * t);
+      t = Format::corrected(t, still, positive_part(trial_rate - Format::value(a * t)));
+    }
+    const Series from = series(plan, units, Value{}, trial_rate - Format::value(a * t), a, Value{});
+    return settle(plan, trial, trial_rate, kick_until(from, t));
+  }
+
+  // `end`: what vanishes, at the end of the step had the contact lasted; a first guess of when comes from the chord.
+  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial, Value trial_rate,
+                                                     Value end) {
+    const Value change = trial_rate - rate, sag = twice_value(trial - penetration - rate);
+    const Value half_jerk = change + twice_value(change - sag) - sag;
+    const Series from = series(plan, units, penetration, rate, change - half_jerk, twice_value(half_jerk));
+    const Value* const vanishing = plan.clamped ? from.f : from.d;
+    auto t = Format::quotient(positive_part(vanishing[0]), positive_part(vanishing[0] - end));
+    for (int pass = 0; pass < 2; ++pass)
+      t = Format::corrected(t, at<0>(vanishing, t), positive_part(-slope(vanishing, t)));
+    Kick<Value> kick = kick_until(from, t);
+    kick.moment = kick.moment + kick.impulse - Format::value(kick.impulse * t);
     settle(plan, trial, trial_rate, kick);
     if (phase == Phase::touching) phase = Phase::released;
     return kick;
   }
+  template <class Time>
+  static constexpr Value slope(const Value* x, Time t) {
+    return x[1] + Format::value((x[2] + Format::value(half(x[3] * t))) * t);
+  }
+  static constexpr Value twice_value(Value x) { return x + x; }
 
   // Pushed in again before it was out: the force grows from zero, to first order in time.
-  constexpr Kick<Value> pressed_again(const Plan& plan, const Units& units, Value trial, Value trial_rate) {
+  [[gnu::always_inline]] constexpr Kick<Value> pressed_again(const Plan& plan, const Units& units, Value trial, Value trial_rate) {
     const Value start = units.elastic(penetration) + plan.damping * rate;
     const Value end = units.elastic(trial) + plan.damping * trial_rate;
     Kick<Value> kick{};

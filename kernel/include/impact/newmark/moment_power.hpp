@@ -48,7 +48,7 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   }
   static constexpr Kick<Value> moments(const MomentPower&, const MomentPower&, Kick<Value> kick) { return kick; }
 
-  constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
     const auto shape = root * without_sign(penetration);
     const Value force = Format::value(damped(plan, units, shape, rate));
@@ -66,14 +66,14 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
  private:
   // x (1 + C v), never negative: the contact does not pull.
   template <class Shape>
-  constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
+  [[gnu::always_inline]] constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
     if constexpr (ContactLaw::is_damped)
       return x * positive_part(units.one() + damping(plan) * v);
     else
       return x;
   }
 
-  constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate, Kick<Value> kick) {
+  [[gnu::always_inline]] constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate, Kick<Value> kick) {
     penetration = trial - plan.response.penetration * kick.moment;
     rate = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
@@ -81,33 +81,34 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     return kick;
   }
 
-  constexpr Kick<Value> stay(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value d, Value v) {
+  [[gnu::always_inline]] constexpr Kick<Value> stay(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value d, Value v) {
     const auto s = Format::root(d);
     const auto p = half(s + root);
     const auto z = half(difference(s, root));
-    const auto zz = square(z), quotient = Format::quotient(zz, p);
-    const auto mean = p * (square(p) + zz + zz) + Format::constant(1.0 / 5) * (zz * quotient);
+    const auto pp = square(p), zz = square(z), quotient = Format::quotient(zz, p);
+    const auto mean = p * (pp + zz + zz) + Format::constant(1.0 / 5) * (zz * quotient);
+    const auto lean = z * (half(pp) + Format::constant(1.0 / 5) * zz);
     const Value dd = d - penetration, dv = v - rate;
-    const auto spread = p + Format::constant(2.0 / 5) * quotient;
-    Value impulse = Format::value(damped(plan, units, mean, dd)) - units.elastic(Format::value(half(half(half(spread * dv)))));
-    Value moment = Format::value(half(impulse)) -
-                   Format::value(z * damped(plan, units, half(square(p)) + Format::constant(1.0 / 5) * zz, dd));
+    const Value bend = Format::value(half(half(half((p + Format::constant(2.0 / 5) * quotient) * dv))));
+    Value impulse = Format::value(damped(plan, units, mean, dd)) - units.elastic(bend);
+    Value moment = Format::value(half(impulse)) - Format::value(damped(plan, units, lean, dd));
     if constexpr (ContactLaw::is_damped)
       moment = moment - Format::value((damping(plan) * dv) * mean * Format::constant(1.0 / 12));
 
+    // Newton's step from the predicted end: d mean / d d1 = p - r/4 to first order in z.
     const Value missed = trial - plan.response.penetration * moment - d;
     const Value missed_rate = trial_rate - plan.response.rate * impulse - plan.response.rate_by_moment * moment - v;
-    Value correction = units.elastic(Format::value(Format::constant(3.0 / 4) * (s * missed)) -
-                                     Format::value(half(half(half(p * missed_rate)))));
-    if constexpr (ContactLaw::is_damped)
-      correction = correction + Format::value((damping(plan) * missed) * (s * without_sign(d)));
+    const Value by_penetration = Format::value((p - Format::constant(1.0 / 4) * root) * missed);
+    Value correction = Format::value(damped(plan, units, by_penetration, dd)) -
+                       units.elastic(Format::value(half(half(half(p * missed_rate)))));
+    if constexpr (ContactLaw::is_damped) correction = correction + Format::value((damping(plan) * missed) * mean);
     impulse = impulse + correction;
     moment = moment + Format::value(Format::constant(1.0 / 3) * correction);
 
     return settle(plan, trial, trial_rate, {impulse, moment});
   }
 
-  constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
+  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
     const auto d = without_sign(trial);
     const auto u = Format::quotient(d, without_sign(trial - before));
     const Value rate_before = (trial - before) + (trial - before) - trial_rate;
@@ -135,7 +136,7 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     return settle(plan, trial, trial_rate, {impulse, moment});
   }
 
-  constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial, Value trial_rate) {
+  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial, Value trial_rate) {
     const auto d = without_sign(penetration);
     const auto r3 = root * d;
     auto u = Format::quotient(d, without_sign(penetration - trial));

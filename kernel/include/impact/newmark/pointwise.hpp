@@ -81,7 +81,7 @@ struct Pointwise {
               Format::value(Format::constant(0.5 - beta) * before.force) + Format::value(Format::constant(beta) * after.force)};
     }
 
-    constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value) {
+    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value) {
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)
         if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);
@@ -117,7 +117,7 @@ struct Pointwise {
         return x;
     }
 
-    constexpr Value found(const Plan& plan, const Units& units, Value trial, Value trial_rate) const {
+    [[gnu::always_inline]] constexpr Value found(const Plan& plan, const Units& units, Value trial, Value trial_rate) const {
       if constexpr (ContactLaw::law == Law::hooke_newton) {
         const Value f = plan.solution * (units.elastic(trial) + damping(plan) * trial_rate);
         return plan.clamped ? Format::value(positive_part(f)) : f;

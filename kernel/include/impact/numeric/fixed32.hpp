@@ -65,21 +65,22 @@ struct Fixed32 {
     using constant::exponent_above;
     UnitExponents e{};
     e.position = exponent_above(bounds.position) + 1;
-    e.displacement = exponent_above(bounds.displacement) + 1;
-    e.increment = exponent_above(bounds.increment);
-    if (e.increment < e.position - 32) e.increment = e.position - 32;
-    e.push = exponent_above(bounds.push);
-    if (e.push < e.position - 32) e.push = e.position - 32;
-    e.penetration = exponent_above(bounds.penetration);
-    if (e.penetration < e.position - 32) e.penetration = e.position - 32;
+    // A quantity counts in 2^-31 of a position's unit at the finest: its Value then ends with the position's last place.
+    const int finest = e.position - 31;
+    const auto exponent = [finest](double bound) {
+      return bound > constant::power_of_two(finest) ? exponent_above(bound) : finest;
+    };
+    e.displacement = exponent(2 * bounds.displacement);
+    e.increment = exponent(bounds.increment);
+    e.push = exponent(bounds.push);
+    e.penetration = exponent(bounds.penetration);
     e.force = exponent_above(bounds.force_factor);
-    e.sample = exponent_above(bounds.sample);
     return e;
   }
 
-  // Every quantity that is added to a position must count in units between 2^-32 and 1 of a position's.
+  // No quantity that is added to a position may count in more than a position's unit.
   static constexpr Status status_of(const UnitExponents& e, double gap) {
-    const auto fits = [&e](int exponent) { return exponent <= e.position && exponent > e.position - 32; };
+    const auto fits = [&e](int exponent) { return exponent <= e.position; };
     if (gap > constant::power_of_two(e.position - 1)) return Status::displacement_bound;
     if (!fits(e.displacement)) return Status::speed_bound;
     if (!fits(e.penetration) || !fits(e.push)) return Status::penetration_bound;

@@ -11,12 +11,11 @@ struct UnitExponents {
   int push = 0;          // of what contact adds to it in a step, m
   int penetration = 0;   // m; rates of penetration, in m per step, share it
   int force = 0;         // of the contact force over k1 * 2^(penetration * exponent of the law)
-  int sample = 0;        // of a sampled drive, N
 };
 
 // The largest magnitudes in a scene, in the same units.
 struct UnitBounds {
-  double position, displacement, increment, push, penetration, force_factor, sample;
+  double position, displacement, increment, push, penetration, force_factor;
 };
 
 }  // namespace impact

@@ -1,0 +1,19 @@
+#!/bin/sh
+# Static analysis of the kernel through one translation unit that instantiates its main configurations:
+#   analyse.sh clang-tidy | cppcheck PROJECT
+# clang-tidy's checks are in .clang-tidy at the top; cppcheck's suppressions are in cppcheck.txt beside this file.
+set -eu
+tool=$1 project=$2
+command -v "$tool" >/dev/null || { echo "$tool is not installed" && exit 77; }
+unit=$project/tests/consumer/main_configurations.cpp
+case $tool in
+  clang-tidy)
+    clang-tidy --quiet --warnings-as-errors='*' --header-filter="$project/kernel/.*" --config-file="$project/.clang-tidy" \
+      "$unit" -- -std=c++17 -I "$project/kernel/include"
+    ;;
+  cppcheck)
+    cppcheck --quiet --std=c++17 --language=c++ --enable=warning,style,performance,portability --inline-suppr \
+      --suppressions-list="$project/tests/consumer/cppcheck.txt" --error-exitcode=1 \
+      -I "$project/kernel/include" "$unit"
+    ;;
+esac

@@ -1,0 +1,36 @@
+#!/bin/sh
+# A project that uses the kernel as the README says, in one of three ways, with the README's program:
+#   consumer.sh WAY PROJECT [TOOLCHAIN_FILE]
+set -eu
+way=$1 project=$2 toolchain=${3-}
+[ -z "$toolchain" ] || command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed" && exit 77; }
+here=$project/tests/consumer
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+sh "$here/from_readme.sh" "$project/README.md" "$folder"
+
+# A copy without the host's side, so that nothing of it can be needed.
+mkdir "$folder/copy"
+cp -r "$project/CMakeLists.txt" "$project/kernel" "$folder/copy"
+case $way in
+  add_subdirectory) set -- -DIMPACT="$folder/copy" ;;
+  fetch_content)
+    (cd "$folder/copy" && cmake -E tar cz ../impact.tar.gz .)
+    set -- -DIMPACT="$folder/impact.tar.gz"
+    ;;
+  find_package)
+    cmake -S "$folder/copy/kernel" -B "$folder/kernel_build"
+    cmake --install "$folder/kernel_build" --prefix "$folder/installed"
+    set -- -DCMAKE_PREFIX_PATH="$folder/installed"
+    ;;
+esac
+program=$folder/main.cpp
+[ -z "$toolchain" ] || {
+  program="$program;$folder/start.cpp"
+  set -- "$@" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_EXE_LINKER_FLAGS="-nostdlib -T $folder/memory.ld" -DCMAKE_CXX_STANDARD_LIBRARIES=-lgcc
+}
+cmake -S "$here/$way" -B "$folder/build" -DCMAKE_BUILD_TYPE=Release -DPROGRAM="$program" "$@"
+cmake --build "$folder/build" --verbose >"$folder/log"
+cat "$folder/log"
+grep -q -- -ffp-contract=off "$folder/log"
+[ -n "$toolchain" ] || "$folder/build/firmware"

@@ -1,0 +1,39 @@
+#!/bin/sh
+# A stranger's path, timed: an empty folder, a copy of kernel/, and what the README says under "From nothing to an image";
+# nothing else. Ends with a Cortex-M4F image that has stepped the paper's scene for a second, in an emulator, to the same
+# bits as on this machine.  stranger.sh PROJECT
+set -eu
+project=$1
+for tool in arm-none-eabi-g++ qemu-system-arm; do
+  command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
+done
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+sh "$project/tests/consumer/from_readme.sh" "$project/README.md" "$folder"
+begin=$(date +%s%N)
+cp -r "$project/kernel" "$folder/kernel"
+cd "$folder"
+sh -eu build.sh
+echo "from a copy of kernel/ to an image: $((($(date +%s%N) - begin) / 1000000)) ms"
+arm-none-eabi-size scene.elf
+
+address=0x$(arm-none-eabi-nm scene.elf | awk '$3 == "output" { print $1 }')
+cat >host.cpp <<'END'
+#include <stdio.h>
+#define main scene_main
+#include "main.cpp"
+#undef main
+int main() { return scene_main() != 0 || printf("%d\n", static_cast<int>(output)) < 0; }
+END
+c++ -std=c++17 -O2 -ffp-contract=off -I kernel/include host.cpp -o host
+on_host=$(./host)
+
+# The image ends in a loop of its own; a busy machine may need more than the first wait to get there.
+for seconds in 1 4 16; do
+  on_target=$( (sleep $seconds && echo "xp /1dw $address" && echo quit) |
+    qemu-system-arm -machine mps2-an386 -kernel scene.elf -display none -serial none -monitor stdio |
+    awk -F': ' '/^[0-9a-f]+: / { print $2 + 0 }')
+  [ "$on_target" != "$on_host" ] || break
+done
+echo "displacement after 1 s: $on_target on the target, $on_host here"
+[ "$on_target" = "$on_host" ]

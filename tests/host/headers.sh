@@ -1,0 +1,40 @@
+#!/bin/sh
+# Every public header compiles alone; all of them compile in either order, in two translation units that link together.
+#   headers.sh PROJECT COMPILER STANDARD
+set -eu
+project=$1 compiler=$2 standard=$3
+command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+
+compile() {
+  "$compiler" -std="$standard" -I "$project/kernel/include" -ffp-contract=off -fno-exceptions -fno-rtti \
+    -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Werror "$@"
+}
+
+cd "$project/kernel/include"
+headers=$(find . -name '*.h' -o -name '*.hpp' | sed 's|^\./||' | LC_ALL=C sort)
+failures=0
+for header in $headers; do
+  echo "#include <$header>" | compile -x c++ -fsyntax-only - || { echo "$header does not compile alone" && failures=1; }
+done
+
+# Both units use the same absorber, so that its functions and tables are in both and must be the same.
+unit() {  # NAME
+  sed 's|.*|#include <&>|'
+  cat <<END
+using Absorber = impact::Absorber<impact::AtRunTime, impact::HuntCrossley, impact::Moment, impact::Sine, impact::Fixed32>;
+double $1() {
+  Absorber absorber(Absorber::PlanType::make(impact::Scene{}, impact::Bounds{}, 1e-4));
+  for (int i = 0; i < 10000; ++i) absorber.step();
+  return absorber.reading().x1;
+}
+END
+}
+echo "$headers" | unit forwards >"$folder/forwards.cpp"
+echo "$headers" | LC_ALL=C sort -r | unit backwards >"$folder/backwards.cpp"
+echo 'double forwards(); double backwards(); int main() { return forwards() < backwards() || backwards() < forwards(); }' \
+  >"$folder/main.cpp"
+compile -O1 "$folder/forwards.cpp" "$folder/backwards.cpp" "$folder/main.cpp" -o "$folder/both"
+"$folder/both"
+exit $failures

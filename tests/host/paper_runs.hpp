@@ -1,0 +1,63 @@
+#pragma once
+// The paper's scene under each contact law, from rest at 40 rad/s, and its runs by the kernel and by the reference.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host_ref/error_measures.hpp"
+#include "host_ref/reference.hpp"
+#include "host_ref/simulation.hpp"
+
+namespace impact::host {
+
+inline Scene paper_scene(Law law, Tension tension = Tension::clamp) {
+  Scene scene;
+  scene.tension = tension;
+  if (law == Law::hooke_newton) scene.contact_damping = 20.81;  // Table 1; N s/m
+  if (law == Law::hertz) scene.contact_damping = 0;
+  return scene;
+}
+
+inline Request paper_request(Law law, Stepper stepper, double step, Tension tension = Tension::clamp) {
+  Request request;
+  request.law = law;
+  request.stepper = stepper;
+  request.step = step;
+  request.scene = paper_scene(law, tension);
+  return request;
+}
+
+// Samples at multiples of `interval`, which is one of the step; drive samples are one a step, from the first step's end on.
+inline Samples kernel_samples(const Request& request, double interval, double duration) {
+  const Outcome outcome = make_simulation(request);
+  EXPECT_TRUE(outcome.simulation) << outcome.refusal.field << " " << outcome.refusal.value << ", allowed: "
+                                  << outcome.refusal.allowed;
+  if (!outcome.simulation) return {};
+  Simulation& simulation = *outcome.simulation;
+  const long every = std::lround(interval / request.step), steps = std::lround(duration / request.step);
+  Samples samples = {simulation.sample()};
+  for (long n = 1; n <= steps; ++n) {
+    simulation.step(request.samples.empty() ? 0 : request.samples[static_cast<size_t>(n - 1)]);
+    if (n % every == 0) samples.push_back(simulation.sample());
+  }
+  EXPECT_EQ(simulation.fault(), nullptr);
+  return samples;
+}
+
+inline Case case_of(const Request& request) {
+  Case run;
+  run.law = request.law;
+  run.scene = request.scene;
+  run.drive = request.drive;
+  run.samples = request.samples;
+  if (!run.samples.empty()) run.samples.insert(run.samples.begin(), 0);
+  run.sample_step = request.step;
+  return run;
+}
+
+inline Samples reference_samples(const Request& request, double interval, double duration) {
+  return reference_trajectory(case_of(request), interval, duration).samples;
+}
+
+}  // namespace impact::host

@@ -51,8 +51,9 @@ Refusal refusal(const char* field, double value, Range range) {
   return {field, text(value), text(range.least) + " to " + text(range.most)};
 }
 
-// The moment-fitted step is stable from 3 steps a contact on, and within 1e-3 of the law's restitution from 8.
-constexpr double least_steps_per_contact = 3;
+// Fewest steps per contact: the moment-fitted step is stable from 3 on and within 1e-3 of the law's restitution from 8; the
+// energy-consistent step's solver converges from 2 on.
+constexpr double moment_from = 3, moment_precise_from = 8, energy_from = 2;
 
 constexpr Bounds unbounded{bound_range.most, bound_range.most, bound_range.most, force_range.most};
 
@@ -162,9 +163,16 @@ std::string_view name_of(Numeric numeric) { return name_in(numerics, numeric); }
 
 Outcome make_simulation(const Request& asked) {
   Request request = asked;
-  if (request.stepper == Stepper::energy || request.stepper == Stepper::impulsive)
-    return {nullptr, {"newmark", std::string(name_of(request.stepper)), "auto, average, linear, fox-goodwin, central, moment"}};
-  if (request.stepper == Stepper::automatic) request.stepper = Stepper::moment;
+  if (request.stepper == Stepper::impulsive)
+    return {nullptr, {"newmark", "impulsive", "auto, average, linear, fox-goodwin, central, moment, energy"}};
+  // The fewest steps that a contact of this scene has are those of its fastest impact; without bounds, of one at 1 m/s.
+  const double speed = request.bounds ? 2 * request.bounds->speed : 1;
+  const double contact_time = contact_time_of(request, speed), steps = contact_time / request.step;
+  if (request.stepper == Stepper::automatic)
+    request.stepper = steps >= moment_precise_from || !(steps > 0) ? Stepper::moment : Stepper::energy;
+  const double fewest = request.stepper == Stepper::moment   ? moment_from
+                        : request.stepper == Stepper::energy && request.law != Law::hooke_newton ? energy_from
+                                                                                                  : 0;
 
   Bounds bounds{};
   if (request.bounds)
@@ -190,12 +198,7 @@ Outcome make_simulation(const Request& asked) {
   }
   if (planned.status != Status::ok) return {nullptr, refusal_for(planned.status, request, bounds)};
 
-  // The fewest steps a contact of this scene has are those of its fastest impact; without bounds, of one at 1 m/s.
-  const double speed = request.bounds ? 2 * request.bounds->speed : 1;
-  const double steps = contact_time_of(request, speed) / request.step;
-  if (request.stepper == Stepper::moment && steps > 0 && steps < least_steps_per_contact)
-    return {nullptr,
-            refusal("step", request.step, {1e-9, contact_time_of(request, speed) / least_steps_per_contact})};
+  if (steps > 0 && steps < fewest) return {nullptr, refusal("step", request.step, {1e-9, contact_time / fewest})};
   return {std::make_unique<Described>(std::move(planned.simulation), std::string(name_of(request.stepper)) + ", " +
                                                                          text(steps) + " steps per contact at " +
                                                                          text(speed) + " m/s"),

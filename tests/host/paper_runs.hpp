@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "host_ref/error_measures.hpp"
 #include "host_ref/reference.hpp"

@@ -14,7 +14,7 @@
 // for a sampled drive, no ledger and no log unless asked for.
 //
 //     contact law   HookeNewton, Hertz, HuntCrossley
-//     stepper       Moment, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference
+//     stepper       Moment, EnergyConsistent, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference
 //     drive         NoDrive, Sine, Sampled
 //     format        Fixed32, Float32, Float32Plain, Float64 (host)
 //     features      EnergyLedger, ImpactLog
@@ -29,6 +29,7 @@
 #include <impact/drive/sampled.hpp>
 #include <impact/drive/sine.hpp>
 #include <impact/features.hpp>
+#include <impact/newmark/energy.hpp>
 #include <impact/newmark/moment.hpp>
 #include <impact/newmark/pointwise.hpp>
 #include <impact/numeric/fixed32.hpp>
@@ -115,7 +116,35 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   constexpr Fault fault() const { return state_.fault; }
   constexpr void clear_fault() { state_.fault = Fault::none; }
   constexpr const State& state() const { return state_; }
-  constexpr void restore(const State& state) { state_ = state; }
+
+  // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same on every
+  // little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's version, the scene, the
+  // bounds, the step or a type differ.
+  static constexpr uint32_t state_version = 1;
+  struct Saved {
+    uint32_t version, plan_identity;
+    State state;
+  };
+  constexpr Saved save() const { return {state_version, plan.identity, state_}; }
+  constexpr bool restore(const Saved& saved) {
+    if (saved.version != state_version || saved.plan_identity != plan.identity) return false;
+    state_ = saved.state;
+    return true;
+  }
+
+  // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the drive's
+  // phase do not jump (handover.hpp); a drive that was off starts at phase 0, and ledger and log start anew. Refuses, and
+  // changes nothing, when bounds, step, clearance or stops differ, or during a contact when its state depends on the
+  // plan's forces: pointwise steppers, a damping set per impact, features.
+  constexpr bool retune(const PlanType& next) {
+    constexpr bool is_bound = Contact::carries || ContactLaw::is_damped_per_impact || sizeof...(Features) > 0;
+    if (next.status != Status::ok || next.handover.units != plan.handover.units) return false;
+    if (is_bound && state_.contact.phase != Phase::apart) return false;
+    hand_over(plan, next, state_);
+    plan = next;
+    ((static_cast<typename Features::template State<Format>&>(state_) = {}, Features::start(plan, state_)), ...);
+    return true;
+  }
 
   // In SI units, for a host: double arithmetic.
   struct Reading {
@@ -164,6 +193,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     units.push(state_.w1, response.w1 * impulse + response.w1_by_moment * moment);
     units.push(state_.x2, -(response.x2 * moment));
     units.push(state_.w2, -(response.w2 * impulse));
+    if constexpr (Contact::slips) units.displace(state_.x2, -mirrored(state_.contact.slip, left));
     if constexpr (sizeof...(Features) > 0) {
       const Value rate = trial_rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
       const Value penetration = trial - response.penetration * kick.moment;

@@ -36,7 +36,7 @@ struct EnergyLedger {
 
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
-    state.x1_before = plan.x1;
+    state.x1_before = state.x1;
     state.drive_force = state.drive.force(plan.drive);
   }
   template <class Plan, class State, class Step>

@@ -4,6 +4,7 @@
 // same plan at run time.
 
 #include <impact/contact/contact_terms.hpp>
+#include <impact/handover.hpp>
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/units.hpp>
@@ -29,12 +30,27 @@ struct Plan {
   double force_unit, drive_unit;       // N
   bool left_stop, right_stop;
   Long x1, w1, x2, w2;                 // the initial state
+  uint32_t identity;                   // the fingerprint of scene, bounds, step and types
+  Handover<Format, Drive> handover;    // read by a change of plan only
 
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step);
   static constexpr Plan refused(Status why) {
     Plan plan{};
     plan.status = why;
     return plan;
+  }
+  static constexpr uint32_t identity_of(const Scene& scene, const Bounds& bounds, double h) {
+    const double numbers[] = {scene.main_mass, scene.main_stiffness, scene.main_damping, scene.ball_mass, scene.clearance,
+                              scene.contact_stiffness, scene.contact_damping, scene.drive_amplitude, scene.drive_pulsation,
+                              scene.x1, scene.v1, scene.x2, scene.v2, scene.restitution, bounds.displacement, bounds.speed,
+                              bounds.penetration, bounds.force, h, Stepper::longest_phase};
+    const uint32_t kinds[] = {static_cast<uint32_t>(scene.stops), static_cast<uint32_t>(scene.tension),
+                              static_cast<uint32_t>(ContactLaw::law), ContactLaw::is_damped_per_impact, Drive::is_sine,
+                              Drive::is_sampled, sizeof(typename Format::Value), sizeof(Long), sizeof(Gain)};
+    Fingerprint fingerprint{};
+    for (double number : numbers) fingerprint.add_number(number);
+    for (uint32_t kind : kinds) fingerprint.add(kind);
+    return fingerprint.value;
   }
 };
 
@@ -49,7 +65,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   using constant::power_of_two;
   const LinearFlow flow = Stepper::flow(scene, h);
   const bool is_linear = ContactLaw::law == Law::hooke_newton;
-  const auto to_the_power = [is_linear](double d) { return is_linear ? d : d * constant::square_root(d); };
+  const auto to_the_power = [](double d) { return is_linear ? d : d * constant::square_root(d); };
 
   const double largest_rate = 2 * bounds.speed;
   const double k1 = scene.contact_stiffness;
@@ -108,7 +124,9 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
           units.state_at(scene.x1),
           units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0)),
           units.state_at(scene.x2),
-          units.state(scene.v2 * h)};
+          units.state(scene.v2 * h),
+          identity_of(scene, bounds, h),
+          Handover<Format, Drive>::make(scene, bounds, h, flow, exponents)};
 }
 
 }  // namespace impact

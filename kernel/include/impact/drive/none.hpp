@@ -17,8 +17,19 @@ struct NoDrive {
     return {};
   }
   template <class Format>
+  struct Handover {};
+  template <class Format>
+  static constexpr Handover<Format> make_handover(const Scene&, const Bounds&, double, const LinearFlow&,
+                                                  const UnitExponents&) {
+    return {};
+  }
+  template <class Format>
   struct State {
     static constexpr State start(const Plan<Format>&) { return {}; }
+    static constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>&,
+                                                                   const Plan<Format>&, const Handover<Format>&) {
+      return {};
+    }
     static constexpr typename Format::Value force(const Plan<Format>&) { return {}; }
   };
   template <class Format>

@@ -27,6 +27,17 @@ struct Sampled {
   }
 
   template <class Format>
+  struct Handover {
+    typename Format::Gain ahead, behind;
+  };
+  template <class Format>
+  static constexpr Handover<Format> make_handover(const Scene&, const Bounds& bounds, double, const LinearFlow& flow,
+                                                  const UnitExponents& unit) {
+    const double P = Format::sample_unit(bounds.force) * flow.b0;
+    return {Format::gain(P / flow.e12, 0, unit.increment), Format::gain(P, 0, unit.increment)};
+  }
+
+  template <class Format>
   struct State {
     typename Format::Value sample;  // at the start of the step
 
@@ -41,6 +52,10 @@ struct Sampled {
       return increment;
     }
     constexpr typename Format::Value rate(const Plan<Format>& plan) const { return plan.rate * sample; }
+    constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>& from,
+                                                            const Plan<Format>&, const Handover<Format>& to) const {
+      return {from.ahead * sample, to.behind * sample};
+    }
     constexpr typename Format::Value force(const Plan<Format>&) const { return sample; }
   };
   template <class Format>

@@ -23,6 +23,12 @@ struct Sinusoid {
   double sine = 0, cosine = 0;
 };
 
+// The drive's share in the displacement of the coming step under two plans, see handover.hpp.
+template <class Value>
+struct DriveShares {
+  Value ahead, behind;
+};
+
 // The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.
 struct LinearFlow {
   double e11 = 0, e12 = 0, e21 = 0, e22 = 0;

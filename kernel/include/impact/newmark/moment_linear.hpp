@@ -67,7 +67,7 @@ struct MomentLinear {
             terms.clamped};
   }
 
-  static constexpr bool carries = false;
+  static constexpr bool carries = false, slips = false;
 
   Value penetration, rate;  // at the start of the step, while touching or let go inside
   Phase phase;
@@ -109,19 +109,19 @@ struct MomentLinear {
     return kick;
   }
 
-  static constexpr int terms = 5;  // of the series; the next one is below (pulsation h)^5 / 720 of the impulse
+  static constexpr int series_terms = 5;  // of the series; the next one is below (pulsation h)^5 / 720 of the impulse
 
   struct Series {
-    Value d[terms + 1], f[terms];  // derivatives at the start, per step
+    Value d[series_terms + 1], f[series_terms];  // derivatives at the start, per step
   };
   [[gnu::always_inline]] static constexpr Series series(const Plan& plan, const Units& units, Value d, Value v, Value a,
                                                             Value jerk) {
     Series result{};
     result.d[0] = d;
     result.d[1] = v;
-    for (int n = 0; n < terms; ++n) {
+    for (int n = 0; n < series_terms; ++n) {
       result.f[n] = units.elastic(result.d[n]) + plan.damping * result.d[n + 1];
-      if (n + 2 <= terms) result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Value{}) - plan.response.rate * result.f[n];
+      if (n + 2 <= series_terms) result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Value{}) - plan.response.rate * result.f[n];
     }
     return result;
   }
@@ -130,8 +130,8 @@ struct MomentLinear {
   // from 0 to t over t^integrals / integrals!.
   template <int integrals, class Time>
   [[gnu::always_inline]] static constexpr Value at(const Value* x, Time t) {
-    Value sum = x[terms - 1];
-    for (int n = terms - 1; n > 0; --n) {
+    Value sum = x[series_terms - 1];
+    for (int n = series_terms - 1; n > 0; --n) {
       const Value term = Format::value(sum * t);
       sum = x[n - 1] + (n + integrals == 1 ? term : Format::value(Format::constant(1.0 / (n + integrals)) * term));
     }

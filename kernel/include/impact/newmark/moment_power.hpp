@@ -33,7 +33,7 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
             damping_gain<Format, ContactLaw>(terms, unit)};
   }
 
-  static constexpr bool carries = false;
+  static constexpr bool carries = false, slips = false;
 
   Value penetration, rate;  // at the start of the step, while touching
   Root root;

@@ -70,7 +70,7 @@ struct Pointwise {
               terms.clamped};
     }
 
-    static constexpr bool carries = true;
+    static constexpr bool carries = true, slips = false;
 
     Value force;  // at the start of the step
     Phase phase;

@@ -48,14 +48,14 @@ struct Fixed32 {
     friend constexpr Value operator*(Gain gain, Value x) {
       if (gain.mantissa == 0) return {0};
       const bool is_power_of_two = gain.mantissa == (1 << 30);
-      const int shift = is_power_of_two ? gain.shift + 2 : gain.shift;
-      if (shift > 0) {
+      const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
+      if (places > 0) {
         const int32_t product = is_power_of_two ? x.raw : high_product(x.raw, gain.mantissa);
-        return {(product + (1 << (shift - 1))) >> shift};
+        return {(product + (1 << (places - 1))) >> places};
       }
       // To the left before the product as far as it cannot overflow, to keep the product's low bits.
-      const int after = shift < -2 ? 2 : -shift;
-      const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (-shift - after));
+      const int after = places < -2 ? 2 : -places;
+      const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (-places - after));
       const int32_t product = is_power_of_two ? ahead : rounded_high_product(ahead, gain.mantissa);
       return {static_cast<int32_t>(static_cast<uint32_t>(product) << after)};
     }
@@ -121,6 +121,9 @@ struct Fixed32 {
     constexpr void add(Long& x, Value increment) const {
       x.raw += static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(increment.raw)) << increment_shift);
     }
+    constexpr void displace(Long& x, Value penetration) const {
+      x.raw += static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(penetration.raw)) << penetration_shift);
+    }
     constexpr void push(Long& x, Value increment) const {
       x.raw += static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(increment.raw)) << push_shift);
     }
@@ -180,6 +183,7 @@ struct Fixed32 {
   static constexpr double sample_unit(double largest) { return largest; }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
+  static constexpr int32_t native(Value reading) { return reading.raw; }
   // A fraction as a Value, held at the ends of its range.
   static constexpr Value sample(double fraction) {
     return {fraction >= 1 ? INT32_MAX : fraction <= -1 ? -INT32_MAX : static_cast<int32_t>(fraction * 2147483647.0)};
@@ -191,7 +195,7 @@ struct Fixed32 {
   // numerator <= denominator
   template <int a, int b>
   static constexpr Unsigned<32 + a - b> quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
-    return {quotient_q32(numerator.raw, denominator.raw)};
+    return {numerator.raw < denominator.raw ? quotient_q32(numerator.raw, denominator.raw) : ~UINT32_C(0)};
   }
   // x / (1 + y), y >= 0
   static constexpr Value over_one_plus(Value x, Value y) {
@@ -201,9 +205,15 @@ struct Fixed32 {
   // A root t of a decreasing function, moved by its value over its steepness.
   static constexpr Unsigned<32> corrected(Unsigned<32> t, Value value, Unsigned<31> steepness) {
     const bool later = value.raw > 0;
-    const uint32_t step = quotient_q32(static_cast<uint32_t>(later ? value.raw : -value.raw), steepness.raw);
+    const Unsigned<31> size = {static_cast<uint32_t>(later ? value.raw : -value.raw)};
+    const uint32_t step = quotient(size, steepness).raw;
     if (later) return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
     return {t.raw < step ? 0 : t.raw - step};
+  }
+  static constexpr Value unity() { return {INT32_MAX}; }
+  static constexpr Value at_most_one(Value x) { return x; }
+  static constexpr Unsigned<32> root_of_product(Unsigned<30> x) {
+    return {square_root_q32(x.raw < UINT32_C(1) << 30 ? x.raw << 2 : ~UINT32_C(0))};
   }
   static constexpr Root root(Value x) { return {square_root_q32(static_cast<uint32_t>(x.raw) << 1) >> 1}; }
 };

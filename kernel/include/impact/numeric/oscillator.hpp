@@ -49,6 +49,13 @@ struct IntegerOscillator {
   int64_t value, slope;
 
   static constexpr IntegerOscillator start(const Plan& plan) { return {plan.value, plan.slope}; }
+  // From what value_head() and slope_head() shall read.
+  static constexpr IntegerOscillator at(const Plan& plan, int32_t value_head, int32_t slope_head) {
+    const auto shifted = [](int32_t head, int bits) {
+      return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(head)) << bits);
+    };
+    return {shifted(value_head, 32), shifted(slope_head, 32 - plan.slope_bits)};
+  }
   constexpr void advance(const Plan& plan) {
     const int32_t bend = high_product(value_head(), plan.curvature);
     slope -= static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(bend)) << (64 - plan.curvature_bits));
@@ -76,6 +83,7 @@ struct RealOscillator {
   Real value, slope;
 
   static constexpr RealOscillator start(const Plan& plan) { return {plan.value, plan.slope}; }
+  static constexpr RealOscillator at(const Plan&, Real value_head, Real slope_head) { return {value_head, slope_head}; }
   constexpr void advance(const Plan& plan) {
     slope -= plan.curvature * value;
     value += slope;

@@ -87,6 +87,7 @@ struct RealFormat {
     static constexpr Value position(Long x) { return x.sum; }
     static constexpr Value displacement(Long w) { return w.sum; }
     static constexpr void add(Long& x, Value increment) { x.add(increment); }
+    static constexpr void displace(Long& x, Value penetration) { x.add(penetration); }
     static constexpr void push(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
     constexpr Value penetration(Long along) const { return (along - gap).value(); }
@@ -109,10 +110,16 @@ struct RealFormat {
   static constexpr int oscillator_exponent(const typename RealOscillator<Real>::Plan&) { return 0; }
   static constexpr Value reading(Real native) { return native; }
   static constexpr Value reading(int32_t native) { return static_cast<Real>(native); }
+  static constexpr auto native(Value reading) { return static_cast<decltype(Oscillator{}.value_head())>(reading); }
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
+  static constexpr Real unity() { return 1; }
+  static constexpr Real at_most_one(Real x) { return x < 1 ? x : 1; }
+  static constexpr Real root_of_product(Real x) { return root(x); }
   static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
-  static constexpr Real quotient(Real numerator, Real denominator) { return numerator / denominator; }
+  static constexpr Real quotient(Real numerator, Real denominator) {
+    return numerator < denominator ? numerator / denominator : 1;
+  }
   static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
   // A root t of a decreasing function, moved by its value over its steepness.
   static constexpr Real corrected(Real t, Real value, Real steepness) { return steepness > 0 ? t + value / steepness : t; }

@@ -1,0 +1,164 @@
+#pragma once
+// What one would write today for a microcontroller, from a textbook and with the C library: the yardstick of the error
+// and cost report. One source runs on the host and on the emulated targets.
+//
+//     TextbookNewmark   average acceleration (gamma = 1/2, beta = 1/4) in acceleration form; in contact Newton's method on
+//                       both masses until the correction is below `converged` of the acceleration
+//     TextbookRk4       the classical Runge-Kutta method, the force of the present penetration in every stage
+//
+// Both evaluate the drive by the library's sine. The power delta^(3/2) is a policy.
+
+#include <impact/lookup/power_three_halves.hpp>
+#include <impact/scene.hpp>
+
+#include <stdint.h>
+
+namespace impact::report {
+
+// Of the C library: builtins, because an image has no C headers.
+inline float sine(float x) { return __builtin_sinf(x); }
+inline double sine(double x) { return __builtin_sin(x); }
+
+struct LibraryPower {
+  static constexpr const char* suffix = "";
+  static float three_halves(float y) { return __builtin_powf(y, 1.5f); }
+  static double three_halves(double y) { return __builtin_pow(y, 1.5); }
+};
+struct LibraryRoot {
+  static constexpr const char* suffix = "-sqrt";
+  static float three_halves(float y) { return y * __builtin_sqrtf(y); }
+  static double three_halves(double y) { return y * __builtin_sqrt(y); }
+};
+struct KernelLookup {
+  static constexpr const char* suffix = "-lookup";
+  static float three_halves(float y) { return power_three_halves(y); }
+  static double three_halves(double y) { return y * __builtin_sqrt(y); }
+};
+
+// A Rig states scene and step as the kernel's does. The scene has a constant c1, both stops, and a clamped force.
+template <class Real, class Rig, Law law, class Power>
+class TextbookModel {
+ public:
+  bool is_touching() const { return touching_; }
+  double displacement() const { return static_cast<double>(x1_); }
+
+ protected:
+  static constexpr Real real(double x) { return static_cast<Real>(x); }
+  static constexpr Scene scene = Rig::scene;
+  static constexpr Real h = real(Rig::step), main_mass = real(scene.main_mass), ball_mass = real(scene.ball_mass),
+                        k = real(scene.main_stiffness), c = real(scene.main_damping),
+                        k1 = real(scene.contact_stiffness), c1 = real(scene.contact_damping),
+                        gap = real(scene.clearance / 2);
+
+  struct Force {
+    Real force, by_penetration, by_rate;  // Fc and its derivatives
+  };
+  static Force contact(Real penetration, Real rate) {
+    Force f{};
+    if (law == Law::hooke_newton) {
+      f = {k1 * penetration + c1 * rate, k1, c1};
+    } else {
+      const Real power = Power::three_halves(penetration);
+      const Real factor = law == Law::hertz ? k1 : k1 + c1 * rate;
+      f = {power * factor, real(1.5) * power / penetration * factor, law == Law::hertz ? 0 : power * c1};
+    }
+    return f.force > 0 ? f : Force{};
+  }
+  static Real drive(Real t) { return real(scene.drive_amplitude) * sine(real(scene.drive_pulsation) * t); }
+
+  Real x1_ = real(scene.x1), v1_ = real(scene.v1), x2_ = real(scene.x2), v2_ = real(scene.v2);
+  uint32_t steps_ = 0;
+  bool touching_ = false;
+};
+
+template <class Real, class Rig, Law law, class Power>
+class TextbookNewmark : public TextbookModel<Real, Rig, law, Power> {
+  using Model = TextbookModel<Real, Rig, law, Power>;
+  using Model::c, Model::gap, Model::h, Model::k, Model::main_mass, Model::ball_mass, Model::real;
+  using Model::steps_, Model::touching_, Model::v1_, Model::v2_, Model::x1_, Model::x2_;
+
+ public:
+  void step() {
+    constexpr Real by_position = h * h / 4, by_velocity = h / 2;
+    constexpr Real effective_mass = main_mass + by_velocity * c + by_position * k;
+    constexpr Real converged = real(1e-6);
+    const Real force = Model::drive(static_cast<Real>(++steps_) * h);
+    const Real p1 = x1_ + h * v1_ + by_position * a1_, q1 = v1_ + by_velocity * a1_;
+    const Real p2 = x2_ + h * v2_ + by_position * a2_, q2 = v2_ + by_velocity * a2_;
+    const Real load = force - c * q1 - k * p1;
+    a1_ = load / effective_mass;
+    a2_ = 0;
+
+    const Real apart = p2 - p1 - by_position * a1_;
+    const Real side = apart < 0 ? Real{-1} : Real{1};
+    touching_ = side * apart > gap;
+    for (int iteration = 0; touching_ && iteration < 10; ++iteration) {
+      const Real penetration = side * (p2 - p1 + by_position * (a2_ - a1_)) - gap;
+      const Real rate = side * (q2 - q1 + by_velocity * (a2_ - a1_));
+      if (penetration <= 0) break;
+      const auto f = Model::contact(penetration, rate);
+      const Real residual1 = load + side * f.force - effective_mass * a1_;
+      const Real residual2 = -side * f.force - ball_mass * a2_;
+      const Real stiffness = by_position * f.by_penetration + by_velocity * f.by_rate;
+      const Real determinant = effective_mass * ball_mass + stiffness * (effective_mass + ball_mass);
+      const Real change1 = ((ball_mass + stiffness) * residual1 + stiffness * residual2) / determinant;
+      const Real change2 = ((effective_mass + stiffness) * residual2 + stiffness * residual1) / determinant;
+      a1_ += change1;
+      a2_ += change2;
+      if (size(change1) + size(change2) <= converged * (size(a1_) + size(a2_))) break;
+    }
+    x1_ = p1 + by_position * a1_;
+    v1_ = q1 + by_velocity * a1_;
+    x2_ = p2 + by_position * a2_;
+    v2_ = q2 + by_velocity * a2_;
+  }
+
+ private:
+  static Real size(Real x) { return x < 0 ? -x : x; }
+
+  Real a1_ = -(c * v1_ + k * x1_) / main_mass, a2_ = 0;
+};
+
+template <class Real, class Rig, Law law, class Power>
+class TextbookRk4 : public TextbookModel<Real, Rig, law, Power> {
+  using Model = TextbookModel<Real, Rig, law, Power>;
+  using Model::c, Model::gap, Model::h, Model::k, Model::main_mass, Model::ball_mass, Model::real;
+  using Model::steps_, Model::touching_, Model::v1_, Model::v2_, Model::x1_, Model::x2_;
+
+ public:
+  void step() {
+    const Real t = static_cast<Real>(steps_++) * h;
+    touching_ = false;
+    const State start = {x1_, v1_, x2_, v2_};
+    const Real force = Model::drive(t), middle = Model::drive(t + h / 2), last = Model::drive(t + h);
+    const State s1 = slope(force, start);
+    const State s2 = slope(middle, moved(start, h / 2, s1));
+    const State s3 = slope(middle, moved(start, h / 2, s2));
+    const State s4 = slope(last, moved(start, h, s3));
+    constexpr Real sixth = h / 6;
+    x1_ += sixth * (s1.x1 + 2 * (s2.x1 + s3.x1) + s4.x1);
+    v1_ += sixth * (s1.v1 + 2 * (s2.v1 + s3.v1) + s4.v1);
+    x2_ += sixth * (s1.x2 + 2 * (s2.x2 + s3.x2) + s4.x2);
+    v2_ += sixth * (s1.v2 + 2 * (s2.v2 + s3.v2) + s4.v2);
+  }
+
+ private:
+  struct State {
+    Real x1, v1, x2, v2;
+  };
+  static State moved(const State& s, Real by, const State& slope) {
+    return {s.x1 + by * slope.x1, s.v1 + by * slope.v1, s.x2 + by * slope.x2, s.v2 + by * slope.v2};
+  }
+  State slope(Real drive, const State& s) {
+    const Real apart = s.x2 - s.x1, side = apart < 0 ? Real{-1} : Real{1}, penetration = side * apart - gap;
+    Real force = 0;
+    if (penetration > 0) {
+      touching_ = true;
+      force = side * Model::contact(penetration, side * (s.v2 - s.v1)).force;
+    }
+    constexpr Real per_main_mass = 1 / main_mass, per_ball_mass = 1 / ball_mass;
+    return {s.v1, (drive + force - c * s.v1 - k * s.x1) * per_main_mass, s.v2, -force * per_ball_mass};
+  }
+};
+
+}  // namespace impact::report

@@ -1,0 +1,45 @@
+#pragma once
+// The exact response of both masses to a contact force that is constant over the step; and the positive root of the
+// quadratics that such a force leads to.
+
+#include <impact/contact/contact_terms.hpp>
+#include <impact/newmark/linear_flow.hpp>
+#include <impact/numeric/formula.hpp>
+
+namespace impact {
+
+struct ConstantForceResponse {
+  double x1, w1, x2, w2;  // m/N
+
+  constexpr ConstantForceResponse(const ContactTerms& terms, const LinearFlow& flow)
+      : x1(flow.b0 + flow.b1),
+        w1(flow.e12 * (flow.c0 + flow.c1) + flow.e11 * x1),
+        x2(terms.step * terms.step / (2 * terms.ball_mass)),
+        w2(2 * x2),
+        rate_(flow.c0 + flow.c1 + w2) {}
+
+  constexpr double penetration() const { return x1 + x2; }
+
+  template <class Format>
+  constexpr Response<typename Format::Gain> gains(double force_unit, const UnitExponents& unit) const {
+    return {Format::gain(force_unit * x1, 0, unit.push),
+            Format::gain(force_unit * w1, 0, unit.push),
+            Format::gain(0, 0, 0),
+            Format::gain(force_unit * x2, 0, unit.push),
+            Format::gain(force_unit * w2, 0, unit.push),
+            Format::gain(force_unit * penetration(), 0, unit.penetration),
+            Format::gain(force_unit * rate_, 0, unit.penetration),
+            Format::gain(0, 0, 0)};
+  }
+
+ private:
+  double rate_;
+};
+
+// x >= 0 with x^2 + 2 b x = g, for g >= 0 (a product of two Values).
+template <class Format, class Square>
+constexpr typename Format::Value positive_root(typename Format::Value b, Square g) {
+  return Format::value(Format::root_of_product(square(b) + g)) - b;
+}
+
+}  // namespace impact

@@ -1,0 +1,55 @@
+#!/bin/sh
+# A host takes over a trajectory from a target: the README's image runs on an emulated Cortex-M4F, the state's bytes are
+# read out of its memory, and the host that goes on from them keeps to the bits of one that ran from the start.
+#   takeover.sh PROJECT
+set -eu
+project=$1
+for tool in arm-none-eabi-g++ qemu-system-arm; do
+  command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
+done
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+sh "$project/tests/consumer/from_readme.sh" "$project/README.md" "$folder"
+cp -r "$project/kernel" "$folder/kernel"
+cd "$folder"
+sh -eu build.sh
+symbol=$(arm-none-eabi-nm -S scene.elf | awk '/absorber$/ && NF == 4 { print $1, $2 }')
+address=0x${symbol% *} words=$((0x${symbol#* } / 4))
+
+cat >heir.cpp <<'END'
+#include <stdio.h>
+#include <string.h>
+#define main scene_main
+#include "main.cpp"
+#undef main
+int main() {
+  Absorber::State received;
+  uint32_t words[sizeof received / 4];
+  static_assert(sizeof words == sizeof received);
+  for (uint32_t& word : words)
+    if (scanf("%x", &word) != 1) return 2;
+  memcpy(&received, words, sizeof received);
+  Absorber heir;
+  if (!heir.restore({Absorber::state_version, Absorber::plan.identity, received})) return 3;
+  scene_main();
+  for (int i = 0; i < 10000; ++i) {
+    if (memcmp(&heir.state().x1, &absorber.state().x1, 4 * sizeof heir.state().x1) != 0) {
+      printf("differs %d steps after the takeover\n", i);
+      return 1;
+    }
+    heir.step();
+    absorber.step();
+  }
+  return 0;
+}
+END
+c++ -std=c++17 -O2 -ffp-contract=off -I kernel/include heir.cpp -o heir
+# The image ends in a loop of its own; a busy machine may need more than the first wait to get there.
+for seconds in 1 4 16; do
+  status=0
+  (sleep $seconds && echo "xp /${words}xw $address" && echo quit) |
+    qemu-system-arm -machine mps2-an386 -kernel scene.elf -display none -serial none -monitor stdio |
+    sed -n 's/^[0-9a-f]*: //p' | ./heir || status=$?
+  [ $status != 0 ] || break
+done
+exit $status

@@ -1,0 +1,66 @@
+// What it costs that a plan may change while running: instructions of a step with the plan in RAM, and of a change. The
+// step with its plan in flash as a constant is step_cost's.
+
+#include <board/console.hpp>
+
+#include <impact/absorber.hpp>
+
+#include "../target/instruction_counter.hpp"
+
+namespace {
+
+template <class Format>
+using Tunable = impact::Absorber<impact::AtRunTime, impact::HuntCrossley, impact::Moment, impact::Sine, Format>;
+
+constexpr impact::Scene at_pulsation(double pulsation) {
+  impact::Scene scene;
+  scene.drive_pulsation = pulsation;
+  return scene;
+}
+
+void print(const char* what, uint32_t mean, uint32_t largest) {
+  using impact::board::print;
+  print(IMPACT_TARGET ","), print(what), print(","), print(mean), print(","), print(largest), print("\n");
+}
+
+template <class Format>
+void measure(const char* step, const char* change) {
+  using Kernel = Tunable<Format>;
+  using PlanType = typename Kernel::PlanType;
+  static constexpr PlanType plans[] = {PlanType::make(at_pulsation(40), impact::Bounds{}, 1e-4),
+                                       PlanType::make(at_pulsation(45), impact::Bounds{}, 1e-4)};
+  static_assert(plans[0].status == impact::Status::ok && plans[1].status == impact::Status::ok);
+  struct Run {
+    Kernel kernel{plans[0]};
+    uint32_t changes = 0;
+    bool is_done = false;
+  };
+  static Run run;
+  uint32_t sums[2] = {}, largest[2] = {}, counts[2] = {};
+  const auto count = [&](int row, void (*function)(void*)) {
+    const uint32_t instructions = impact::target::instructions_of(function, &run);
+    sums[row] += instructions;
+    ++counts[row];
+    if (instructions > largest[row]) largest[row] = instructions;
+  };
+  for (int i = 0; i < 5000; ++i) {
+    count(0, [](void* argument) { static_cast<Run*>(argument)->kernel.step(); });
+    if (i % 100 != 0) continue;
+    count(1, [](void* argument) {
+      auto& [kernel, changes, is_done] = *static_cast<Run*>(argument);
+      is_done = kernel.retune(plans[++changes % 2]);
+    });
+    if (!run.is_done) impact::board::print("# a change was refused\n");
+  }
+  print(step, sums[0] / counts[0], largest[0]);
+  print(change, sums[1] / counts[1], largest[1]);
+}
+
+}  // namespace
+
+int main() {
+  impact::board::print("target,what,instructions_mean,instructions_max\n");
+  measure<impact::Fixed32>("fixed32 step", "fixed32 change");
+  measure<impact::Float32>("float32 step", "float32 change");
+  return 0;
+}

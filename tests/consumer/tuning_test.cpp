@@ -1,0 +1,238 @@
+// A change of plan between two steps: nothing jumps, the drive keeps its phase, and what follows is the new scene's
+// motion.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <impact/absorber.hpp>
+
+namespace impact {
+namespace {
+
+constexpr double h = 1e-4;
+
+template <class Format, class Stepper = Moment, class Drive = Sine, class... Features>
+using Tunable = Absorber<AtRunTime, HuntCrossley, Stepper, Drive, Format, Features...>;
+
+constexpr Scene first_scene() { return {}; }
+constexpr Scene second_scene() {
+  Scene scene;
+  scene.drive_pulsation = 55;
+  scene.drive_amplitude = 14;
+  scene.main_stiffness = 2500;
+  scene.main_damping = 3;
+  scene.contact_damping = 9000;
+  return scene;
+}
+
+template <class Kernel>
+typename Kernel::PlanType plan_of(const Scene& scene) {
+  return Kernel::PlanType::make(scene, Bounds{}, h);
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+template <class Format>
+class Tuning : public testing::Test {};
+using Formats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
+TYPED_TEST_SUITE(Tuning, Formats);
+
+// One rounding of a velocity, m/s: of the reading's own 32-bit terms, and in floating point of w1 and of the increment.
+template <class Kernel>
+double velocity_place(const Kernel& kernel) {
+  using Format = typename Kernel::Format;
+  const Bounds bounds;
+  if constexpr (std::is_same_v<Format, Fixed32>) return std::ldexp(kernel.plan.units.si_penetration_unit(), -31) / h;
+  const double relative = std::ldexp(1.0, std::is_same_v<Format, Float64> ? -53 : -24);
+  const double increment = h * (14 + 2500 * bounds.displacement);
+  return relative * (std::is_same_v<Format, Float32> ? increment : bounds.speed + increment);
+}
+
+TYPED_TEST(Tuning, LeavesPositionsAndVelocitiesWhereTheyAre) {
+  using Kernel = Tunable<TypeParam>;
+  const auto first = plan_of<Kernel>(first_scene()), second = plan_of<Kernel>(second_scene());
+  Kernel kernel(first);
+  int changes = 0, in_contact = 0;
+  for (int i = 0; i < 100000; ++i) {
+    kernel.step();
+    if (i % 37 != 0) continue;
+    const auto state = kernel.state();
+    const auto before = kernel.reading();
+    ASSERT_TRUE(kernel.retune(++changes % 2 == 1 ? second : first));
+    const auto after = kernel.reading();
+    in_contact += kernel.is_touching();
+    ASSERT_TRUE(same_bits(state.x1, kernel.state().x1));
+    ASSERT_TRUE(same_bits(state.x2, kernel.state().x2));
+    ASSERT_TRUE(same_bits(state.w2, kernel.state().w2));
+    // Four terms are rounded in each reading and twelve in the change.
+    ASSERT_NEAR(after.v1, before.v1, 20 * velocity_place(kernel)) << "after " << i << " steps";
+  }
+  EXPECT_GT(in_contact, 100);
+  EXPECT_EQ(kernel.fault(), Fault::none);
+}
+
+TYPED_TEST(Tuning, KeepsTheDrivesPhase) {
+  using Kernel = Tunable<TypeParam>;
+  const auto first = plan_of<Kernel>(first_scene()), second = plan_of<Kernel>(second_scene());
+  Kernel kernel(first);
+  bool is_second = false;
+  double phase = 0, worst = 0;
+  int changes = 0;
+  for (int i = 0; i < 200000; ++i) {
+    kernel.step();
+    phase += (is_second ? 55 : 40) * h;
+    if (i % 37 == 0) {
+      ASSERT_TRUE(kernel.retune(is_second ? first : second));
+      is_second = !is_second;
+      ++changes;
+    }
+    const double force = 2 * kernel.plan.units.fraction(kernel.state().drive.force(kernel.plan.drive));
+    worst = std::fmax(worst, std::fabs(force - std::sin(phase)));
+  }
+  // A change rounds sine and cosine, each from two products, and value and slope of the oscillator: eight roundings of
+  // half a place, whose signs are random. Plain float's oscillator adds its own, 6e-8 sqrt(steps).
+  const double place = std::is_same_v<TypeParam, Fixed32>   ? std::ldexp(1.0, -29)
+                       : std::is_same_v<TypeParam, Float64> ? std::ldexp(1.0, -31)  // the step count's own phase
+                                                            : std::ldexp(1.0, -24);
+  const double own = std::is_same_v<TypeParam, Float32Plain> ? 6e-8 * std::sqrt(200000.0) : 0;
+  EXPECT_LT(worst, 8 * place * std::sqrt(changes) + own);
+}
+
+// The motion after the change against a fine Runge-Kutta integration of the scene's own equation, in free flight.
+TEST(TuningInFreeFlight, FollowsTheNewScene) {
+  Scene scenes[] = {first_scene(), second_scene()};
+  for (Scene& scene : scenes) scene.clearance = 0.4;
+  using Kernel = Tunable<Float64>;
+  const typename Kernel::PlanType plans[] = {plan_of<Kernel>(scenes[0]), plan_of<Kernel>(scenes[1])};
+  ASSERT_EQ(plans[0].status, Status::ok);
+  ASSERT_EQ(plans[1].status, Status::ok);
+  Kernel kernel(plans[0]);
+  double x = 0, v = 0, phase = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Scene& scene = scenes[i / 1000 % 2];
+    if (i % 1000 == 0) {
+      ASSERT_TRUE(kernel.retune(plans[i / 1000 % 2]));
+    }
+    kernel.step();
+    constexpr int fine = 8;
+    const double dt = h / fine;
+    const auto acceleration = [&](double at, double speed, double time) {
+      const double force = scene.drive_amplitude * std::sin(phase + scene.drive_pulsation * time);
+      return (force - scene.main_damping * speed - scene.main_stiffness * at) / scene.main_mass;
+    };
+    for (int j = 0; j < fine; ++j) {
+      const double t = j * dt, a1 = acceleration(x, v, t);
+      const double v2 = v + dt / 2 * a1, a2 = acceleration(x + dt / 2 * v, v2, t + dt / 2);
+      const double v3 = v + dt / 2 * a2, a3 = acceleration(x + dt / 2 * v2, v3, t + dt / 2);
+      const double v4 = v + dt * a3, a4 = acceleration(x + dt * v3, v4, t + dt);
+      x += dt / 6 * (v + 2 * v2 + 2 * v3 + v4);
+      v += dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    }
+    phase += scene.drive_pulsation * h;
+    // Runge-Kutta's own error is (w dt)^4 of the amplitude, 1e-13; a change's amplitude is right to 2^-53 times some
+    // ten.
+    ASSERT_NEAR(kernel.reading().x1, x, 1e-12) << "after " << i + 1 << " steps";
+  }
+}
+
+TEST(TuningOfADriveThatWasOff, StartsAtPhaseZero) {
+  Scene off = first_scene();
+  off.drive_amplitude = 0;
+  using Kernel = Tunable<Fixed32>;
+  Kernel kernel(plan_of<Kernel>(off)), fresh(plan_of<Kernel>(first_scene()));
+  for (int i = 0; i < 100; ++i) kernel.step();
+  ASSERT_TRUE(kernel.retune(plan_of<Kernel>(first_scene())));
+  for (int i = 0; i < 1000; ++i) {
+    kernel.step();
+    fresh.step();
+  }
+  // Its amplitude is rounded to 2^-31 by the change; 2^-28 of the displacement is eight times that.
+  EXPECT_NEAR(kernel.reading().x1, fresh.reading().x1, std::ldexp(0.05, -28));
+}
+
+TEST(TuningOfASampledDrive, LeavesTheVelocity) {
+  using Kernel = Tunable<Float64, Moment, Sampled>;
+  Kernel kernel(plan_of<Kernel>(first_scene()));
+  for (int i = 0; i < 1000; ++i) kernel.step(10 * std::sin(0.01 * i));
+  const double before = kernel.reading().v1;
+  ASSERT_TRUE(kernel.retune(plan_of<Kernel>(second_scene())));
+  EXPECT_NEAR(kernel.reading().v1, before, 1e-13);
+}
+
+TEST(TuningRefuses, WhatAStateCannotCountIn) {
+  using Kernel = Tunable<Fixed32>;
+  Kernel kernel(plan_of<Kernel>(first_scene()));
+  Bounds bounds;
+  bounds.speed = 8;
+  EXPECT_FALSE(kernel.retune(Kernel::PlanType::make(first_scene(), bounds, h)));
+  EXPECT_FALSE(kernel.retune(Kernel::PlanType::make(first_scene(), Bounds{}, 2 * h)));
+  Scene scene;
+  scene.clearance = 0.03;
+  EXPECT_FALSE(kernel.retune(plan_of<Kernel>(scene)));
+  scene = {};
+  scene.main_mass = -1;
+  EXPECT_FALSE(kernel.retune(plan_of<Kernel>(scene)));
+}
+
+TEST(TuningRefuses, APointwiseContactUnderWay) {
+  using Kernel = Tunable<Fixed32, AverageAcceleration>;
+  Kernel kernel(plan_of<Kernel>(first_scene()));
+  while (!kernel.is_touching()) kernel.step();
+  EXPECT_FALSE(kernel.retune(plan_of<Kernel>(second_scene())));
+  while (kernel.is_touching()) kernel.step();
+  EXPECT_TRUE(kernel.retune(plan_of<Kernel>(second_scene())));
+}
+
+TEST(TuningWithALedger, StartsItAnew) {
+  using Kernel = Tunable<Float64, Moment, Sine, EnergyLedger, ImpactLog>;
+  Kernel kernel(plan_of<Kernel>(first_scene()));
+  while (kernel.state().impacts < 3 || kernel.is_touching()) kernel.step();
+  ASSERT_TRUE(kernel.retune(plan_of<Kernel>(second_scene())));
+  EXPECT_EQ(kernel.state().impacts, 0u);
+  EXPECT_EQ(kernel.state().dissipated.total(), 0);
+  const double x1 = kernel.reading().x1, force = 2 * 14 * kernel.state().drive.force(kernel.plan.drive);
+  kernel.step();
+  const double next = 2 * 14 * kernel.state().drive.force(kernel.plan.drive);
+  EXPECT_NEAR(kernel.state().drive_work.total() * kernel.plan.drive_unit,
+              (kernel.reading().x1 - x1) * (force + next) / 2, 1e-15);
+}
+
+TEST(SavedState, GoesOnBitForBit) {
+  using Kernel = Tunable<Fixed32>;
+  const auto plan = plan_of<Kernel>(first_scene());
+  Kernel kernel(plan), heir(plan);
+  for (int i = 0; i < 4321; ++i) kernel.step();
+  const auto saved = kernel.save();
+  unsigned char bytes[sizeof saved];
+  std::memcpy(bytes, &saved, sizeof saved);
+  typename Kernel::Saved received;
+  std::memcpy(&received, bytes, sizeof received);
+  ASSERT_TRUE(heir.restore(received));
+  for (int i = 0; i < 10000; ++i) {
+    kernel.step();
+    heir.step();
+    ASSERT_TRUE(same_bits(kernel.state().x1, heir.state().x1) && same_bits(kernel.state().w1, heir.state().w1) &&
+                same_bits(kernel.state().x2, heir.state().x2) && same_bits(kernel.state().w2, heir.state().w2))
+        << "after " << i + 1 << " steps";
+  }
+}
+
+TEST(SavedState, IsRefusedByAnotherSceneTypeOrVersion) {
+  using Kernel = Tunable<Float32>;
+  Kernel kernel(plan_of<Kernel>(first_scene())), other(plan_of<Kernel>(second_scene()));
+  auto saved = kernel.save();
+  EXPECT_FALSE(other.restore(saved));
+  EXPECT_NE(saved.plan_identity, (plan_of<Tunable<Fixed32>>(first_scene()).identity));
+  EXPECT_NE(saved.plan_identity, (plan_of<Tunable<Float32, Moment, Sampled>>(first_scene()).identity));
+  EXPECT_NE(saved.plan_identity, (plan_of<Tunable<Float32, AverageAcceleration>>(first_scene()).identity));
+  EXPECT_TRUE(kernel.restore(saved));
+  ++saved.version;
+  EXPECT_FALSE(kernel.restore(saved));
+}
+
+}  // namespace
+}  // namespace impact

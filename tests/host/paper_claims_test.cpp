@@ -1,0 +1,171 @@
+// What the paper reads off its figures, as numbers of the kernel, and the conventions that they hang on.
+//
+// The paper leaves open the drive's pulsation and what its clearance measures. With 40 rad/s (the bare system's own is 31.62),
+// stops at +-d/2, both masses at rest in the middle, and 5 s of motion, its amplitudes come out. At 31.62 rad/s the bare
+// system grows without bound.
+//
+// It also leaves open how c1 follows from a restitution e where e varies (figure 8): by its own (2.3) and (2.9) at one speed,
+// 0.8 m/s here, by (2.9) at each impact, or such that the law has that e at that speed; and whether Hooke-Newton may pull.
+//
+// Past some 3 s the motion of Hertz and Hooke-Newton hangs on rounding. What is claimed of them is claimed of the median over
+// 33 starts of the ball within 0.16 mm of the middle, or counts these starts.
+
+#include "host_ref/closed_form.hpp"
+#include "paper_runs.hpp"
+
+namespace impact::host {
+namespace {
+
+constexpr double interval = 2e-3;
+
+double maximum(const Samples& samples) { return statistics(samples).maximum; }
+
+Request bare_request() {
+  Request request = paper_request(Law::hertz, Stepper::moment, 1e-3);
+  request.scene.clearance = 1;
+  return request;
+}
+
+// Largest |x1| and energy dissipated by contact for each of the 33 starts, in ascending order.
+struct Starts {
+  std::vector<double> maxima, dissipated;
+  double median_maximum() const { return maxima[16]; }
+  double median_dissipated() const { return dissipated[16]; }
+};
+Starts starts(Request request, double duration = 5) {
+  Starts result;
+  for (int i = -16; i <= 16; ++i) {
+    request.scene.x2 = 1e-5 * i;
+    const Samples samples = kernel_samples(request, interval, duration);
+    result.maxima.push_back(maximum(samples));
+    result.dissipated.push_back(samples.back().energy_dissipated);
+  }
+  std::sort(result.maxima.begin(), result.maxima.end());
+  std::sort(result.dissipated.begin(), result.dissipated.end());
+  return result;
+}
+
+// How c1 follows from a restitution.
+enum class From { paper, law, each_impact };
+
+Request request_with(Law law, Tension tension, double e, From from) {
+  Request request = paper_request(law, Stepper::moment, 1e-3, tension);
+  if (law == Law::hertz) return request;
+  const Impact impact{law, 32600, 0, 0.3 / 1.3, 0.8, tension};
+  request.scene.contact_damping =
+      from == From::law ? contact_damping(impact, e).value() : paper_contact_damping(impact, e).value();
+  if (from == From::each_impact && law == Law::hunt_crossley) {
+    request.scene.damping = Damping::per_impact;
+    request.scene.restitution = e;
+  }
+  return request;
+}
+
+TEST(PaperClaims, BareSystemReaches37Point6Millimetres) {
+  for (const double duration : {2.0, 5.0})
+    EXPECT_NEAR(maximum(kernel_samples(bare_request(), interval, duration)), 37.6e-3, 0.06e-3);
+}
+
+TEST(PaperClaims, HuntCrossleyAttenuatesTo17Point6Millimetres) {
+  const Samples reference = reference_samples(paper_request(Law::hunt_crossley, Stepper::moment, 1e-4), interval, 5);
+  EXPECT_NEAR(maximum(reference), 17.6e-3, 0.05e-3);
+  for (const Stepper stepper : {Stepper::moment, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central}) {
+    const Samples samples = kernel_samples(paper_request(Law::hunt_crossley, stepper, 1e-4), interval, 5);
+    // This scene forgets its errors: point by point they are below what any figure can show.
+    EXPECT_LT(largest_difference(samples, reference), 1e-5) << name_of(stepper);
+  }
+}
+
+TEST(PaperClaims, HookeNewtonAttenuatesToTheSame) {
+  for (const Tension tension : {Tension::clamp, Tension::allow}) {
+    const Starts all = starts(paper_request(Law::hooke_newton, Stepper::moment, 1e-3, tension));
+    EXPECT_NEAR(all.median_maximum(), 17.6e-3, 0.2e-3);
+    EXPECT_LT(all.maxima.back(), maximum(kernel_samples(bare_request(), interval, 5)));
+  }
+}
+
+// Hertz can carry the main mass beyond the bare system's 37.55 mm, as the paper's figure 4 shows. In 5 s it does so from a few
+// starts (3 of 33; from the exact middle: 38.1 mm by the reference), in 20 s from half of them. It is not the rule, and the
+// root mean square is below the bare system's; but no start has it attenuate as the others do.
+TEST(PaperClaims, HertzCanAmplify) {
+  const double bare = maximum(kernel_samples(bare_request(), interval, 5));
+  const Request hertz = paper_request(Law::hertz, Stepper::moment, 1e-3);
+  const auto amplified = [bare](const Starts& all) {
+    return std::count_if(all.maxima.begin(), all.maxima.end(), [bare](double x) { return x > bare; });
+  };
+  const Starts in_5_seconds = starts(hertz), in_20_seconds = starts(hertz, 20);
+  EXPECT_GE(amplified(in_20_seconds), 1);
+  for (const Law law : {Law::hooke_newton, Law::hunt_crossley})
+    EXPECT_EQ(amplified(starts(paper_request(law, Stepper::moment, 1e-3), 20)), 0);
+  for (const Law law : {Law::hooke_newton, Law::hunt_crossley})
+    EXPECT_GT(in_5_seconds.maxima.front(), starts(paper_request(law, Stepper::moment, 1e-3)).median_maximum());
+}
+
+// Figure 8 at e = 1, where nothing damps: Hunt-Crossley is Hertz, and Hooke-Newton stays below both.
+TEST(PaperClaims, WithoutDampingHookeNewtonIsLowest) {
+  const Request hertz = paper_request(Law::hertz, Stepper::moment, 1e-3);
+  const Request hunt_crossley = request_with(Law::hunt_crossley, Tension::clamp, 1, From::law);
+  EXPECT_EQ(hunt_crossley.scene.contact_damping, 0);
+  // The same formulas but for terms that are zero: nothing but rounding, grown as in accuracy_test.cpp.
+  EXPECT_LT(largest_difference(kernel_samples(hertz, interval, 1), kernel_samples(hunt_crossley, interval, 1)), 1e-12);
+  EXPECT_LT(starts(request_with(Law::hooke_newton, Tension::clamp, 1, From::law)).median_maximum(),
+            starts(hertz).median_maximum());
+}
+
+// Figure 8 at e = 0.68: Hunt-Crossley has the lowest maximum in 5 s, for a constant c1, by the paper's formula or the law's
+// own, and tension or none. With c1 from each impact's speed it has not: slow impacts then lose less. Nor has it with the
+// paper's c1 over 20 s, where the motion becomes another one, of 26 mm.
+TEST(PaperClaims, AtTheStatedRestitutionHuntCrossleyIsLowest) {
+  for (const Tension tension : {Tension::clamp, Tension::allow}) {
+    for (const From from : {From::paper, From::law}) {
+      const auto maximum_of = [&](Law law) { return starts(request_with(law, tension, 0.68, from)).median_maximum(); };
+      const double hooke_newton = maximum_of(Law::hooke_newton), hertz = maximum_of(Law::hertz);
+      EXPECT_LT(maximum_of(Law::hunt_crossley), hooke_newton);
+      EXPECT_LT(hooke_newton, hertz);
+    }
+  }
+  EXPECT_GT(starts(request_with(Law::hunt_crossley, Tension::clamp, 0.68, From::each_impact)).median_maximum(), 18e-3);
+  EXPECT_GT(starts(request_with(Law::hunt_crossley, Tension::clamp, 0.68, From::paper), 20).median_maximum(), 18e-3);
+}
+
+// Figure 8: over restitutions from 0.3 to 1, Hunt-Crossley's maximum varies more than Hooke-Newton's, however c1 is had.
+TEST(PaperClaims, HuntCrossleyIsMoreSensitiveToRestitution) {
+  for (const From from : {From::paper, From::law, From::each_impact}) {
+    const auto spread = [from](Law law) {
+      double least = 1, most = 0;
+      for (const double e : {0.3, 0.5, 0.68, 0.8, 0.9, 1.0}) {
+        const double x = starts(request_with(law, Tension::clamp, e, from)).median_maximum();
+        least = std::min(least, x);
+        most = std::max(most, x);
+      }
+      return most - least;
+    };
+    EXPECT_GT(spread(Law::hunt_crossley), spread(Law::hooke_newton));
+  }
+}
+
+// Figure 10, energy dissipated in 5 s: Hunt-Crossley more than Hooke-Newton more than Hertz, which dissipates none. At e = 0.68
+// this holds with any convention; over all restitutions, if c1 gives the law that restitution. By the paper's formulas,
+// which lose less than e says, Hooke-Newton overtakes below e = 0.5 (e = 0.6 with tension).
+TEST(PaperClaims, HuntCrossleyDissipatesMost) {
+  const auto dissipated = [](Law law, Tension tension, double e, From from) {
+    return starts(request_with(law, tension, e, from)).median_dissipated();
+  };
+  for (const Tension tension : {Tension::clamp, Tension::allow}) {
+    for (const From from : {From::paper, From::law, From::each_impact}) {
+      EXPECT_GT(dissipated(Law::hunt_crossley, tension, 0.68, from), dissipated(Law::hooke_newton, tension, 0.68, from));
+    }
+    for (const double e : {0.3, 0.5, 0.8, 0.9}) {
+      const double hooke_newton = dissipated(Law::hooke_newton, tension, e, From::law);
+      EXPECT_GT(dissipated(Law::hunt_crossley, tension, e, From::law), hooke_newton) << e;
+      EXPECT_GT(hooke_newton, 0.5);
+    }
+    EXPECT_GT(dissipated(Law::hooke_newton, tension, 0.3, From::paper),
+              dissipated(Law::hunt_crossley, tension, 0.3, From::paper));
+  }
+  // The ledger's own error: see energy_ledger_test.cpp.
+  EXPECT_NEAR(dissipated(Law::hertz, Tension::clamp, 1, From::law), 0, 1e-4);
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -68,8 +68,9 @@ class KernelSimulation final : public Simulation {
                                                       : std::abs(y) - gap;
     if (kernel_.is_touching()) {
       sample.penetration = side * y - gap;
-      const double rate = side * (now.v2 - now.v1), depth = std::max(sample.penetration, 0.0);
-      sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, rate);
+      // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
+      const double depth = ContactLaw::law == Law::hooke_newton ? sample.penetration : std::max(sample.penetration, 0.0);
+      sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, side * (now.v2 - now.v1));
       if (scene.tension == Tension::clamp || ContactLaw::law != Law::hooke_newton)
         sample.contact_force = std::max(sample.contact_force, 0.0);
     }

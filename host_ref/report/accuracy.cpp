@@ -7,11 +7,11 @@
 #include <chrono>
 #include <host_ref/error_measures.hpp>
 #include <host_ref/reference.hpp>
+#include <host_ref/report/report_program.hpp>
 #include <host_ref/report/textbook_methods.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/text.hpp>
-#include <iostream>
 #include <limits>
 #include <utility>
 
@@ -190,12 +190,6 @@ void write_accuracy(const std::string& path) {
 }  // namespace impact::report
 
 int main(int count, char** arguments) {
-  try {
-    if (count != 2) throw std::runtime_error("usage: accuracy OUTPUT.csv");
-    impact::report::write_accuracy(arguments[1]);
-    return 0;
-  } catch (const std::exception& failure) {
-    std::cerr << "accuracy: " << failure.what() << "\n";
-    return 1;
-  }
+  return impact::report::run_program(count, arguments,
+                                     [](const auto& paths) { impact::report::write_accuracy(paths.at(0)); });
 }

@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <host_ref/closed_form.hpp>
+#include <host_ref/report/report_program.hpp>
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/text.hpp>
-#include <iostream>
-#include <stdexcept>
 
 namespace impact::report {
 namespace {
@@ -137,12 +136,6 @@ void write_stability(const std::string& path) {
 }  // namespace impact::report
 
 int main(int count, char** arguments) {
-  try {
-    if (count != 2) throw std::runtime_error("usage: stability OUTPUT.csv");
-    impact::report::write_stability(arguments[1]);
-    return 0;
-  } catch (const std::exception& failure) {
-    std::cerr << "stability: " << failure.what() << "\n";
-    return 1;
-  }
+  return impact::report::run_program(count, arguments,
+                                     [](const auto& paths) { impact::report::write_stability(paths.at(0)); });
 }

@@ -24,7 +24,8 @@ int main() {
   return runs<HuntCrossley, Moment, Sine, Fixed32, EnergyLedger, ImpactLog>() &&
                  runs<Hertz, Moment, Sampled, Float32>() && runs<HookeNewton, Moment, NoDrive, Float32Plain>() &&
                  runs<HuntCrossleyPerImpact, AverageAcceleration, Sine, Float64, EnergyLedger>() &&
-                 runs<HookeNewton, CentralDifference, Sine, Fixed32>() && runs<Hertz, FoxGoodwin, NoDrive, Fixed32>()
+                 runs<HookeNewton, CentralDifference, Sine, Fixed32>() &&
+                 runs<HuntCrossley, EnergyConsistent, Sine, Fixed32>() && runs<Hertz, FoxGoodwin, NoDrive, Fixed32>()
              ? 0
              : 1;
 }

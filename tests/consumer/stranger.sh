@@ -16,6 +16,8 @@ cd "$folder"
 sh -eu build.sh
 echo "from a copy of kernel/ to an image: $((($(date +%s%N) - begin) / 1000000)) ms"
 arm-none-eabi-size scene.elf
+# The plan is folded into the step: neither it nor what a change of plan needs is in the image.
+! arm-none-eabi-nm -C scene.elf | grep -E 'hand_over|::plan$' || exit 1
 
 address=0x$(arm-none-eabi-nm scene.elf | awk '$3 == "output" { print $1 }')
 cat >host.cpp <<'END'

@@ -2,7 +2,6 @@
 // step with its plan in flash as a constant is step_cost's.
 
 #include <board/console.hpp>
-
 #include <impact/absorber.hpp>
 
 #include "../target/instruction_counter.hpp"

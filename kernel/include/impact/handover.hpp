@@ -1,22 +1,24 @@
 #pragma once
-// Going on under another plan without a jump: positions, velocities and the drive's phase stay as they are. Positions and
-// the ball's w2 = h v2 are the same numbers under both plans; the main mass's displacement in the coming step is not, because
-// the spring, the damper and the drive have a part in it. With the map of linear_flow.hpp and the drive's share P,
+// Going on under another plan without a jump: positions, velocities and the drive's phase stay as they are. Positions
+// and the ball's w2 = h v2 are the same numbers under both plans; the main mass's displacement in the coming step is
+// not, because the spring, the damper and the drive have a part in it. With the map of linear_flow.hpp and the drive's
+// share P,
 //
 //     w1 = e11 x1 + e12 h v1 + P
 //     ahead(old)  = h v1 - w1 = (1/e12 - 1) w1 - (e11/e12) x1 - P/e12
 //     behind(new) = h v1 - w1 = (1 - e12) h v1 - e11 x1 - P
 //     w1' = w1 + ahead(old) - behind(new)
 //
-// Only the difference is computed in 32 bits: it is of the size of what spring and drive change in half a step, so that its
-// rounding is 2^-31 (Fixed32) or 2^-24 (Float32) of that. Some twenty multiplications and a copy of the plan; no double.
+// Only the difference is computed in 32 bits: it is of the size of what spring and drive change in half a step, so that
+// its rounding is 2^-31 (Fixed32) or 2^-24 (Float32) of that. Some twenty multiplications and a copy of the plan; no
+// double.
+
+#include <stdint.h>
 
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/fingerprint.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
-
-#include <stdint.h>
 
 namespace impact {
 
@@ -49,9 +51,11 @@ constexpr void hand_over(const Plan& from, const Plan& to, State& state) {
   const auto x1 = from.units.position(state.x1);
   const auto drive = state.drive.hand_over(from.drive, from.handover.drive, to.drive, to.handover.drive);
   auto u1 = state.w1;
-  from.units.add(u1, from.handover.ahead_by_w1 * from.units.displacement(state.w1) + from.handover.ahead_by_x1 * x1 - drive.ahead);
+  from.units.add(
+      u1, from.handover.ahead_by_w1 * from.units.displacement(state.w1) + from.handover.ahead_by_x1 * x1 - drive.ahead);
   state.w1 = u1;
-  to.units.add(state.w1, -(to.handover.behind_by_u1 * to.units.displacement(u1) + to.handover.behind_by_x1 * x1 - drive.behind));
+  to.units.add(state.w1,
+               -(to.handover.behind_by_u1 * to.units.displacement(u1) + to.handover.behind_by_x1 * x1 - drive.behind));
 }
 
 }  // namespace impact

@@ -46,7 +46,8 @@ struct Plan {
                               bounds.penetration, bounds.force, h, Stepper::longest_phase};
     const uint32_t kinds[] = {static_cast<uint32_t>(scene.stops), static_cast<uint32_t>(scene.tension),
                               static_cast<uint32_t>(ContactLaw::law), ContactLaw::is_damped_per_impact, Drive::is_sine,
-                              Drive::is_sampled, sizeof(typename Format::Value), sizeof(Long), sizeof(Gain)};
+                              Drive::is_sampled, sizeof(typename Format::Value), sizeof(Long), sizeof(Gain),
+                              sizeof(typename Stepper::template Contact<Format, ContactLaw>)};
     Fingerprint fingerprint{};
     for (double number : numbers) fingerprint.add_number(number);
     for (uint32_t kind : kinds) fingerprint.add(kind);
@@ -84,7 +85,8 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   largest.force_factor = is_linear ? (bounds.penetration + damping_time * largest_rate) / unit : 1.01 + damping_time * largest_rate;
   if (!is_linear && !ContactLaw::is_damped) largest.force_factor = 1;
   const double drive = larger(scene.drive_amplitude, bounds.force);
-  largest.increment = h * h * (2 * drive + scene.main_stiffness * bounds.displacement) / scene.main_mass;
+  const double spring_and_damper = scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed;
+  largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
   largest.push = h * h * largest_force / constant::smaller(scene.ball_mass, scene.main_mass);
   const UnitExponents exponents = Format::exponents(largest);
 

@@ -33,7 +33,7 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     Response<Gain> response;
     Gain damping;  // C
     Gain give;     // G for n
-    Gain share;    // C G: u for n
+    Gain share;    // C G / 4: u / 4 for n
     int passes;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -46,7 +46,7 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     int passes = 1;
     for (double error = slope; passes < most_passes && error > 1e-16; error *= error) ++passes;
     return {answer.gains<Format>(terms.force_unit, unit), damping_gain<Format, ContactLaw>(terms, unit),
-            Format::gain(give, 0, unit.penetration), Format::gain(give * C, 0, 0), passes};
+            Format::gain(give, 0, unit.penetration), Format::gain(give * C, 0, 2), passes};
   }
 
   static constexpr int most_passes = 8;
@@ -84,6 +84,7 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
  private:
   static constexpr Value times(Value a, Value b) { return Format::value(a * b); }
   static constexpr Value part(double share, Value x) { return Format::value(Format::constant(share) * x); }
+  static constexpr Value quarter(Value x) { return Format::value(half(half(x))); }
   static constexpr Value doubled(Value x) { return x + x; }
   static constexpr Value ratio(Value a, Value b) {
     return Format::value(Format::quotient(positive_part(a), positive_part(b)));
@@ -115,7 +116,7 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     Value u, k, rise;
   };
   static constexpr Slip slip_at(const Plan& plan, Value n) {
-    const Value u = Format::at_most_one(plan.share * n), uu = times(u, u), u3 = times(u, uu), u5 = times(u3, uu);
+    const Value u = Format::four_times_up_to_one(plan.share * n), uu = times(u, u), u3 = times(u, uu), u5 = times(u3, uu);
     return {u, part(1.0 / 3, u) + part(1.0 / 5, u3) + part(1.0 / 7, u5), part(1.0 / 3, u) + part(3.0 / 5, u3) + part(5.0 / 7, u5)};
   }
 
@@ -126,7 +127,9 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
       const Value ss = times(s, s);
       const Mean mean = mean_at(s);
       force = mean.n;
-      Value slope = doubled(plan.give * mean.half_slope);
+      // An eighth of the residual's slope: the whole may be several times 1.
+      const Value elastic = plan.give * mean.half_slope;
+      Value slope = quarter(s);
       slip = Value{};
       if constexpr (ContactLaw::is_damped) {
         const Value E = Format::value(positive_part(units.one() + damping(plan) * (ss - penetration)));
@@ -134,13 +137,14 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
         const Value uk = times(at.u, at.k);
         force = times(mean.n, E) + units.elastic(times(mean.n, uk));
         slip = plan.give * times(mean.n, at.k);
-        slope = doubled(plan.response.penetration * times(mean.half_slope, E)) +
-                times(slope, at.k + at.rise + uk + uk + times(at.u, at.rise)) + doubled(times(at.u, s));
+        slope = slope + quarter(plan.response.penetration * times(mean.half_slope, E)) + quarter(times(at.u, s)) +
+                quarter(times(elastic, at.k + at.rise + uk + uk + times(at.u, at.rise)));
+      } else {
+        slope = slope + quarter(elastic);
       }
       if (pass == plan.passes) return true;
       const Value residual = ss + plan.response.penetration * force + slip - trial;
-      const Value quarter_slope = Format::value(half(s)) + Format::value(half(half(slope)));
-      s = s - Format::value(half(half(ratio(residual, quarter_slope))));
+      s = s - Format::value(half(quarter(ratio(residual, slope))));
       if (!is_positive(s)) return false;
     }
   }
@@ -149,7 +153,7 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     const Value r3 = part(2.0 / 5, times(root, penetration));
     const Value give = plan.give * r3;
     Value m = penetration - trial;
-    if constexpr (ContactLaw::is_damped) m = m - plan.share * times(r3, penetration);
+    if constexpr (ContactLaw::is_damped) m = m - doubled(doubled(plan.share * times(r3, penetration)));
     Value t = Format::unity(), n{};
     Slip at{};
     for (int pass = 0; pass < 4; ++pass) {

@@ -14,7 +14,7 @@ namespace impact {
 struct MomentResponse {
   double gx, g0, hg1;  // 1/kg
 
-  constexpr MomentResponse(const ContactTerms& terms)
+  explicit constexpr MomentResponse(const ContactTerms& terms)
       : gx((1 - terms.main_damping * terms.step / (3 * terms.main_mass) - square_pulsation_step(terms) / 12) /
            terms.main_mass),
         g0((1 + square_pulsation_step(terms) / 12) / terms.main_mass),

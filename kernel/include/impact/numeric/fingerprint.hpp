@@ -1,9 +1,9 @@
 #pragma once
 // A number that tells sets of parameters apart: FNV-1a, 32 bits, over words. Two sets agree by chance once in 2^32.
 
-#include <impact/numeric/constant_math.hpp>
-
 #include <stdint.h>
+
+#include <impact/numeric/constant_math.hpp>
 
 namespace impact {
 

@@ -211,7 +211,7 @@ struct Fixed32 {
     return {t.raw < step ? 0 : t.raw - step};
   }
   static constexpr Value unity() { return {INT32_MAX}; }
-  static constexpr Value at_most_one(Value x) { return x; }
+  static constexpr Value four_times_up_to_one(Value x) { return {x.raw < 1 << 29 ? 4 * x.raw : INT32_MAX}; }
   static constexpr Unsigned<32> root_of_product(Unsigned<30> x) {
     return {square_root_q32(x.raw < UINT32_C(1) << 30 ? x.raw << 2 : ~UINT32_C(0))};
   }

@@ -114,7 +114,7 @@ struct RealFormat {
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
   static constexpr Real unity() { return 1; }
-  static constexpr Real at_most_one(Real x) { return x < 1 ? x : 1; }
+  static constexpr Real four_times_up_to_one(Real x) { return 4 * x < 1 ? 4 * x : 1; }
   static constexpr Real root_of_product(Real x) { return root(x); }
   static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
   static constexpr Real quotient(Real numerator, Real denominator) {

@@ -1,0 +1,71 @@
+// error_vs_time OUTPUT.csv ACCURACY.csv COST.csv...: the error of every method against the instructions that it takes per
+// simulated second on a target,
+//
+//     (free (1 - s) + contact s) / h      mean instructions of a step, s the share of steps in contact
+//
+// and whether a method is on the frontier: no other of that target and law has a smaller error for as few instructions.
+
+#include <algorithm>
+#include <host_ref/report/report_program.hpp>
+#include <host_ref/report/table.hpp>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/text.hpp>
+
+namespace impact::report {
+namespace {
+
+struct Point {
+  std::string target, law, method, numeric;
+  double step, error, instructions;
+
+  bool is_beaten_by(const Point& other) const {
+    return target == other.target && law == other.law && other.error <= error && other.instructions <= instructions &&
+           (other.error < error || other.instructions < instructions);
+  }
+};
+
+void write_error_vs_time(const std::vector<std::string>& paths) {
+  const std::vector<Row> accuracy = read_table(paths.at(1));
+  std::map<std::string, std::map<std::string, double>> cost;  // by target,law,method,numeric and phase
+  std::vector<std::string> targets;
+  for (size_t i = 2; i < paths.size(); ++i) {
+    for (const Row& row : read_table(paths[i])) {
+      const std::string& target = row.at("target");
+      if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
+      cost[target + "," + row.at("law") + "," + row.at("newmark") + "," + row.at("numeric")][row.at("phase")] =
+          number(row, "instructions_mean");
+    }
+  }
+
+  std::vector<Point> points;
+  for (const std::string& target : targets) {
+    for (const Row& row : accuracy) {
+      const std::string &law = row.at("law"), &method = row.at("newmark"), &numeric = row.at("numeric");
+      const auto found = cost.find(target + "," + law + "," + method + "," + numeric);
+      if (found == cost.end()) continue;
+      const double step = number(row, "step_s"), share = number(row, "contact_share");
+      points.push_back({target, law, method, numeric, step, number(row, "error_m"),
+                        (found->second["free"] * (1 - share) + found->second["contact"] * share) / step});
+    }
+  }
+
+  host::Output output(paths.at(0));
+  output.write("target,law,method,numeric,step_s,error_m,instructions_per_simulated_second,frontier\n");
+  for (const Point& point : points) {
+    std::string row = point.target + "," + point.law + "," + point.method + "," + point.numeric;
+    for (double value : {point.step, point.error, point.instructions}) {
+      row += ',';
+      host::append_number(row, value, 5);
+    }
+    const bool is_beaten = std::any_of(points.begin(), points.end(), [&](const Point& p) { return point.is_beaten_by(p); });
+    output.write(row + (is_beaten ? ",0\n" : ",1\n"));
+  }
+  output.commit();
+}
+
+}  // namespace
+}  // namespace impact::report
+
+int main(int count, char** arguments) {
+  return impact::report::run_program(count, arguments, impact::report::write_error_vs_time);
+}

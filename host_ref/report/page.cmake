@@ -1,0 +1,30 @@
+# Puts the page together: cmake -D FOLDER=... -D TEMPLATE=... -D OUTPUT=... -P page.cmake
+# @NAME@ in the template stands for FOLDER/parts/NAME.svg or NAME.html.
+file(GLOB parts ${FOLDER}/*.svg ${FOLDER}/*.html)
+foreach(part ${parts})
+  get_filename_component(name ${part} NAME_WE)
+  file(READ ${part} content)
+  string(REGEX REPLACE "<\\?xml[^>]*\\?>" "" content "${content}")
+  string(REPLACE "gpPt" "${name}-pt" content "${content}")  # ids are the page's own
+  string(REPLACE "gpDot" "${name}-dot" content "${content}")
+  string(REPLACE "gnuplot_plot_" "${name}-plot-" content "${content}")
+  string(REPLACE "gnuplot_canvas" "${name}-canvas" content "${content}")
+  set(${name} "${content}")
+endforeach()
+foreach(law hooke-newton hertz hunt-crossley)
+  set(maps_${law} "")
+  file(GLOB maps ${FOLDER}/stability_${law}_*.svg)
+  foreach(map ${maps})
+    get_filename_component(name ${map} NAME_WE)
+    string(APPEND maps_${law} "<figure>${${name}}</figure>\n")
+  endforeach()
+endforeach()
+set(run "<code>report-")
+set(command_accuracy "${run}accuracy accuracy.csv</code>")
+set(command_stability "${run}stability stability.csv</code>")
+set(command_error_vs_time
+  "${run}error-vs-time error_vs_time.csv accuracy.csv parts/costs_*.csv</code>, costs by <code>emulate.sh TARGET method_cost_*.elf</code>")
+set(command_step_budget
+  "${run}step-budget step_budget.csv budgets.csv parts/costs_*.csv parts/footprints_*.csv</code>")
+set(command_paper "${run}paper-figures . parts/paper_runs.csv</code>, runs by <code>paper_runs</code>")
+configure_file(${TEMPLATE} ${OUTPUT} @ONLY)

@@ -1,0 +1,17 @@
+# Shared by every picture. Black and gray are ink and grid: the page's style sheet turns them for dark screens. The others
+# are Okabe and Ito's colours, which colour-blind readers tell apart; dash and marker differ as well.
+# `output` names the file.
+set terminal svg size 520,430 dynamic font 'sans-serif,14' noenhanced
+set output output
+set datafile separator comma
+set datafile missing NaN
+set border 3 linecolor rgb 'black'
+set tics nomirror
+set grid linecolor rgb 'gray' linetype 1 linewidth 0.4
+
+methods = 'moment energy impulsive average linear fox-goodwin central textbook-newmark textbook-newmark-sqrt textbook-rk4 textbook-rk4-sqrt textbook-rk4-lookup'
+colours = '#0072B2 #F0E442 #009E73 #E69F00 #CC79A7 #009E73 #56B4E9 #D55E00 #D55E00 black black black'
+dashes = '1 1 1 2 3 4 5 1 2 1 2 3'
+numerics = 'fixed32 float32 float32-plain float64'
+markers = '5 6 8 1'
+laws = 'hooke-newton hertz hunt-crossley'

@@ -1,0 +1,22 @@
+#pragma once
+// The main of a report's program: arguments in, a message and exit code 1 where something is missing.
+
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace impact::report {
+
+template <class Program>
+int run_program(int count, char** arguments, Program program) {
+  try {
+    program(std::vector<std::string>(arguments + 1, arguments + count));
+    return 0;
+  } catch (const std::exception& failure) {
+    std::cerr << arguments[0] << ": " << failure.what() << "\n";
+    return 1;
+  }
+}
+
+}  // namespace impact::report

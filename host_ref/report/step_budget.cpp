@@ -1,0 +1,59 @@
+// step_budget OUTPUT.csv BUDGETS.csv FILE.csv...: instructions of a step with its budget and the configuration's memory, one
+// row a phase; `all` is the larger of free and contact, its mean weighted by the share of a second spent in either being
+// unknown here and left out. FILE holds costs or footprints, as their columns say.
+
+#include <algorithm>
+#include <host_ref/report/report_program.hpp>
+#include <host_ref/report/table.hpp>
+#include <host_ref/tool/output.hpp>
+
+namespace impact::report {
+namespace {
+
+std::string configuration_of(const Row& row) {
+  std::string key;
+  for (const char* column : {"target", "law", "newmark", "numeric", "drive"}) key += row.at(column) + ",";
+  return key;
+}
+
+void write_step_budget(const std::vector<std::string>& paths) {
+  std::map<std::string, std::string> budget, memory;  // by configuration and phase or quantity
+  for (const Row& row : read_table(paths.at(1))) budget[configuration_of(row) + row.at("quantity")] = row.at("budget");
+  std::vector<Row> costs;
+  for (size_t i = 2; i < paths.size(); ++i) {
+    for (const Row& row : read_table(paths[i])) {
+      if (row.count("phase"))
+        costs.push_back(row);
+      else
+        memory[configuration_of(row) + row.at("quantity")] = row.at("value");
+    }
+  }
+  std::map<std::string, double> largest;
+  for (const Row& row : costs) {
+    double& worst = largest[configuration_of(row)];
+    worst = std::max(worst, number(row, "instructions_max"));
+  }
+
+  host::Output output(paths.at(0));
+  output.write(
+      "target,law,newmark,numeric,drive,phase,instructions_mean,instructions_max,budget,flash_bytes,ram_bytes,"
+      "stack_bytes\n");
+  const auto write = [&](const std::string& key, const std::string& phase, const std::string& mean,
+                         const std::string& most) {
+    output.write(key + phase + "," + mean + "," + most + "," + budget[key + phase] + "," + memory[key + "flash_bytes"] +
+                 "," + memory[key + "ram_bytes"] + "," + memory[key + "stack_bytes"] + "\n");
+  };
+  for (const Row& row : costs) {
+    const std::string key = configuration_of(row);
+    write(key, row.at("phase"), row.at("instructions_mean"), row.at("instructions_max"));
+    if (row.at("phase") == "contact") write(key, "all", "", std::to_string(static_cast<long>(largest[key])));
+  }
+  output.commit();
+}
+
+}  // namespace
+}  // namespace impact::report
+
+int main(int count, char** arguments) {
+  return impact::report::run_program(count, arguments, impact::report::write_step_budget);
+}

@@ -1,6 +1,6 @@
 #!/bin/sh
 # From a fresh machine to a result:
-#   sh toolchains/bootstrap.sh report    build, run the paper's scene, write build/report/index.html
+#   sh toolchains/bootstrap.sh report    build, run the paper's scene, measure, write build/report/index.html
 #   sh toolchains/bootstrap.sh test      build, run every test that needs no hardware, on host and emulated targets
 #   sh toolchains/bootstrap.sh packages  only install what the two need
 # Everything it writes is in build/. Packages are installed by apt; elsewhere it names the commands that are missing.
@@ -19,14 +19,15 @@ ninja ninja-build
 /usr/include/eigen3/Eigen/Core libeigen3-dev
 /usr/include/gtest/gtest.h libgtest-dev
 /usr/include/gmock/gmock.h libgmock-dev
-END
-  [ "$1" = report ] || cat <<END
-clang++ clang
 arm-none-eabi-g++ gcc-arm-none-eabi
 riscv64-unknown-elf-g++ gcc-riscv64-unknown-elf
 qemu-system-arm qemu-system-arm
 qemu-system-riscv32 qemu-system-misc
 END
+  case $1 in
+    report) echo gnuplot gnuplot-nox && echo /usr/lib/arm-none-eabi/newlib/libm.a libnewlib-arm-none-eabi ;;
+    test) echo clang++ clang ;;
+  esac
 }
 
 install_packages() {
@@ -69,16 +70,13 @@ test_targets() {
 }
 
 case ${1-} in
-  packages) install_packages test ;;
+  packages) install_packages report && install_packages test ;;
   report)
     install_packages report
-    build_host
+    cmake -S . -B build -DCMAKE_BUILD_TYPE=Release
+    cmake --build build -j "$(nproc)" --target impact-sim report
     build/host_ref/impact-sim --output build/paper_scene.csv
-    echo "bootstrap: the paper's scene is in build/paper_scene.csv"
-    if [ -d host_ref/report ]; then
-      cmake --build build --target report
-      echo "bootstrap: the report is build/report/index.html"
-    fi
+    echo "bootstrap: the paper's scene is in build/paper_scene.csv, the report in build/report/index.html"
     ;;
   test)
     install_packages test

@@ -1,7 +1,7 @@
-// accuracy OUTPUT.csv: the error over 1 s of the paper's scene, |x1| every 10 ms, of every stepper and number format of the
-// kernel and of the baselines, parted into the method's (the same run in double) and rounding's (error_measures.hpp).
-// Time is the fastest of five runs; the kernel's is taken through its run-time interface, energy ledger and impact log
-// included. contact_share is the share of steps with contact at either end, from the reference.
+// accuracy OUTPUT.csv: the error over 1 s of the paper's scene, |x1| every 10 ms, of every stepper and number format of
+// the kernel and of the baselines, parted into the method's (the same run in double) and rounding's
+// (error_measures.hpp). Time is the fastest of five runs; the kernel's is taken through its run-time interface, energy
+// ledger and impact log included. contact_share is the share of steps with contact at either end, from the reference.
 
 #include <algorithm>
 #include <chrono>

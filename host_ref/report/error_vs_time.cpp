@@ -1,5 +1,5 @@
-// error_vs_time OUTPUT.csv ACCURACY.csv COST.csv...: the error of every method against the instructions that it takes per
-// simulated second on a target,
+// error_vs_time OUTPUT.csv ACCURACY.csv COST.csv...: the error of every method against the instructions that it takes
+// per simulated second on a target,
 //
 //     (free (1 - s) + contact s) / h      mean instructions of a step, s the share of steps in contact
 //
@@ -57,7 +57,8 @@ void write_error_vs_time(const std::vector<std::string>& paths) {
       row += ',';
       host::append_number(row, value, 5);
     }
-    const bool is_beaten = std::any_of(points.begin(), points.end(), [&](const Point& p) { return point.is_beaten_by(p); });
+    const bool is_beaten =
+        std::any_of(points.begin(), points.end(), [&](const Point& p) { return point.is_beaten_by(p); });
     output.write(row + (is_beaten ? ",0\n" : ",1\n"));
   }
   output.commit();

@@ -5,6 +5,8 @@ foreach(part ${parts})
   get_filename_component(name ${part} NAME_WE)
   file(READ ${part} content)
   string(REGEX REPLACE "<\\?xml[^>]*\\?>" "" content "${content}")
+  string(REGEX REPLACE "rgb\\( *0, *0, *0\\)" "black" content "${content}")
+  string(REPLACE "rgb(190, 190, 190)" "gray" content "${content}")
   string(REPLACE "gpPt" "${name}-pt" content "${content}")  # ids are the page's own
   string(REPLACE "gpDot" "${name}-dot" content "${content}")
   string(REPLACE "gnuplot_plot_" "${name}-plot-" content "${content}")

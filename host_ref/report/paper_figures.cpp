@@ -1,5 +1,6 @@
-// paper_figures FOLDER RUNS.csv: what the paper's figures show, from the runs of target/paper_runs.cpp and, beside them, from
-// the reference: FOLDER/figures.csv, and for the pictures FOLDER/paper_traces.csv and FOLDER/paper_restitutions.csv.
+// paper_figures FOLDER RUNS.csv: what the paper's figures show, from the runs of target/paper_runs.cpp and, beside
+// them, from the reference: FOLDER/figures.csv, and for the pictures FOLDER/paper_traces.csv and
+// FOLDER/paper_restitutions.csv.
 //
 // attenuation: 1 - peak with the absorber / peak without it, both since the start.
 
@@ -72,9 +73,8 @@ void write_traces(const std::string& path, const std::vector<Curves>& curves) {
     append_number(row, curves[0].kernel[i].t, 6);
     for (int run = 0; run < traced_runs; ++run) {
       const auto& [kernel, reference] = curves[static_cast<size_t>(run)];
-      for (double value : {1e3 * kernel[i].x1, 1e3 * reference[i].x1,
-                           100 * attenuation(kernel[i], curves[0].kernel[i]), kernel[i].dissipated,
-                           reference[i].dissipated}) {
+      for (double value : {1e3 * kernel[i].x1, 1e3 * reference[i].x1, 100 * attenuation(kernel[i], curves[0].kernel[i]),
+                           kernel[i].dissipated, reference[i].dissipated}) {
         row += ',';
         append_number(row, value, 5);
       }
@@ -86,7 +86,8 @@ void write_traces(const std::string& path, const std::vector<Curves>& curves) {
 
 void write_restitutions(const std::string& path, const std::vector<Curves>& curves) {
   Output output(path);
-  output.write("restitution,hooke-newton,hooke-newton reference,hunt-crossley,hunt-crossley reference,hertz,hertz reference\n");
+  output.write(
+      "restitution,hooke-newton,hooke-newton reference,hunt-crossley,hunt-crossley reference,hertz,hertz reference\n");
   for (size_t i = traced_runs; i < paper_runs; i += 2) {
     std::string row;
     append_number(row, paper_run(static_cast<int>(i)).restitution, 3);

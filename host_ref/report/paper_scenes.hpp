@@ -1,8 +1,9 @@
 #pragma once
 // The runs behind the paper's figures, for the image on the emulated target and for the reference beside it.
 //
-// Tables 1 and 2, 40 rad/s, from rest with the ball in the middle, stops at +-d/2. Hooke-Newton pulls before it separates, as
-// (2.1) is written. Figure 8: c1 of a restitution by (2.3) with (2.4), and by (2.9) at the 0.8 m/s of Table 2's c1.
+// Tables 1 and 2, 40 rad/s, from rest with the ball in the middle, stops at +-d/2. Hooke-Newton pulls before it
+// separates, as (2.1) is written. Figure 8: c1 of a restitution by (2.3) with (2.4), and by (2.9) at the 0.8 m/s of
+// Table 2's c1.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>

@@ -1,6 +1,6 @@
-// step_budget OUTPUT.csv BUDGETS.csv FILE.csv...: instructions of a step with its budget and the configuration's memory, one
-// row a phase; `all` is the larger of free and contact, its mean weighted by the share of a second spent in either being
-// unknown here and left out. FILE holds costs or footprints, as their columns say.
+// step_budget OUTPUT.csv BUDGETS.csv FILE.csv...: instructions of a step with its budget and the configuration's
+// memory, one row a phase; `all` has the larger of the two worst cases, and no mean. FILE holds costs or footprints, as
+// its columns say.
 
 #include <algorithm>
 #include <host_ref/report/report_program.hpp>

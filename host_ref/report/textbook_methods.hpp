@@ -2,16 +2,17 @@
 // What one would write today for a microcontroller, from a textbook and with the C library: the yardstick of the error
 // and cost report. One source runs on the host and on the emulated targets.
 //
-//     TextbookNewmark   average acceleration (gamma = 1/2, beta = 1/4) in acceleration form; in contact Newton's method on
+//     TextbookNewmark   average acceleration (gamma = 1/2, beta = 1/4) in acceleration form; in contact Newton's method
+//     on
 //                       both masses until the correction is below `converged` of the acceleration
 //     TextbookRk4       the classical Runge-Kutta method, the force of the present penetration in every stage
 //
 // Both evaluate the drive by the library's sine. The power delta^(3/2) is a policy.
 
+#include <stdint.h>
+
 #include <impact/lookup/power_three_halves.hpp>
 #include <impact/scene.hpp>
-
-#include <stdint.h>
 
 namespace impact::report {
 

@@ -1,5 +1,6 @@
-// The method's own error: the kernel in double against the reference over 1 s of the paper's scene, |x1| every 10 ms. The
-// bounds are the errors that the prototypes of these schemes were measured at, to the two digits that are known of them.
+// The method's own error: the kernel in double against the reference over 1 s of the paper's scene, |x1| every 10 ms.
+// The bounds are the errors that the prototypes of these schemes were measured at, to the two digits that are known of
+// them.
 
 #include "paper_runs.hpp"
 
@@ -14,8 +15,8 @@ struct Known {
 };
 
 void PrintTo(const Known& known, std::ostream* out) {
-  *out << name_of(known.law) << (known.tension == Tension::allow ? " with tension " : " ") << name_of(known.stepper) << " "
-       << known.step;
+  *out << name_of(known.law) << (known.tension == Tension::allow ? " with tension " : " ") << name_of(known.stepper)
+       << " " << known.step;
 }
 
 class Accuracy : public testing::TestWithParam<Known> {};
@@ -28,40 +29,41 @@ TEST_P(Accuracy, IsNoWorseThanThePrototype) {
             error + half_a_digit);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Moment, Accuracy,
-    testing::Values(Known{Law::hertz, Stepper::moment, 2e-3, 4.0e-6}, Known{Law::hertz, Stepper::moment, 1e-3, 5.7e-7},
-                    Known{Law::hertz, Stepper::moment, 5e-4, 2.8e-8}, Known{Law::hertz, Stepper::moment, 1e-4, 3.1e-11},
-                    Known{Law::hunt_crossley, Stepper::moment, 2e-3, 1.7e-7},
-                    Known{Law::hunt_crossley, Stepper::moment, 1e-3, 1.3e-8},
-                    Known{Law::hunt_crossley, Stepper::moment, 5e-4, 1.1e-9},
-                    Known{Law::hunt_crossley, Stepper::moment, 1e-4, 1.2e-12},
-                    Known{Law::hooke_newton, Stepper::moment, 1e-3, 1.0e-3},
-                    Known{Law::hooke_newton, Stepper::moment, 5e-4, 1.2e-5},
-                    Known{Law::hooke_newton, Stepper::moment, 1e-4, 1.6e-8},
-                    Known{Law::hooke_newton, Stepper::moment, 1e-3, 2.1e-5, Tension::allow},
-                    Known{Law::hooke_newton, Stepper::moment, 5e-4, 2.2e-6, Tension::allow},
-                    Known{Law::hooke_newton, Stepper::moment, 1e-4, 1.0e-7, Tension::allow}));
+INSTANTIATE_TEST_SUITE_P(Moment, Accuracy,
+                         testing::Values(Known{Law::hertz, Stepper::moment, 2e-3, 4.0e-6},
+                                         Known{Law::hertz, Stepper::moment, 1e-3, 5.7e-7},
+                                         Known{Law::hertz, Stepper::moment, 5e-4, 2.8e-8},
+                                         Known{Law::hertz, Stepper::moment, 1e-4, 3.1e-11},
+                                         Known{Law::hunt_crossley, Stepper::moment, 2e-3, 1.7e-7},
+                                         Known{Law::hunt_crossley, Stepper::moment, 1e-3, 1.3e-8},
+                                         Known{Law::hunt_crossley, Stepper::moment, 5e-4, 1.1e-9},
+                                         Known{Law::hunt_crossley, Stepper::moment, 1e-4, 1.2e-12},
+                                         Known{Law::hooke_newton, Stepper::moment, 1e-3, 1.0e-3},
+                                         Known{Law::hooke_newton, Stepper::moment, 5e-4, 1.2e-5},
+                                         Known{Law::hooke_newton, Stepper::moment, 1e-4, 1.6e-8},
+                                         Known{Law::hooke_newton, Stepper::moment, 1e-3, 2.1e-5, Tension::allow},
+                                         Known{Law::hooke_newton, Stepper::moment, 5e-4, 2.2e-6, Tension::allow},
+                                         Known{Law::hooke_newton, Stepper::moment, 1e-4, 1.0e-7, Tension::allow}));
 
-INSTANTIATE_TEST_SUITE_P(
-    Pointwise, Accuracy,
-    testing::Values(Known{Law::hertz, Stepper::average, 1e-3, 3.5e-3}, Known{Law::hertz, Stepper::average, 1e-4, 4.9e-6},
-                    Known{Law::hertz, Stepper::average, 1e-5, 5.7e-8},
-                    Known{Law::hertz, Stepper::fox_goodwin, 1e-3, 2.3e-5},
-                    Known{Law::hertz, Stepper::fox_goodwin, 1e-4, 7.1e-8},
-                    Known{Law::hunt_crossley, Stepper::average, 2e-3, 2.9e-4},
-                    Known{Law::hunt_crossley, Stepper::average, 1e-3, 7.2e-5},
-                    Known{Law::hunt_crossley, Stepper::average, 5e-4, 1.7e-5},
-                    Known{Law::hunt_crossley, Stepper::average, 1e-4, 7.3e-7},
-                    Known{Law::hunt_crossley, Stepper::average, 1e-5, 7.2e-9},
-                    Known{Law::hunt_crossley, Stepper::central, 1e-3, 1.2e-5},
-                    Known{Law::hunt_crossley, Stepper::central, 1e-4, 1.2e-7},
-                    Known{Law::hooke_newton, Stepper::average, 1e-3, 5.0e-3},
-                    Known{Law::hooke_newton, Stepper::average, 5e-4, 3.9e-3},
-                    Known{Law::hooke_newton, Stepper::average, 1e-4, 3.1e-3}));
+INSTANTIATE_TEST_SUITE_P(Pointwise, Accuracy,
+                         testing::Values(Known{Law::hertz, Stepper::average, 1e-3, 3.5e-3},
+                                         Known{Law::hertz, Stepper::average, 1e-4, 4.9e-6},
+                                         Known{Law::hertz, Stepper::average, 1e-5, 5.7e-8},
+                                         Known{Law::hertz, Stepper::fox_goodwin, 1e-3, 2.3e-5},
+                                         Known{Law::hertz, Stepper::fox_goodwin, 1e-4, 7.1e-8},
+                                         Known{Law::hunt_crossley, Stepper::average, 2e-3, 2.9e-4},
+                                         Known{Law::hunt_crossley, Stepper::average, 1e-3, 7.2e-5},
+                                         Known{Law::hunt_crossley, Stepper::average, 5e-4, 1.7e-5},
+                                         Known{Law::hunt_crossley, Stepper::average, 1e-4, 7.3e-7},
+                                         Known{Law::hunt_crossley, Stepper::average, 1e-5, 7.2e-9},
+                                         Known{Law::hunt_crossley, Stepper::central, 1e-3, 1.2e-5},
+                                         Known{Law::hunt_crossley, Stepper::central, 1e-4, 1.2e-7},
+                                         Known{Law::hooke_newton, Stepper::average, 1e-3, 5.0e-3},
+                                         Known{Law::hooke_newton, Stepper::average, 5e-4, 3.9e-3},
+                                         Known{Law::hooke_newton, Stepper::average, 1e-4, 3.1e-3}));
 
-// Where the contact force jumps, one scene says little: an error is as large as the next impact's phase within its step lets
-// it grow. Over 41 neighbouring drives the middle error at 0.1 ms is held to the 1e-7 m asked of this scheme.
+// Where the contact force jumps, one scene says little: an error is as large as the next impact's phase within its step
+// lets it grow. Over 41 neighbouring drives the middle error at 0.1 ms is held to the 1e-7 m asked of this scheme.
 TEST(Accuracy, OfHookeNewtonHoldsForNeighbouringDrives) {
   for (const Tension tension : {Tension::clamp, Tension::allow}) {
     std::vector<double> errors;
@@ -75,7 +77,8 @@ TEST(Accuracy, OfHookeNewtonHoldsForNeighbouringDrives) {
   }
 }
 
-// Fourth order: between 1 ms and 0.1 ms the error falls by 10^4. Without the scheme's fourth-order terms it falls by 10^3.
+// Fourth order: between 1 ms and 0.1 ms the error falls by 10^4. Without the scheme's fourth-order terms it falls by
+// 10^3.
 TEST(Accuracy, OfTheMomentStepIsOfFourthOrder) {
   for (const Law law : {Law::hertz, Law::hunt_crossley}) {
     const Request coarse = paper_request(law, Stepper::moment, 1e-3), fine = paper_request(law, Stepper::moment, 1e-4);

@@ -103,10 +103,10 @@ TEST_P(Convergence, HasItsOrder) {
   EXPECT_GT(slope, GetParam().order - 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, Convergence, testing::ValuesIn(schemes), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Schemes, Convergence, testing::ValuesIn(schemes), [](const auto& scheme) {
   std::string name;
-  for (char c : std::string(name_of(info.param.law)) + "_" + std::string(name_of(info.param.stepper)) +
-                    (info.param.tension == Tension::allow ? "_pulling" : ""))
+  for (char c : std::string(name_of(scheme.param.law)) + "_" + std::string(name_of(scheme.param.stepper)) +
+                    (scheme.param.tension == Tension::allow ? "_pulling" : ""))
     name += c == '-' ? '_' : c;
   return name;
 });

@@ -1,8 +1,8 @@
-// The main mass where nothing touches it, on the moment-fitted step's exact flow: resonance, no spring, overdamping, every
-// drive, in every format.
+// The main mass where nothing touches it, on the moment-fitted step's exact flow: resonance, no spring, overdamping,
+// every drive, in every format.
 //
-// In double, 10^4 steps of one rounding each, 1e-16 of the amplitude. In 32 bits the floors of rounding_test.cpp, which are
-// for a scene bounded by 62.5 mm and grow with the bound.
+// In double, 10^4 steps of one rounding each, 1e-16 of the amplitude. In 32 bits the floors of rounding_test.cpp, which
+// are for a scene bounded by 62.5 mm and grow with the bound.
 
 #include "paper_runs.hpp"
 
@@ -125,8 +125,8 @@ TEST_P(FreeFlight, SampledDriveIsLinearBetweenSamples) {
 
 INSTANTIATE_TEST_SUITE_P(Steps, FreeFlight, testing::Values(2e-3, 1e-3, 1e-4));
 
-// Newmark's own flow is detuned by (w h)^2 |1/12 - beta|/2 <= (w h)^2/12: over a time t the resonant motion falls behind by
-// w t as much, at most.
+// Newmark's own flow is detuned by (w h)^2 |1/12 - beta|/2 <= (w h)^2/12: over a time t the resonant motion falls
+// behind by w t as much, at most.
 TEST(PointwiseFlight, GrowsAtResonanceToSecondOrder) {
   for (const Stepper stepper : {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central}) {
     for (const double step : {1e-3, 1e-4}) {

@@ -1,6 +1,7 @@
-// One impact of two free masses, 1 kg and 0.3 kg, against its closed form: restitution, energy lost by the ledger, peak force
-// and penetration, contact time. The largest error over 65 phases of the impact within the step (a whole number of steps a
-// contact flatters a scheme), at 10, 20, 40 and 80 steps a contact; it is to fall with the scheme's order from the first on.
+// One impact of two free masses, 1 kg and 0.3 kg, against its closed form: restitution, energy lost by the ledger, peak
+// force and penetration, contact time. The largest error over 65 phases of the impact within the step (a whole number
+// of steps a contact flatters a scheme), at 10, 20, 40 and 80 steps a contact; it is to fall with the scheme's order
+// from the first on.
 //
 // The expected values are those of closed_form_test.cpp, computed in 30 digits.
 
@@ -18,7 +19,7 @@ struct Known {
   const char* name;
   Law law;
   Tension tension;
-  double damping, speed;                                            // c1, m/s
+  double damping, speed;                                                 // c1, m/s
   double restitution, peak_penetration, peak_force, contact_time, lost;  // -, m, N, s, J
 };
 
@@ -75,8 +76,8 @@ Outcomes impact_at(const Known& known, Stepper stepper, Numeric numeric, int ste
 constexpr int phases = 65;
 constexpr double phase(int i) { return (i + 0.5) / phases; }
 
-// Largest errors over the phases: of the restitution, of the energy lost over that before the impact, of the peaks relative to
-// themselves, and of the contact time in steps.
+// Largest errors over the phases: of the restitution, of the energy lost over that before the impact, of the peaks
+// relative to themselves, and of the contact time in steps.
 Outcomes largest_errors(const Known& known, Stepper stepper, int steps_per_contact) {
   const double energy = reduced_mass * known.speed * known.speed / 2;
   Outcomes largest{};
@@ -101,8 +102,8 @@ void PrintTo(const Scheme& scheme, std::ostream* out) { *out << scheme.known.nam
 class FreeImpact : public testing::TestWithParam<Scheme> {};
 
 // The orders: the moment-fitted step's is 4, and its ledger's, but for Hooke-Newton, where the ledger takes the rate as
-// linear over the step in which the force jumps. Pointwise it is 2, and 1 where the force jumps, because the scheme sees it up
-// to a step late: an impulse of c1 v0 h at most, 2 zeta omega h of the restitution.
+// linear over the step in which the force jumps. Pointwise it is 2, and 1 where the force jumps, because the scheme
+// sees it up to a step late: an impulse of c1 v0 h at most, 2 zeta omega h of the restitution.
 TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const auto& [known, stepper] = GetParam();
   const bool is_linear = known.law == Law::hooke_newton, is_moment = stepper == Stepper::moment;
@@ -121,8 +122,8 @@ TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
     EXPECT_LE(error.restitution, 1.25 * first.restitution * std::pow(10.0 / steps, order)) << steps;
     EXPECT_LE(error.lost, 1.25 * first.lost * std::pow(10.0 / steps, order_of_ledger)) << steps;
     EXPECT_LE(error.steps_in_contact, 1) << steps;
-    // The samples straddle the peak by half a step: (h/2)^2/2 of the deceleration there, k1 d^p / mu. To this comes the error
-    // of the restitution's kind, and for the pointwise schemes one of the order's size.
+    // The samples straddle the peak by half a step: (h/2)^2/2 of the deceleration there, k1 d^p / mu. To this comes the
+    // error of the restitution's kind, and for the pointwise schemes one of the order's size.
     const double h = known.contact_time / steps, d = known.peak_penetration;
     const double deceleration = 32600 * (is_linear ? d : d * std::sqrt(d)) / reduced_mass;
     EXPECT_LE(error.peak_penetration, is_moment ? deceleration * h * h / 8 / d + 4.3e-4 * std::pow(10.0 / steps, 4)
@@ -152,7 +153,8 @@ TEST(FreeImpact, RestitutionFallsWithSpeed) {
     const double first = largest_errors(known, Stepper::moment, 10).restitution;
     EXPECT_LE(first, 4.3e-4) << speed;
     for (const int steps : {20, 40, 80})
-      EXPECT_LE(largest_errors(known, Stepper::moment, steps).restitution, 1.25 * first * std::pow(10.0 / steps, 4)) << speed;
+      EXPECT_LE(largest_errors(known, Stepper::moment, steps).restitution, 1.25 * first * std::pow(10.0 / steps, 4))
+          << speed;
   }
 }
 
@@ -164,8 +166,8 @@ TEST(FreeImpact, HookeNewtonLetGoAtZeroForceNeedsMoreDamping) {
   EXPECT_LE(largest_errors(known, Stepper::moment, 20).restitution, 2.5e-5);
 }
 
-// Against double at 20 steps a contact: eight constants of the contact, each to its last bit; in Fixed32 also the rates, to
-// the last place of a penetration per step, over the steps of the contact.
+// Against double at 20 steps a contact: eight constants of the contact, each to its last bit; in Fixed32 also the
+// rates, to the last place of a penetration per step, over the steps of the contact.
 TEST(FreeImpact, In32BitsIsThatOfDouble) {
   constexpr int steps = 20;
   for (const Known& known : tables) {

@@ -1,14 +1,15 @@
 // What the paper reads off its figures, as numbers of the kernel, and the conventions that they hang on.
 //
-// The paper leaves open the drive's pulsation and what its clearance measures. With 40 rad/s (the bare system's own is 31.62),
-// stops at +-d/2, both masses at rest in the middle, and 5 s of motion, its amplitudes come out. At 31.62 rad/s the bare
-// system grows without bound.
+// The paper leaves open the drive's pulsation and what its clearance measures. With 40 rad/s (the bare system's own
+// is 31.62), stops at +-d/2, both masses at rest in the middle, and 5 s of motion, its amplitudes come out. At 31.62
+// rad/s the bare system grows without bound.
 //
-// It also leaves open how c1 follows from a restitution e where e varies (figure 8): by its own (2.3) and (2.9) at one speed,
-// 0.8 m/s here, by (2.9) at each impact, or such that the law has that e at that speed; and whether Hooke-Newton may pull.
+// It also leaves open how c1 follows from a restitution e where e varies (figure 8): by its own (2.3) and (2.9) at one
+// speed, 0.8 m/s here, by (2.9) at each impact, or such that the law has that e at that speed; and whether Hooke-Newton
+// may pull.
 //
-// Past some 3 s the motion of Hertz and Hooke-Newton hangs on rounding. What is claimed of them is claimed of the median over
-// 33 starts of the ball within 0.16 mm of the middle, or counts these starts.
+// Past some 3 s the motion of Hertz and Hooke-Newton hangs on rounding. What is claimed of them is claimed of the
+// median over 33 starts of the ball within 0.16 mm of the middle, or counts these starts.
 
 #include "host_ref/closed_form.hpp"
 #include "paper_runs.hpp"
@@ -69,7 +70,8 @@ TEST(PaperClaims, BareSystemReaches37Point6Millimetres) {
 TEST(PaperClaims, HuntCrossleyAttenuatesTo17Point6Millimetres) {
   const Samples reference = reference_samples(paper_request(Law::hunt_crossley, Stepper::moment, 1e-4), interval, 5);
   EXPECT_NEAR(maximum(reference), 17.6e-3, 0.05e-3);
-  for (const Stepper stepper : {Stepper::moment, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central}) {
+  for (const Stepper stepper :
+       {Stepper::moment, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central}) {
     const Samples samples = kernel_samples(paper_request(Law::hunt_crossley, stepper, 1e-4), interval, 5);
     // This scene forgets its errors: point by point they are below what any figure can show.
     EXPECT_LT(largest_difference(samples, reference), 1e-5) << name_of(stepper);
@@ -84,9 +86,9 @@ TEST(PaperClaims, HookeNewtonAttenuatesToTheSame) {
   }
 }
 
-// Hertz can carry the main mass beyond the bare system's 37.55 mm, as the paper's figure 4 shows. In 5 s it does so from a few
-// starts (3 of 33; from the exact middle: 38.1 mm by the reference), in 20 s from half of them. It is not the rule, and the
-// root mean square is below the bare system's; but no start has it attenuate as the others do.
+// Hertz can carry the main mass beyond the bare system's 37.55 mm, as the paper's figure 4 shows. In 5 s it does so
+// from a few starts (3 of 33; from the exact middle: 38.1 mm by the reference), in 20 s from half of them. It is not
+// the rule, and the root mean square is below the bare system's; but no start has it attenuate as the others do.
 TEST(PaperClaims, HertzCanAmplify) {
   const double bare = maximum(kernel_samples(bare_request(), interval, 5));
   const Request hertz = paper_request(Law::hertz, Stepper::moment, 1e-3);
@@ -112,9 +114,9 @@ TEST(PaperClaims, WithoutDampingHookeNewtonIsLowest) {
             starts(hertz).median_maximum());
 }
 
-// Figure 8 at e = 0.68: Hunt-Crossley has the lowest maximum in 5 s, for a constant c1, by the paper's formula or the law's
-// own, and tension or none. With c1 from each impact's speed it has not: slow impacts then lose less. Nor has it with the
-// paper's c1 over 20 s, where the motion becomes another one, of 26 mm.
+// Figure 8 at e = 0.68: Hunt-Crossley has the lowest maximum in 5 s, for a constant c1, by the paper's formula or the
+// law's own, and tension or none. With c1 from each impact's speed it has not: slow impacts then lose less. Nor has it
+// with the paper's c1 over 20 s, where the motion becomes another one, of 26 mm.
 TEST(PaperClaims, AtTheStatedRestitutionHuntCrossleyIsLowest) {
   for (const Tension tension : {Tension::clamp, Tension::allow}) {
     for (const From from : {From::paper, From::law}) {
@@ -128,7 +130,8 @@ TEST(PaperClaims, AtTheStatedRestitutionHuntCrossleyIsLowest) {
   EXPECT_GT(starts(request_with(Law::hunt_crossley, Tension::clamp, 0.68, From::paper), 20).median_maximum(), 18e-3);
 }
 
-// Figure 8: over restitutions from 0.3 to 1, Hunt-Crossley's maximum varies more than Hooke-Newton's, however c1 is had.
+// Figure 8: over restitutions from 0.3 to 1, Hunt-Crossley's maximum varies more than Hooke-Newton's, however c1 is
+// had.
 TEST(PaperClaims, HuntCrossleyIsMoreSensitiveToRestitution) {
   for (const From from : {From::paper, From::law, From::each_impact}) {
     const auto spread = [from](Law law) {
@@ -144,16 +147,17 @@ TEST(PaperClaims, HuntCrossleyIsMoreSensitiveToRestitution) {
   }
 }
 
-// Figure 10, energy dissipated in 5 s: Hunt-Crossley more than Hooke-Newton more than Hertz, which dissipates none. At e = 0.68
-// this holds with any convention; over all restitutions, if c1 gives the law that restitution. By the paper's formulas,
-// which lose less than e says, Hooke-Newton overtakes below e = 0.5 (e = 0.6 with tension).
+// Figure 10, energy dissipated in 5 s: Hunt-Crossley more than Hooke-Newton more than Hertz, which dissipates none. At
+// e = 0.68 this holds with any convention; over all restitutions, if c1 gives the law that restitution. By the paper's
+// formulas, which lose less than e says, Hooke-Newton overtakes below e = 0.5 (e = 0.6 with tension).
 TEST(PaperClaims, HuntCrossleyDissipatesMost) {
   const auto dissipated = [](Law law, Tension tension, double e, From from) {
     return starts(request_with(law, tension, e, from)).median_dissipated();
   };
   for (const Tension tension : {Tension::clamp, Tension::allow}) {
     for (const From from : {From::paper, From::law, From::each_impact}) {
-      EXPECT_GT(dissipated(Law::hunt_crossley, tension, 0.68, from), dissipated(Law::hooke_newton, tension, 0.68, from));
+      EXPECT_GT(dissipated(Law::hunt_crossley, tension, 0.68, from),
+                dissipated(Law::hooke_newton, tension, 0.68, from));
     }
     for (const double e : {0.3, 0.5, 0.8, 0.9}) {
       const double hooke_newton = dissipated(Law::hooke_newton, tension, e, From::law);

@@ -30,11 +30,12 @@ inline Request paper_request(Law law, Stepper stepper, double step, Tension tens
   return request;
 }
 
-// Samples at multiples of `interval`, which is one of the step; drive samples are one a step, from the first step's end on.
+// Samples at multiples of `interval`, which is one of the step; drive samples are one a step, from the first step's end
+// on.
 inline Samples kernel_samples(const Request& request, double interval, double duration) {
   const Outcome outcome = make_simulation(request);
-  EXPECT_TRUE(outcome.simulation) << outcome.refusal.field << " " << outcome.refusal.value << ", allowed: "
-                                  << outcome.refusal.allowed;
+  EXPECT_TRUE(outcome.simulation) << outcome.refusal.field << " " << outcome.refusal.value
+                                  << ", allowed: " << outcome.refusal.allowed;
   if (!outcome.simulation) return {};
   Simulation& simulation = *outcome.simulation;
   const long every = std::lround(interval / request.step), steps = std::lround(duration / request.step);

@@ -1,5 +1,5 @@
-// The pointwise steppers in double are Newmark's method as a textbook writes it, step by step: host_ref/textbook_newmark.hpp
-// solves the same equations in matrices, with accelerations, to convergence.
+// The pointwise steppers in double are Newmark's method as a textbook writes it, step by step:
+// host_ref/textbook_newmark.hpp solves the same equations in matrices, with accelerations, to convergence.
 
 #include <utility>
 
@@ -42,8 +42,8 @@ TEST(Pointwise, IsTheTextbooksNewmark) {
       for (const double step : {2e-3, 1e-3, 1e-4}) expect_textbook(paper_request(law, stepper, step), beta, 1e-12);
 }
 
-// Hooke-Newton's force jumps at the step that first sees the contact. At 2 ms that amplifies a change of a velocity 6e5 times
-// within the second (rounding_test.cpp measures it), here 3e-18 m in a step.
+// Hooke-Newton's force jumps at the step that first sees the contact. At 2 ms that amplifies a change of a velocity 6e5
+// times within the second (rounding_test.cpp measures it), here 3e-18 m in a step.
 TEST(Pointwise, IsTheTextbooksNewmarkForHookeNewton) {
   for (const Tension tension : {Tension::clamp, Tension::allow})
     for (const auto& [stepper, beta] : betas)

@@ -1,17 +1,19 @@
-// What 32 bits add to the method's own error: Fixed32 and Float32 against double at the same step, over 1 s of the paper's
-// scene. At most a tenth of the method's error, down to a floor of 2e-9 m (Fixed32) and 1e-8 m (Float32).
+// What 32 bits add to the method's own error: Fixed32 and Float32 against double at the same step, over 1 s of the
+// paper's scene. At most a tenth of the method's error, down to a floor of 2e-9 m (Fixed32) and 1e-8 m (Float32).
 //
 // A scene can ask for more digits than the format has. A change dv of one impact's speed moves x1 within the second by
 // A dv, with A about 0.2 s for Hunt-Crossley, whose loss makes the scene forget, 1 s for Hertz and 4 to 11 s for
 // Hooke-Newton. What a format leaves undetermined of an impact's speed v is, at best,
 //
 //     dv = 2^-24 v (Float32) or 2^-31 v (Fixed32): the last bit of the constants that scale the impact;
-//     in Fixed32 also 2^-31 (penetration's unit) / h / sqrt(N): the last place of the rate, over the N steps of a contact.
+//     in Fixed32 also 2^-31 (penetration's unit) / h / sqrt(N): the last place of the rate, over the N steps of a
+//     contact.
 //
 // Where twice A dv is above the floor, for Hertz in Float32 and for Hooke-Newton, it stands in the floor's place.
 //
-// Pointwise, Hooke-Newton's force jumps at the step that first sees the contact, and which step that is can hang on the last
-// bit: the two runs then differ by as much as each differs from the truth, and the bound is the method's own error.
+// Pointwise, Hooke-Newton's force jumps at the step that first sees the contact, and which step that is can hang on the
+// last bit: the two runs then differ by as much as each differs from the truth, and the bound is the method's own
+// error.
 
 #include <cstdio>
 
@@ -32,8 +34,8 @@ struct Rounded {
 };
 
 void PrintTo(const Rounded& rounded, std::ostream* out) {
-  *out << name_of(rounded.law) << (rounded.tension == Tension::allow ? " with tension " : " ") << name_of(rounded.stepper)
-       << " " << name_of(rounded.numeric) << " " << rounded.step;
+  *out << name_of(rounded.law) << (rounded.tension == Tension::allow ? " with tension " : " ")
+       << name_of(rounded.stepper) << " " << name_of(rounded.numeric) << " " << rounded.step;
 }
 
 // Twice what the scene reaches, in the power of two above it, and no more: the bounds that a user would state.
@@ -74,9 +76,10 @@ TEST_P(Rounding, AddsLittleToTheMethodsError) {
     const Scene& scene = request.scene;
     const double reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
     const double steps =
-        *contact_time({rounded.law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed}) / rounded.step;
-    const double undetermined = is_fixed ? 0x1p-31 * (speed + request.bounds->penetration / rounded.step / std::sqrt(steps))
-                                         : 0x1p-24 * speed;
+        *contact_time({rounded.law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed}) /
+        rounded.step;
+    const double undetermined =
+        is_fixed ? 0x1p-31 * (speed + request.bounds->penetration / rounded.step / std::sqrt(steps)) : 0x1p-24 * speed;
     request.numeric = Numeric::float64;
     request.bounds.reset();
     bound = std::max(bound, 2 * amplification(request, exact) * undetermined);

@@ -3,7 +3,7 @@
 folder = ARG1; file = ARG2
 output = '/dev/null'
 load 'style.gp'
-set terminal svg size 400,330 dynamic font 'sans-serif,13' enhanced
+set terminal svg size 400,330 dynamic font 'sans-serif,15' enhanced
 set logscale xy
 set format '10^{%T}'
 set xlabel 'step, s' offset 0,0.5
@@ -20,6 +20,9 @@ class(e) = e <= 1e-4 ? 0 : e <= 1e-3 ? 1 : e <= 1e-2 ? 2 : e <= 1e-1 ? 3 : 4
 larger(a, b) = a > b ? a : b
 error(x) = larger(abs(column(6) - column(8)), abs(column(7) - column(8)))
 is_shown(x) = strcol(1) eq law && strcol(2) eq stepper && strcol(3) eq numeric
+refused(x) = is_shown(0) && column(10) == 0
+gains(x) = is_shown(0) && column(9) > 1e-3
+step(is_wanted) = is_wanted ? column(4) : 1e-9  # or out of sight
 width = 10**0.125; height = 10**0.25
 
 do for [law in laws] { do for [stepper in methods] { do for [numeric in 'float64 fixed32'] {
@@ -28,8 +31,8 @@ do for [law in laws] { do for [stepper in methods] { do for [numeric in 'float64
     set title stepper . ', ' . numeric noenhanced offset 0,-0.6
     plot file using (is_shown(0) ? $4 : NaN):5:($4 / width):($4 * width):($5 / height):($5 * height):(class(error(0))) skip 1 \
            with boxxyerror fillstyle solid noborder linecolor palette, \
-         '' using (is_shown(0) && $9 > 1e-3 ? $4 : NaN):5 skip 1 with points pointtype 2 pointsize 0.45 linecolor rgb '#111111', \
-         '' using (is_shown(0) && $10 == 0 ? $4 : NaN):5:($4 / width):($4 * width):($5 / height):($5 * height) skip 1 \
+         '' using (step(gains(0))):5 skip 1 with points pointtype 2 pointsize 0.45 linecolor rgb '#111111', \
+         '' using (step(refused(0))):5:(step(refused(0)) / width):(step(refused(0)) * width):($5 / height):($5 * height) skip 1 \
            with boxxyerror fillstyle transparent solid 0.6 noborder linecolor rgb 'white'
   }
 } } }

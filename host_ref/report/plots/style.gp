@@ -10,7 +10,7 @@ set tics nomirror
 set grid linecolor rgb 'gray' linetype 1 linewidth 0.4
 
 methods = 'moment energy impulsive average linear fox-goodwin central textbook-newmark textbook-newmark-sqrt textbook-rk4 textbook-rk4-sqrt textbook-rk4-lookup'
-colours = '#0072B2 #F0E442 #009E73 #E69F00 #CC79A7 #009E73 #56B4E9 #D55E00 #D55E00 black black black'
+colours = '#0072B2 #D55E00 #009E73 #E69F00 #CC79A7 #009E73 #56B4E9 black black #808080 #808080 #808080'
 dashes = '1 1 1 2 3 4 5 1 2 1 2 3'
 numerics = 'fixed32 float32 float32-plain float64'
 markers = '5 6 8 1'

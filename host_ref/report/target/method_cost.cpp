@@ -7,22 +7,21 @@
 namespace impact::report {
 namespace {
 
-template <class Law, class... Newmarks>
-void print_costs(target::List<Newmarks...>) {
-  (print_cost<typename target::Configuration<Law, Newmarks, IMPACT_NUMERIC, Sine>::template Absorber<1000>,
-              typename target::Configuration<Law, Newmarks, IMPACT_NUMERIC, Sine>::template Absorber<100>>(
-       target::make_label<Law, Newmarks, IMPACT_NUMERIC, Sine>().text),
-   ...);
+template <class Law, class Newmark>
+void print_if_sine(target::Configuration<Law, Newmark, IMPACT_NUMERIC, Sine> configuration) {
+  using Configuration = decltype(configuration);
+  print_cost<typename Configuration::template Absorber<1000>, typename Configuration::template Absorber<100>>(
+      Configuration::label.text);
 }
+template <class Other>
+void print_if_sine(Other) {}
 
 }  // namespace
 }  // namespace impact::report
 
 int main() {
   using namespace impact;
-  using Newmarks = target::List<Moment, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
-  report::print_costs<HookeNewton>(Newmarks{});
-  report::print_costs<Hertz>(Newmarks{});
-  report::print_costs<HuntCrossley>(Newmarks{});
+  target::for_each(target::all_configurations<IMPACT_NUMERIC>(),
+                   [](auto configuration) { report::print_if_sine(configuration); });
   return 0;
 }

@@ -1,6 +1,7 @@
 #pragma once
-// Instructions a step, free and in contact: from the first of a function that steps a model to its return, over one second
-// of the paper's scene at h = 1 ms and 0.1 ms. A step is in contact when the ball touches a stop before or after it.
+// Instructions a step, free and in contact: from the first of a function that steps a model to its return, over one
+// second of the paper's scene at h = 1 ms and 0.1 ms. A step is in contact when the ball touches a stop before or after
+// it.
 
 #include <stdint.h>
 

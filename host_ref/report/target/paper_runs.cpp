@@ -1,6 +1,6 @@
-// The runs of paper_scenes.hpp by the kernel in Fixed32 with moment-fitted steps, as CSV. An image for a board; on a host the
-// same source gives the same bits. Runs 0 to 3 every 2.5 ms, the others their end. `peak` is the largest |x1| so far, looked
-// at every 0.5 ms.
+// The runs of paper_scenes.hpp by the kernel in Fixed32 with moment-fitted steps, as CSV. An image for a board; on a
+// host the same source gives the same bits. Runs 0 to 3 every 2.5 ms, the others their end. `peak` is the largest |x1|
+// so far, looked at every 0.5 ms.
 
 #include <board/console.hpp>
 #include <host_ref/report/paper_scenes.hpp>

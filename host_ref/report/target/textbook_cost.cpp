@@ -1,10 +1,9 @@
 // The baselines' steps. The library's sine and power are newlib's.
 
-#include "method_cost.hpp"
-
 #include <host_ref/report/textbook_methods.hpp>
 
 #include "configurations.hpp"
+#include "method_cost.hpp"
 
 extern "C" int* __errno() {
   static int error;

@@ -48,10 +48,11 @@ struct Scene {
 };
 
 // The largest values that the scene reaches, in SI units. Fixed32 chooses every format from them; beyond them it
-// saturates and raises a fault. Float formats use them only to report a fault.
+// saturates and raises a fault; the tighter they are, the finer it counts. Floating point does without them. The defaults hold
+// the paper's scene under every law.
 struct Bounds {
-  double displacement = 0.25;  // of either mass, m
-  double speed = 4.0;          // of either mass, m/s
+  double displacement = 0.1;   // of either mass, m
+  double speed = 2.0;          // of either mass, m/s
   double penetration = 0.03;   // m
   double force = 10.0;         // of a sampled drive, N
 };

@@ -174,11 +174,14 @@ struct Fixed32 {
     if (-1 - e > 30) return {0, 0};
     return {static_cast<int32_t>(mantissa), -1 - e};
   }
-  // x -> gain * x / divisor, for |x| up to about the divisor, which is positive. The gain is in [0, 2).
+  // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive and the gain in [0, 2).
   static constexpr Gain gain_over(Gain gain, Value divisor) {
     const int zeros = leading_zeros(static_cast<uint32_t>(divisor.raw));
     const uint32_t inverse = reciprocal_q31(static_cast<uint32_t>(divisor.raw) << zeros);
-    return {static_cast<int32_t>((gain * Value{static_cast<int32_t>(inverse >> 1)}).raw >> 1), -zeros - 2};
+    const int32_t mantissa = (gain * Value{static_cast<int32_t>(inverse >> 1)}).raw >> 1;
+    if (mantissa == 0) return {0, 0};
+    const int spare = leading_zeros(static_cast<uint32_t>(mantissa)) - 1;
+    return {mantissa << spare, spare - zeros - 2};
   }
   static constexpr double sample_unit(double largest) { return largest; }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }

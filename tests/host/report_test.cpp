@@ -1,0 +1,89 @@
+// The report's baselines and scenes against independent routes: in double its hand-written Newmark and Runge-Kutta
+// steps are the matrix ones of textbook_newmark.hpp, and its constant-expression c1 are those of closed_form.hpp.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_ref/closed_form.hpp"
+#include "host_ref/report/paper_scenes.hpp"
+#include "host_ref/report/textbook_methods.hpp"
+#include "host_ref/textbook_newmark.hpp"
+
+namespace impact::report {
+namespace {
+
+template <Law law>
+struct Rig {
+  static constexpr Scene made() {
+    Scene paper;
+    if (law == Law::hooke_newton) paper.contact_damping = 20.81;  // table 1, N s/m
+    return paper;
+  }
+  static constexpr Scene scene = made();
+  static constexpr double step = 1e-4;
+};
+
+template <Law law>
+host::Case case_under() {
+  host::Case run;
+  run.law = law;
+  run.scene = Rig<law>::scene;
+  return run;
+}
+
+// Largest difference of x1 over 0.5 s, which has impacts at both stops.
+template <class Model, class Matrix>
+double largest_difference(Model model, Matrix matrix) {
+  double largest = 0;
+  for (int n = 0; n < 5000; ++n) {
+    model.step();
+    matrix.step();
+    largest = std::max(largest, std::abs(model.displacement() - matrix.sample().x1));
+  }
+  return largest;
+}
+
+template <class Constant>
+class TextbookMethods : public testing::Test {};
+template <Law law_>
+struct Under {
+  static constexpr Law law = law_;
+};
+using Laws = testing::Types<Under<Law::hooke_newton>, Under<Law::hertz>, Under<Law::hunt_crossley>>;
+TYPED_TEST_SUITE(TextbookMethods, Laws);
+
+// Newton's method stops at 1e-6 of the acceleration where the matrix one goes on to rounding. Convergence is quadratic,
+// so that 1e-12 of 100 m/s^2 remains a step: below 1e-12 m in 5000 steps, and impacts amplify it by less than 1000 in
+// 0.5 s.
+TYPED_TEST(TextbookMethods, NewmarkIsTheMatrixMethod) {
+  constexpr Law law = TypeParam::law;
+  EXPECT_LT(largest_difference(TextbookNewmark<double, Rig<law>, law, LibraryPower>{},
+                               host::TextbookNewmark(case_under<law>(), 0.25, Rig<law>::step)),
+            1e-9);
+}
+
+TYPED_TEST(TextbookMethods, RungeKuttaIsTheMatrixMethod) {
+  constexpr Law law = TypeParam::law;
+  EXPECT_LT(largest_difference(TextbookRk4<double, Rig<law>, law, LibraryPower>{},
+                               host::TextbookRungeKutta(case_under<law>(), Rig<law>::step)),
+            1e-9);
+}
+
+TEST(PaperScenes, HaveThePapersDamping) {
+  host::Impact impact;
+  for (int index = traced_runs; index < paper_runs; ++index) {
+    const PaperRun run = paper_run(index);
+    impact.law = run.law;
+    const double expected = host::paper_contact_damping(impact, run.restitution).value();
+    EXPECT_NEAR(run.scene.contact_damping, expected, 1e-12 * (1 + expected)) << run.name << " " << run.restitution;
+  }
+}
+
+TEST(PaperScenes, OfTable2IsTheOneOfRestitution068) {
+  EXPECT_NEAR(host::paper_contact_damping(host::Impact{}, 0.68).value(), paper_run(3).scene.contact_damping, 1e-9);
+}
+
+}  // namespace
+}  // namespace impact::report

@@ -19,6 +19,8 @@ constexpr const char* name<HuntCrossley> = "hunt-crossley";
 template <>
 constexpr const char* name<Moment> = "moment";
 template <>
+constexpr const char* name<EnergyConsistent> = "energy";
+template <>
 constexpr const char* name<AverageAcceleration> = "average";
 template <>
 constexpr const char* name<LinearAcceleration> = "linear";
@@ -130,7 +132,7 @@ constexpr auto with_newmarks(List<Newmarks...>) {
 }
 template <class Numeric, class... Laws>
 constexpr auto with_laws(List<Laws...>) {
-  using Newmarks = List<Moment, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
+  using Newmarks = List<Moment, EnergyConsistent, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
 template <class... Numerics>
@@ -142,6 +144,7 @@ constexpr auto all_configurations() {
 using Budgeted = List<  //
     Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
     Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
-    Configuration<HookeNewton, Moment, Fixed32, Sine>>;
+    Configuration<HookeNewton, Moment, Fixed32, Sine>, Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
+    Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>;
 
 }  // namespace impact::target

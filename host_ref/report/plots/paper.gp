@@ -7,7 +7,7 @@ ink = 'black'; hn = '#E69F00'; hz = '#009E73'; hc = '#0072B2'; reference = '#D55
 if (figure == 2 || figure == 4 || figure == 6) {
   law = figure == 2 ? 'hooke-newton' : figure == 4 ? 'hertz' : 'hunt-crossley'
   set ylabel 'displacement of the main mass, mm'
-  plot traces using 't':'without-absorber x1' with lines linewidth 0.8 linecolor rgb 'gray' title 'without absorber', \
+  plot traces using 't':'without-absorber x1' with lines linewidth 0.8 linecolor rgb '#808080' title 'without absorber', \
        '' using 't':law . ' x1' with lines linewidth 1.8 linecolor rgb hc title law . ', kernel', \
        '' using 't':law . ' x1 reference' with lines linewidth 1 dashtype 2 linecolor rgb reference title law . ', reference'
 }

@@ -104,9 +104,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     plan.units.add(state_.w1, increment);
 
     if (!plan.units.in_range(state_.x1, state_.x2, state_.w1)) hold();
-    const bool is_right = plan.right_stop && plan.units.beyond_stop(state_.x2, state_.x1);
-    const bool is_left = plan.left_stop && plan.units.beyond_stop(state_.x1, state_.x2);
-    if (state_.contact.phase != Phase::apart || is_right || is_left) touch(made, is_left);
+    if (state_.contact.phase != Phase::apart || is_beyond_stop()) touch(increment, made);
     (Features::after_step(plan, state_), ...);
   }
 
@@ -168,9 +166,9 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     return ahead;
   }
 
-  __attribute__((noinline)) constexpr void touch(Long made, bool is_left) {
+  __attribute__((noinline)) constexpr void touch(Value increment, Long made) {
     const auto& units = plan.units;
-    if (state_.contact.phase == Phase::apart) state_.at_left = is_left;
+    if (state_.contact.phase == Phase::apart) state_.at_left = (state_.x2 - state_.x1).is_negative();
     const bool left = state_.at_left != 0;
     if constexpr (Contact::carries) {
       const Value carried = mirrored(state_.contact.force, left);
@@ -180,26 +178,26 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     const Value trial = units.penetration(mirrored(state_.x2 - state_.x1, left));
     if (state_.contact.phase == Phase::apart && !is_positive(trial)) return;
     if (units.saturated(trial)) raise(Fault::penetration);
-    if (units.hold_displacement(state_.w2)) raise(Fault::speed);
+    if (!units.in_range(state_.w2)) hold_ball();
     const Value trial_rate = relative_rate(left);
     Value before = trial - mirrored(units.relative(state_.w2 - made), left);
     if (is_positive(before)) before = Value{};
 
     const Contact contact_before = state_.contact;
-    const auto kick = state_.contact.resolve(plan.contact, units, trial, trial_rate, before);
+    const auto kick = state_.contact.resolve(plan.contact, units, trial, trial_rate, before, -mirrored(increment, left));
     const Value impulse = mirrored(kick.impulse, left), moment = mirrored(kick.moment, left);
     const auto& response = plan.contact.response;
     units.push(state_.x1, response.x1 * moment);
     units.push(state_.w1, response.w1 * impulse + response.w1_by_moment * moment);
-    units.push(state_.x2, -(response.x2 * moment));
-    units.push(state_.w2, -(response.w2 * impulse));
+    units.push(state_.x2, response.x2 * -moment);
+    units.push(state_.w2, response.w2 * -impulse);
     if constexpr (Contact::slips) units.displace(state_.x2, -mirrored(state_.contact.slip, left));
     if constexpr (sizeof...(Features) > 0) {
       const Value rate = trial_rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
       const Value penetration = trial - response.penetration * kick.moment;
       const bool begins = contact_before.phase == Phase::apart;
       const Value rate_before = (trial - before) + (trial - before) - trial_rate;
-      const ContactStep<Value> step = {Contact::moments(contact_before, state_.contact, kick),
+      const ContactStep<Value> step = {Contact::moments(plan.contact, contact_before, state_.contact, kick),
                                        state_.contact.phase == Phase::touching ? ContactLaw::template stored<Format>(units, penetration) : Value{},
                                        rate_before, rate, begins};
       (Features::after_contact(plan, state_, step), ...);
@@ -211,6 +209,14 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     return mirrored(plan.units.relative(state_.w2 - state_.w1) - rate_ahead(), left);
   }
 
+  constexpr bool is_beyond_stop() const {
+    if (plan.left_stop && plan.right_stop) return plan.units.beyond_stops(state_.x2, state_.x1);
+    return plan.left_stop ? plan.units.beyond_stop(state_.x1, state_.x2) : plan.units.beyond_stop(state_.x2, state_.x1);
+  }
+
+  __attribute__((noinline)) constexpr void hold_ball() {
+    if (plan.units.hold_displacement(state_.w2)) raise(Fault::speed);
+  }
   // A state beyond its bounds is put back on them.
   __attribute__((noinline)) constexpr void hold() {
     const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);

@@ -88,6 +88,12 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   const double spring_and_damper = scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed;
   largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
   largest.push = h * h * largest_force / constant::smaller(scene.ball_mass, scene.main_mass);
+  if (!is_linear) {
+    // Kicks count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and for
+    // what spring and drive add.
+    const double rate = h * h * 1.1 * (1 / scene.ball_mass + 1 / scene.main_mass) * k1 * to_the_power(unit) * largest.force_factor;
+    largest.push = larger(2 * rate, 8 * largest.increment);
+  }
   const UnitExponents exponents = Format::exponents(largest);
 
   status = Format::status_of(exponents, scene.clearance / 2);

@@ -64,11 +64,11 @@ constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
   return (high_product(numerator, reciprocal) << 1) | ((numerator * reciprocal) >> 31);
 }
 
-// (numerator / denominator) 2^16 for 0 <= numerator <= denominator, denominator > 0, within -5 and +1: on Cortex-M0
-// half the instructions of quotient_q32.
-constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
+// (numerator / denominator) 2^31 for 0 <= numerator <= denominator, denominator > 0, within 1 and a relative error
+// of -2^-14 to 2^-16.
+constexpr uint32_t rough_quotient_q31(uint32_t numerator, uint32_t denominator) {
   numerator <<= normalise<1>(denominator);
-  return ((numerator >> 16) * (static_cast<uint32_t>(reciprocal_table.reciprocal(denominator)) >> 1)) >> 15;
+  return short_product(numerator, static_cast<uint32_t>(reciprocal_table.reciprocal(denominator)) >> 1);
 }
 
 }  // namespace impact

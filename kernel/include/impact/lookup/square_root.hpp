@@ -87,6 +87,13 @@ constexpr uint32_t square_root_q32(uint32_t y) {
   return (square_root_table<index_bits, order>.root(y) + ((1u << shift) >> 1)) >> shift;
 }
 
+// Y = y / 2^32 gives sqrt(Y) 2^31, for y > 0: within the bound above, rounded down.
+template <int index_bits = 6, int order = 3>
+constexpr uint32_t square_root_q31(uint32_t y) {
+  const int shift = normalise<2>(y);
+  return square_root_table<index_bits, order>.root(y) >> (shift + 1);
+}
+
 inline uint32_t bits_of(float y) {
   uint32_t bits;
   __builtin_memcpy(&bits, &y, sizeof bits);

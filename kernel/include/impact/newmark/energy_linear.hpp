@@ -48,12 +48,12 @@ struct EnergyLinear {
     penetration = at;
     phase = Phase::touching;
   }
-  static constexpr Kick<Value> moments(const EnergyLinear&, const EnergyLinear&, Kick<Value> kick) {
+  static constexpr Kick<Value> moments(const Plan&, const EnergyLinear&, const EnergyLinear&, Kick<Value> kick) {
     return {kick.impulse, Format::value(half(kick.impulse))};
   }
 
   [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value,
-                                                       Value before) {
+                                                       Value before, Value) {
     Value force = phase == Phase::apart ? entering(plan, units, trial, before) : inside(plan, units, trial);
     if (plan.clamped && !is_positive(force)) force = Value{};
     penetration = trial - plan.response.penetration * force;

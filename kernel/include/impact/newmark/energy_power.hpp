@@ -62,12 +62,12 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
   }
-  static constexpr Kick<Value> moments(const EnergyPower&, const EnergyPower&, Kick<Value> kick) {
+  static constexpr Kick<Value> moments(const Plan&, const EnergyPower&, const EnergyPower&, Kick<Value> kick) {
     return {kick.impulse, Format::value(half(kick.impulse))};
   }
 
   [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate,
-                                                       Value before) {
+                                                       Value before, Value) {
     if (phase == Phase::apart) {
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, trial_rate);
       penetration = before;

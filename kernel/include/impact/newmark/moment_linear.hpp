@@ -78,9 +78,9 @@ struct MomentLinear {
     const bool pulls = !is_positive(units.elastic(at) + plan.damping * at_rate);
     phase = plan.clamped && pulls ? Phase::released : Phase::touching;
   }
-  static constexpr Kick<Value> moments(const MomentLinear&, const MomentLinear&, Kick<Value> kick) { return kick; }
+  static constexpr Kick<Value> moments(const Plan&, const MomentLinear&, const MomentLinear&, Kick<Value> kick) { return kick; }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before, Value) {
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
     const Value change = trial - penetration, rate_change = trial_rate - rate, sag = change - rate;
@@ -128,14 +128,19 @@ struct MomentLinear {
 
   // x0 + x1 t/(1 + integrals) + x2 t^2/((1 + integrals)(2 + integrals)) + ...: the series at t, or its repeated integral
   // from 0 to t over t^integrals / integrals!.
-  template <int integrals, class Time>
+  template <int integrals, class Time, int n = 1>
   [[gnu::always_inline]] static constexpr Value at(const Value* x, Time t) {
-    Value sum = x[series_terms - 1];
-    for (int n = series_terms - 1; n > 0; --n) {
-      const Value term = Format::value(sum * t);
-      sum = x[n - 1] + (n + integrals == 1 ? term : Format::value(Format::constant(1.0 / (n + integrals)) * term));
+    if constexpr (n == series_terms) {
+      return x[n - 1];
+    } else {
+      const Value term = Format::value(at<integrals, Time, n + 1>(x, t) * t);
+      if constexpr (n + integrals == 1) {
+        return x[n - 1] + term;
+      } else {
+        constexpr auto share = Format::constant(1.0 / (n + integrals));
+        return x[n - 1] + Format::value(share * term);
+      }
     }
-    return sum;
   }
 
   // The kick of a force that acts from the series' start for the time t, then not for the rest of the step.

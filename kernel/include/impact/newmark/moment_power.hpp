@@ -1,16 +1,22 @@
 #pragma once
-// The moment-fitted contact for the power laws, f = d^(3/2) (1 + C d') in the units of contact_terms.hpp (C d' = c1/k1 times
-// the rate; 0 for Hertz). r, s: roots of the penetrations at both ends; p = (s+r)/2, z = (s-r)/2; v: rate.
+// The moment-fitted contact for the power laws. With the roots r and s of the penetrations d0 and d1 at both ends of
+// the step, p = (s+r)/2, z = (s-r)/2, and the rates v0, v1 (their change without contact: g), the law
+//
+//     f = K d^(3/2) (1 + C d')         C = c1/k1, 0 for Hertz
+//
+// counts as what it does to the rate: K contains both masses, so that J0 is the change of rate that contact causes in
+// the step and J1 all but the change of penetration.
 //
 //     staying   n = p^3 + 2 p z^2 + z^4/(5p)           the mean of d^(3/2), so that n (d1 - d0) = (2/5) [d^(5/2)]
-//               J0 = n E - (p + 2 z^2/(5p)) (v1 - v0)/8                      E = 1 + C (d1 - d0)
-//               J1 = J0/2 - z (p^2/2 + z^2/5) E - C (v1 - v0) n/12
+//               w = (p + 2 z^2/(5p))/8                 E = K + K C (d1 - d0)
+//               J0 = n E - K w (v1 - v0)               J1 = J0/2 - w (d1 - d0) E - K C (v1 - v0) n/12
 //     entering  u = d1/(d1 - d0), the share of the step in contact; b = 1/5 - 4u/35
-//               J0 = (2/5) s^3 u - s u^2 b (v1 - v0) + L         J1 = J0/2 - s^3 u b - L (1/2 - 2u/7)      L = (2/5) C s^5
+//               J0 = K (2/5) s^3 u - K s u^2 b (v1 - v0) + L      J1 = J0/2 - K s^3 u b - L (1/2 - 2u/7)   L = K (2/5)
+//               C s^5
 //     leaving   the mirror image of entering, with r, d0 and -L
 //
-// d1 and v1 follow from the trial values less the response to J1 and J0; they are predicted from a Taylor step (staying) or
-// from the trial (entering, leaving) and corrected once by the derivative of J0.
+// d1 and v1 - v0 follow from the trial values less J1 and J0; they are predicted from a Taylor step (staying) or from
+// the trial (entering, leaving) and corrected once by the derivative of J0.
 
 #include <impact/contact/impact_damping.hpp>
 #include <impact/newmark/moment_response.hpp>
@@ -22,145 +28,169 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
   using Root = typename Format::Root;
   using Gain = typename Format::Gain;
+  using Weight = typename Format::Weight;
   using Units = typename Format::Units;
+  using Factor = decltype(Format::constant(0));
 
   struct Plan {
-    Response<Gain> response;
-    Gain damping;  // C
+    Response<Weight> response;
+    Factor stiffness;                  // K
+    Weight damping, half_damping;      // K C, by a rate; K C/2, by what a kick does to a rate
+    Gain force;                        // 1/K: from a kick to the force's own impulse
+    int travel_places, change_places;  // from kicks to penetrations, from increments to kicks
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
-    return {MomentResponse(terms).template gains<Format>(terms, flow, unit),
-            damping_gain<Format, ContactLaw>(terms, unit)};
+    const MomentResponse response(terms);
+    const double mobility = 1 / terms.ball_mass + response.gx;
+    const double of_force = terms.force_unit * terms.step * terms.step * mobility;
+    const double K = of_force * constant::power_of_two(-terms.damping_exponent - unit.kick);
+    const double C = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time / terms.step;
+    const int from = ContactLaw::is_damped_per_impact ? 0 : unit.penetration;
+    return {response.template weights<Format>(1 / mobility, unit.kick, terms, flow, unit),
+            Format::constant(K),
+            Format::weight(K * C, from, 0),
+            Format::weight(K * C / 2, unit.kick, 0),
+            Format::gain(1 / of_force, unit.kick, 0),
+            unit.penetration - unit.kick,
+            unit.kick - unit.increment};
   }
 
   static constexpr bool carries = false, slips = false;
 
-  Value penetration, rate;  // at the start of the step, while touching
+  // While touching, at the start of the step: the change is that of the rate in a step around it, without contact.
+  Value penetration, change;
   Root root;
   Phase phase;
 
   constexpr void start(const Plan& plan, const Units&, Value at, Value at_rate) {
     penetration = at;
-    rate = at_rate;
+    change = Value{};
     root = Format::root(at);
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
   }
-  static constexpr Kick<Value> moments(const MomentPower&, const MomentPower&, Kick<Value> kick) { return kick; }
-
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
-    if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
-    const auto shape = root * without_sign(penetration);
-    const Value force = Format::value(damped(plan, units, shape, rate));
-    const Value elastic_rise = Format::value(damped(plan, units, root, rate) * rate);
-    const Value predicted_change = trial_rate - rate - plan.response.rate * force;
-    Value rise = elastic_rise + half(elastic_rise);
-    if constexpr (ContactLaw::is_damped) rise = Format::value(rise + (damping(plan) * predicted_change) * shape);
-    const Value third = Format::value(rise * Format::constant(1.0 / 3));
-    const Value d = trial - plan.response.penetration * Format::value(half(force + third));
-    if (!is_positive(d)) return leave(plan, units, trial, trial_rate);
-    const Value v = trial_rate - plan.response.rate * Format::value(force + half(rise));
-    return stay(plan, units, trial, trial_rate, d, v);
+  static constexpr Kick<Value> moments(const Plan& plan, const MomentPower&, const MomentPower&, Kick<Value> kick) {
+    return {plan.force * kick.impulse, plan.force * kick.moment};
   }
 
- private:
-  // x (1 + C v), never negative: the contact does not pull.
-  template <class Shape>
-  [[gnu::always_inline]] constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
-    if constexpr (ContactLaw::is_damped)
-      return x * positive_part(units.one() + damping(plan) * v);
-    else
-      return x;
-  }
-
-  [[gnu::always_inline]] constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate, Kick<Value> kick) {
-    penetration = trial - plan.response.penetration * kick.moment;
-    rate = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units&, Value trial, Value, Value before,
+                                                       Value change_after) {
+    const Value after = Format::moved(change_after, plan.change_places);
+    const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
+    change = after;
+    const Kick<Value> kick = respond(plan, trial, before, g);
+    penetration = trial - travel(plan, kick.moment);
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
-    root = phase == Phase::touching ? Format::root(penetration) : Root{};
+    if (phase == Phase::touching) root = Format::root(penetration);
     return kick;
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> stay(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value d, Value v) {
+ private:
+  [[gnu::always_inline]] constexpr Kick<Value> respond(const Plan& plan, Value trial, Value before, Value g) {
+    if (phase == Phase::apart) return enter(plan, trial, before, g);
+    const Value rate = trial - penetration - Format::value(half(travel(plan, g)));
+    const auto shape = root * without_sign(penetration);
+    const Value E = strength(plan, rate);
+    const Value force = Format::value(shape * E);
+    const auto elastic_rise = root * E * rate;
+    Value half_rise = Format::value(elastic_rise) - Format::value(half(half(elastic_rise)));
+    if constexpr (ContactLaw::is_damped) half_rise = half_rise + Format::value(half_damping(plan, g - force) * shape);
+    const Value moment = Format::value(half(force)) + Format::value(half_rise * Format::short_constant(1.0 / 3));
+    const Value d = trial - travel(plan, moment);
+    return is_positive(d) ? stay(plan, trial, g, d, g - force - half_rise) : leave(plan, trial, g);
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
     const auto s = Format::root(d);
     const auto p = half(s + root);
     const auto z = half(difference(s, root));
-    const auto pp = square(p), zz = square(z), quotient = Format::quotient(zz, p);
-    const auto mean = p * (pp + zz + zz) + Format::constant(1.0 / 5) * (zz * quotient);
-    const auto lean = z * (half(pp) + Format::constant(1.0 / 5) * zz);
-    const Value dd = d - penetration, dv = v - rate;
-    const Value bend = Format::value(half(half(half((p + Format::constant(2.0 / 5) * quotient) * dv))));
-    Value impulse = Format::value(damped(plan, units, mean, dd)) - units.elastic(bend);
-    Value moment = Format::value(half(impulse)) - Format::value(damped(plan, units, lean, dd));
+    const auto pp = square(p), zz = square(z);
+    const auto fifth = half(Format::rough_quotient(zz, pp) * Format::short_constant(2.0 / 5));
+    const auto n = p * (pp + zz + zz + zz * fifth), e = p * fifth;
+    const auto w = half(half(half(p + e + e)));
+    const Value dd = d - penetration;
+    const auto E = positive_part(strength(plan, dd));
+    const auto by_change = plan.stiffness * w;
+    Value impulse = Format::value(n * E) - travel(plan, Format::value(by_change * dv));
+    Value moment = Format::value(half(impulse)) - Format::value(w * dd * E);
     if constexpr (ContactLaw::is_damped)
-      moment = moment - Format::value((damping(plan) * dv) * mean * Format::constant(1.0 / 12));
+      moment = moment - Format::value(half_damping(plan, dv) * n * Format::short_constant(1.0 / 6));
 
-    // Newton's step from the predicted end: d mean / d d1 = p - r/4 to first order in z.
-    const Value missed = trial - plan.response.penetration * moment - d;
-    const Value missed_rate = trial_rate - plan.response.rate * impulse - plan.response.rate_by_moment * moment - v;
-    const Value by_penetration = Format::value((p - Format::constant(1.0 / 4) * root) * missed);
-    Value correction = Format::value(damped(plan, units, by_penetration, dd)) -
-                       units.elastic(Format::value(half(half(half(p * missed_rate)))));
-    if constexpr (ContactLaw::is_damped) correction = correction + Format::value((damping(plan) * missed) * mean);
-    impulse = impulse + correction;
-    moment = moment + Format::value(Format::constant(1.0 / 3) * correction);
-
-    return settle(plan, trial, trial_rate, {impulse, moment});
+    // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
+    const Value missed = trial - travel(plan, moment) - d;
+    const auto slope = p - half(half(root)) + e;
+    Value correction = Format::value(slope * E * missed) - travel(plan, Format::value(by_change * (g - impulse - dv)));
+    if constexpr (ContactLaw::is_damped) correction = correction + Format::value(damping(plan) * missed * n);
+    return {impulse + correction, moment + Format::value(correction * Format::short_constant(1.0 / 3))};
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before) {
+  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
     const auto d = without_sign(trial);
     const auto u = Format::quotient(d, without_sign(trial - before));
-    const Value rate_before = (trial - before) + (trial - before) - trial_rate;
-    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, rate_before);
+    if constexpr (ContactLaw::is_damped_per_impact)
+      this->begin(plan.damping, trial - before - Format::value(half(travel(plan, g))));
     const auto s = Format::root(trial);
-    const auto s3 = s * d;
-    const auto b = Format::constant(1.0 / 5) - Format::constant(4.0 / 35) * u;
-    const auto elastic = Format::constant(2.0 / 5) * (s3 * u);
-    const Value dv = trial_rate - rate_before - plan.response.rate * units.elastic(Format::value(elastic));
-    Value impulse = units.elastic(Format::value(elastic) - Format::value(s * u * u * b * dv));
-    Value moment = Format::value(half(impulse));
+    const auto b = Format::constant(1.0 / 5) - u * Format::short_constant(4.0 / 35);
+    const auto su = plan.stiffness * (s * u);
+    const Value elastic = Format::value(Format::constant(2.0 / 5) * (su * d));
+    Value impulse = elastic - travel(plan, Format::value(su * b * (u * (g - elastic))));
+    Value moment = Format::value(half(impulse)) - Format::value(su * b * d);
     if constexpr (ContactLaw::is_damped) {
-      const Value loss = Format::value(Format::constant(2.0 / 5) * (s3 * (damping(plan) * trial)));
+      const Value loss = Format::value(Format::constant(2.0 / 5) * (s * d * (damping(plan) * trial)));
       impulse = impulse + loss;
-      moment = Format::value(half(impulse)) - Format::value(loss * (Format::constant(1.0 / 2) - Format::constant(2.0 / 7) * u));
+      moment = moment + Format::value(u * Format::short_constant(2.0 / 7) * loss);
     }
-    moment = moment - units.elastic(Format::value(s3 * u * b));
 
-    const Value back = plan.response.penetration * moment;
-    Value correction = units.elastic(Format::value((s * u - Format::constant(2.0 / 5) * (s * u * u)) * back));
-    if constexpr (ContactLaw::is_damped) correction = correction + Format::value(s3 * (damping(plan) * back));
-    impulse = impulse - correction;
-    moment = moment - Format::value(Format::constant(2.0 / 7) * u * correction);
-
-    return settle(plan, trial, trial_rate, {impulse, moment});
+    const Value back = travel(plan, moment);
+    Value correction = Format::value((su - Format::constant(2.0 / 5) * (su * u)) * back);
+    if constexpr (ContactLaw::is_damped) correction = correction + Format::value(s * d * (damping(plan) * back));
+    return {impulse - correction, moment - Format::value(u * Format::short_constant(2.0 / 7) * correction)};
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial, Value trial_rate) {
+  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, Value trial, Value g) {
     const auto d = without_sign(penetration);
-    const auto r3 = root * d;
+    const auto r = plan.stiffness * root;
     auto u = Format::quotient(d, without_sign(penetration - trial));
-    Value impulse{}, moment{}, loss{};
+    Value loss{};
     if constexpr (ContactLaw::is_damped)
-      loss = Format::value(Format::constant(2.0 / 5) * (r3 * (damping(plan) * penetration)));
+      loss = Format::value(Format::constant(2.0 / 5) * (root * d * (damping(plan) * penetration)));
+    Value impulse{}, moment{};
     for (int pass = 0; pass < 2; ++pass) {
-      const auto b = Format::constant(1.0 / 5) - Format::constant(4.0 / 35) * u;
-      const Value elastic = units.elastic(Format::value(Format::constant(2.0 / 5) * (r3 * u)));
-      const Value dv = trial_rate - rate - plan.response.rate * (pass == 0 ? elastic : impulse);
-      impulse = elastic - units.elastic(Format::value(root * u * u * b * dv)) - loss;
-      moment = Format::value(half(impulse)) + units.elastic(Format::value(r3 * u * b));
-      if constexpr (ContactLaw::is_damped)
-        moment = moment - Format::value(loss * (Format::constant(1.0 / 2) - Format::constant(2.0 / 7) * u));
-      if (pass == 0) u = Format::quotient(d, without_sign(penetration - trial + plan.response.penetration * moment));
+      const auto b = Format::constant(1.0 / 5) - u * Format::short_constant(4.0 / 35);
+      const auto ru = r * u;
+      const Value elastic = Format::value(Format::constant(2.0 / 5) * (ru * d));
+      impulse = elastic - travel(plan, Format::value(ru * b * (u * (g - (pass == 0 ? elastic : impulse)))));
+      moment = Format::value(half(impulse)) + Format::value(ru * b * d);
+      if constexpr (ContactLaw::is_damped) {
+        impulse = impulse - loss;
+        moment = moment - loss + Format::value(u * Format::short_constant(2.0 / 7) * loss);
+      }
+      if (pass == 0) u = Format::quotient(d, without_sign(penetration - trial + travel(plan, moment)));
     }
-    return settle(plan, trial, trial_rate, {impulse, moment});
+    return {impulse, moment};
   }
 
-  constexpr Gain damping(const Plan& plan) const {
+  // What a kick does to the penetration, in its unit.
+  static constexpr Value travel(const Plan& plan, Value moment) { return Format::moved(moment, plan.travel_places); }
+  constexpr auto damping(const Plan& plan) const {
     if constexpr (ContactLaw::is_damped_per_impact)
       return this->own_damping;
     else
       return plan.damping;
+  }
+  constexpr Value half_damping(const Plan& plan, Value change_of_rate) const {
+    if constexpr (ContactLaw::is_damped_per_impact)
+      return Format::value(half(this->own_damping * travel(plan, change_of_rate)));
+    else
+      return plan.half_damping * change_of_rate;
+  }
+  // K (1 + C v)
+  constexpr Value strength(const Plan& plan, Value rate) const {
+    const Value elastic = Format::value(plan.stiffness);
+    if constexpr (ContactLaw::is_damped)
+      return elastic + damping(plan) * rate;
+    else
+      return elastic;
   }
 };
 

@@ -18,7 +18,8 @@ struct MomentResponse {
       : gx((1 - terms.main_damping * terms.step / (3 * terms.main_mass) - square_pulsation_step(terms) / 12) /
            terms.main_mass),
         g0((1 + square_pulsation_step(terms) / 12) / terms.main_mass),
-        hg1(-(terms.main_damping * terms.step / terms.main_mass + square_pulsation_step(terms) / 2) / terms.main_mass) {}
+        hg1(-(terms.main_damping * terms.step / terms.main_mass + square_pulsation_step(terms) / 2) / terms.main_mass) {
+  }
 
   template <class Format>
   constexpr Response<typename Format::Gain> gains(const ContactTerms& terms, const LinearFlow& flow,
@@ -32,6 +33,20 @@ struct MomentResponse {
             Format::gain(ball + F * gx, 0, unit.penetration),
             Format::gain(ball + F * g0, 0, unit.penetration),
             Format::gain(F * hg1, 0, unit.penetration)};
+  }
+  // For an impulse that counts in F kg m 2^from.
+  template <class Format>
+  constexpr Response<typename Format::Weight> weights(double F, int from, const ContactTerms& terms,
+                                                      const LinearFlow& flow, const UnitExponents& unit) const {
+    const double ball = F / terms.ball_mass;
+    return {Format::weight(F * gx, from, unit.push),
+            Format::weight(F * flow.e12 * g0, from, unit.push),
+            Format::weight(F * (flow.e12 * hg1 + flow.e11 * gx), from, unit.push),
+            Format::weight(ball, from, unit.push),
+            Format::weight(ball, from, unit.push),
+            Format::weight(ball + F * gx, from, unit.penetration),
+            Format::weight(ball + F * g0, from, unit.penetration),
+            Format::weight(F * hg1, from, unit.penetration)};
   }
 
  private:

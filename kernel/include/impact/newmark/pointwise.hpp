@@ -76,12 +76,12 @@ struct Pointwise {
     Phase phase;
 
     // The force, linear over the step between its values before and after.
-    static constexpr Kick<Value> moments(const Contact& before, const Contact& after, Kick<Value>) {
+    static constexpr Kick<Value> moments(const Plan&, const Contact& before, const Contact& after, Kick<Value>) {
       return {Format::value(half(before.force + after.force)),
               Format::value(Format::constant(0.5 - beta) * before.force) + Format::value(Format::constant(beta) * after.force)};
     }
 
-    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value) {
+    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value, Value) {
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)
         if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);

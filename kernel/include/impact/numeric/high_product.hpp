@@ -1,9 +1,10 @@
 #pragma once
-// The two integer operations that fixed point lives on and that not every processor has an instruction for: the high
+// The integer operations that fixed point lives on and that not every processor has an instruction for: the high
 // half of a 32 by 32 bit product, and the count of leading zeros.
 //
 //     high_product(a, b)         = floor(a b / 2^32)          for two signed or two unsigned operands, exact
 //     rounded_high_product(a, b) = floor(a b / 2^32 + 1/2)    exact; halves go up
+//     short_product(a, b)        = floor(a b / 2^16)          exact; b < 2^16, or 2^15 for signed a
 //     leading_zeros(x)           = 31 - floor(log2 x), and 32 for x = 0
 //     normalise<step>(x)         shifts x != 0 left as far as no bit is lost, by steps of 1 or 2 bits; says how many
 //
@@ -14,6 +15,20 @@
 #include <stdint.h>
 
 namespace impact {
+
+// The same number, of which the compiler knows nothing. GCC multiplies a number that it knows not to be negative, or to be the
+// upper word of a longer one, by a signed number in four instructions instead of one.
+inline int32_t veiled(int32_t x) {
+  __asm__("" : "+r"(x));
+  return x;
+}
+#if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
+constexpr int32_t opaque(int32_t x) { return x; }
+#else
+constexpr int32_t opaque(int32_t x) {
+  return __builtin_is_constant_evaluated() || __builtin_constant_p(x) ? x : veiled(x);
+}
+#endif
 
 namespace instruction {
 
@@ -28,6 +43,11 @@ constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
 }
 
 constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(static_cast<unsigned>(x)); }
+
+constexpr int32_t short_product(int32_t a, uint32_t b) {
+  return high_product(a, opaque(static_cast<int32_t>(b << 16)));
+}
+constexpr uint32_t short_product(uint32_t a, uint32_t b) { return high_product(a, b << 16); }
 
 template <int step>
 constexpr int normalise(uint32_t& x) {
@@ -79,6 +99,11 @@ constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
   return ab.high + (((ab.middle >> 15) + 1) >> 1);
 }
 
+constexpr int32_t short_product(int32_t a, uint32_t b) {
+  return (a >> 16) * static_cast<int32_t>(b) + static_cast<int32_t>(((static_cast<uint32_t>(a) & 0xffff) * b) >> 16);
+}
+constexpr uint32_t short_product(uint32_t a, uint32_t b) { return (a >> 16) * b + (((a & 0xffff) * b) >> 16); }
+
 template <int step>
 constexpr int normalise(uint32_t& x) {
   static_assert(step == 1 || step == 2, "steps of 1 or 2 bits");
@@ -98,9 +123,11 @@ constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : normalise<1>(x); 
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
 using composed::high_product;
 using composed::rounded_high_product;
+using composed::short_product;
 #else
 using instruction::high_product;
 using instruction::rounded_high_product;
+using instruction::short_product;
 #endif
 
 #if (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || (defined(__riscv) && !defined(__riscv_zbb))

@@ -93,18 +93,27 @@ struct RealFormat {
     constexpr Value penetration(Long along) const { return (along - gap).value(); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
     static constexpr bool saturated(Value) { return false; }
+    constexpr bool beyond_stops(Long x2, Long x1) const {
+      const Real apart = x2.sum - x1.sum;
+      return (apart < 0 ? -apart : apart) >= gap.sum;
+    }
     static constexpr bool in_range(Long, Long, Long) { return true; }
+    static constexpr bool in_range(Long) { return true; }
     static constexpr bool hold_position(Long&) { return false; }
     static constexpr bool hold_displacement(Long&) { return false; }
     static constexpr Value one() { return 1; }
     static constexpr Value elastic(Value x) { return x; }
   };
 
+  using Weight = Gain;
+  static constexpr Weight weight(double factor, int from, int to) { return gain(factor, from, to); }
   static constexpr Real constant(double x) { return static_cast<Real>(x); }
+  static constexpr Real short_constant(double x) { return static_cast<Real>(x); }
   static constexpr Gain gain(double factor, int from, int to) {
     return static_cast<Real>(factor * constant::power_of_two(from - to));
   }
   static constexpr Gain gain_over(Gain gain, Value divisor) { return gain / divisor; }
+  static constexpr Value moved(Value x, int) { return x; }
   static constexpr double sample_unit(double) { return 1; }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent - 31; }
   static constexpr int oscillator_exponent(const typename RealOscillator<Real>::Plan&) { return 0; }
@@ -120,6 +129,7 @@ struct RealFormat {
   static constexpr Real quotient(Real numerator, Real denominator) {
     return numerator < denominator ? numerator / denominator : 1;
   }
+  static constexpr Real rough_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
   // A root t of a decreasing function, moved by its value over its steepness.
   static constexpr Real corrected(Real t, Real value, Real steepness) { return steepness > 0 ? t + value / steepness : t; }

@@ -93,7 +93,7 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     const Value E = strength(plan, rate);
     const Value force = Format::value(shape * E);
     const auto elastic_rise = root * E * rate;
-    Value half_rise = Format::value(elastic_rise) - Format::value(half(half(elastic_rise)));
+    Value half_rise = Format::value(elastic_rise) - Format::value(quarter(elastic_rise));
     if constexpr (ContactLaw::is_damped) half_rise = half_rise + Format::value(half_damping(plan, g - force) * shape);
     const Value moment = Format::value(half(force)) + Format::value(half_rise * Format::short_constant(1.0 / 3));
     const Value d = trial - travel(plan, moment);
@@ -107,7 +107,7 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     const auto pp = square(p), zz = square(z);
     const auto fifth = half(Format::rough_quotient(zz, pp) * Format::short_constant(2.0 / 5));
     const auto n = p * (pp + zz + zz + zz * fifth), e = p * fifth;
-    const auto w = half(half(half(p + e + e)));
+    const auto w = eighth(p + e + e);
     const Value dd = d - penetration;
     const auto E = positive_part(strength(plan, dd));
     const auto by_change = plan.stiffness * w;
@@ -118,7 +118,7 @@ struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
     const Value missed = trial - travel(plan, moment) - d;
-    const auto slope = p - half(half(root)) + e;
+    const auto slope = p - quarter(root) + e;
     Value correction = Format::value(slope * E * missed) - travel(plan, Format::value(by_change * (g - impulse - dv)));
     if constexpr (ContactLaw::is_damped) correction = correction + Format::value(damping(plan) * missed * n);
     return {impulse + correction, moment + Format::value(correction * Format::short_constant(1.0 / 3))};

@@ -45,7 +45,7 @@ struct Fixed32 {
     int32_t mantissa;
     int shift;
 
-    friend constexpr Value operator*(Gain gain, Value x) {
+    [[gnu::always_inline]] friend constexpr Value operator*(Gain gain, Value x) {
       if (gain.mantissa == 0) return {0};
       const bool is_power_of_two = gain.mantissa == (1 << 30);
       const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
@@ -63,7 +63,7 @@ struct Fixed32 {
 
   // A gain that rounds down where it shifts left: two instructions less.
   struct Weight : Gain {
-    friend constexpr Value operator*(Weight weight, Value x) {
+    [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
       const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
       const int32_t product = high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
       if (after > 0) return {(product + (1 << (after - 1))) >> after};

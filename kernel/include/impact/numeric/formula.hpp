@@ -9,6 +9,10 @@ constexpr Real without_sign(Real x) { return x; }
 template <class Real>
 constexpr Real half(Real x) { return static_cast<Real>(0.5) * x; }
 template <class Real>
+constexpr Real quarter(Real x) { return static_cast<Real>(0.25) * x; }
+template <class Real>
+constexpr Real eighth(Real x) { return static_cast<Real>(0.125) * x; }
+template <class Real>
 constexpr Real twice(Real x) { return x + x; }
 template <class Real>
 constexpr Real square(Real x) { return x * x; }

@@ -124,6 +124,12 @@ constexpr Signed<bits + 1> half(Signed<bits> x) { return {x.raw}; }
 template <int bits>
 constexpr Unsigned<bits + 1> half(Unsigned<bits> x) { return {x.raw}; }
 template <int bits>
+constexpr Signed<bits + 2> quarter(Signed<bits> x) { return {x.raw}; }
+template <int bits>
+constexpr Unsigned<bits + 2> quarter(Unsigned<bits> x) { return {x.raw}; }
+template <int bits>
+constexpr Unsigned<bits + 3> eighth(Unsigned<bits> x) { return {x.raw}; }
+template <int bits>
 constexpr Signed<bits - 1> twice(Signed<bits> x) { return {x.raw}; }
 template <int bits>
 constexpr Unsigned<bits - 1> twice(Unsigned<bits> x) { return {x.raw}; }

@@ -15,7 +15,8 @@ namespace {
 template <class Enumerator, size_t size>
 using Names = std::array<std::pair<std::string_view, Enumerator>, size>;
 
-constexpr Names<Law, 3> laws = {{{"hooke-newton", Law::hooke_newton}, {"hertz", Law::hertz}, {"hunt-crossley", Law::hunt_crossley}}};
+constexpr Names<Law, 3> laws = {
+    {{"hooke-newton", Law::hooke_newton}, {"hertz", Law::hertz}, {"hunt-crossley", Law::hunt_crossley}}};
 constexpr Names<Stepper, 8> steppers = {{{"auto", Stepper::automatic},
                                          {"average", Stepper::average},
                                          {"linear", Stepper::linear},
@@ -51,8 +52,8 @@ Refusal refusal(const char* field, double value, Range range) {
   return {field, text(value), text(range.least) + " to " + text(range.most)};
 }
 
-// Fewest steps per contact: the moment-fitted step is stable from 3 on and within 1e-3 of the law's restitution from 8; the
-// energy-consistent step's solver converges from 2 on.
+// Fewest steps per contact: the moment-fitted step is stable from 3 on and within 1e-3 of the law's restitution from 8;
+// the energy-consistent step's solver converges from 2 on.
 constexpr double moment_from = 3, moment_precise_from = 8, energy_from = 2;
 
 constexpr Bounds unbounded{bound_range.most, bound_range.most, bound_range.most, force_range.most};
@@ -60,7 +61,8 @@ constexpr Bounds unbounded{bound_range.most, bound_range.most, bound_range.most,
 double contact_time_of(const Request& request, double speed) {
   const Scene& scene = request.scene;
   const double reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
-  return contact_time({request.law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed, Tension::clamp})
+  return contact_time(
+             {request.law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed, Tension::clamp})
       .value_or(0);
 }
 
@@ -83,7 +85,8 @@ Bounds measured_bounds(const Request& request) {
     planned.simulation->step(request.samples.empty() ? 0 : request.samples[static_cast<size_t>(i)]);
     note();
   }
-  bounds.displacement = std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * request.step});
+  bounds.displacement =
+      std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * request.step});
   return bounds;
 }
 
@@ -170,9 +173,9 @@ Outcome make_simulation(const Request& asked) {
   const double contact_time = contact_time_of(request, speed), steps = contact_time / request.step;
   if (request.stepper == Stepper::automatic)
     request.stepper = steps >= moment_precise_from || !(steps > 0) ? Stepper::moment : Stepper::energy;
-  const double fewest = request.stepper == Stepper::moment   ? moment_from
+  const double fewest = request.stepper == Stepper::moment                                       ? moment_from
                         : request.stepper == Stepper::energy && request.law != Law::hooke_newton ? energy_from
-                                                                                                  : 0;
+                                                                                                 : 0;
 
   Bounds bounds{};
   if (request.bounds)

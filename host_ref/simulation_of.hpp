@@ -1,11 +1,10 @@
 #pragma once
-// The kernel's template behind the run-time interface, for one number format. A source file each instantiates one format, so
-// that they compile side by side.
-
-#include <impact/absorber.hpp>
+// The kernel's template behind the run-time interface, for one number format. A source file each instantiates one
+// format, so that they compile side by side.
 
 #include <algorithm>
 #include <cmath>
+#include <impact/absorber.hpp>
 
 #include "host_ref/simulation.hpp"
 
@@ -69,7 +68,8 @@ class KernelSimulation final : public Simulation {
     if (kernel_.is_touching()) {
       sample.penetration = side * y - gap;
       // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
-      const double depth = ContactLaw::law == Law::hooke_newton ? sample.penetration : std::max(sample.penetration, 0.0);
+      const double depth =
+          ContactLaw::law == Law::hooke_newton ? sample.penetration : std::max(sample.penetration, 0.0);
       sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, side * (now.v2 - now.v1));
       if (scene.tension == Tension::clamp || ContactLaw::law != Law::hooke_newton)
         sample.contact_force = std::max(sample.contact_force, 0.0);
@@ -161,7 +161,8 @@ Planned plan_simulation(const Request& request, const Bounds& bounds) {
     case Law::hunt_crossley:
       break;
   }
-  if (request.scene.damping == Damping::per_impact) return plan_with_stepper<Format, HuntCrossleyPerImpact>(request, bounds);
+  if (request.scene.damping == Damping::per_impact)
+    return plan_with_stepper<Format, HuntCrossleyPerImpact>(request, bounds);
   return plan_with_stepper<Format, HuntCrossley>(request, bounds);
 }
 

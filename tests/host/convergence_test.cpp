@@ -1,6 +1,6 @@
-// Orders of convergence, measured: the kernel's restitution of one impact of two free masses against the closed form, in
-// float64, at six step lengths. The largest error over 64 phases of the impact within the step counts, because an impact that
-// falls on a step's end flatters a scheme.
+// Orders of convergence, measured: the kernel's restitution of one impact of two free masses against the closed form,
+// in float64, at six step lengths. The largest error over 64 phases of the impact within the step counts, because an
+// impact that falls on a step's end flatters a scheme.
 
 #include <gtest/gtest.h>
 
@@ -25,10 +25,10 @@ struct Scheme {
 };
 
 // Classical Newmark is of second order, gamma = 1/2, on a force that is smooth in time. Hooke-Newton's jumps at impact,
-// and a jump seen up to one step late costs first order. Hertz's force starts like t^(3/2), which leaves h^(5/2) at the ends
-// where the order in between cancels for an elastic impact; so does Hunt-Crossley under central differences, whose error
-// constant of second order is the smallest. The moment-fitted step has fourth order, and Hooke-Newton's sums its own series:
-// the ends alone err, with the six terms of the series.
+// and a jump seen up to one step late costs first order. Hertz's force starts like t^(3/2), which leaves h^(5/2) at the
+// ends where the order in between cancels for an elastic impact; so does Hunt-Crossley under central differences, whose
+// error constant of second order is the smallest. The moment-fitted step has fourth order, and Hooke-Newton's sums its
+// own series: the ends alone err, with the six terms of the series.
 constexpr Scheme schemes[] = {
     {Law::hooke_newton, Tension::clamp, Stepper::average, 1},
     {Law::hooke_newton, Tension::clamp, Stepper::linear, 1},

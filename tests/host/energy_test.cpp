@@ -1,5 +1,5 @@
-// The energy-consistent step on one impact of two free masses: the law's own restitution at few steps per contact, and no
-// energy created, over 64 phases of the impact within the step.
+// The energy-consistent step on one impact of two free masses: the law's own restitution at few steps per contact, and
+// no energy created, over 64 phases of the impact within the step.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Rebounds rebounds(Law law, Numeric numeric, const Impact& impact, double steps_p
   request.scene.main_stiffness = 0;
   request.scene.main_damping = 0;
   request.scene.drive_pulsation = 0;  // which else limits the step
-  request.scene.clearance = 0.5;  // room for the rebound
+  request.scene.clearance = 0.5;      // room for the rebound
   request.scene.contact_stiffness = impact.contact_stiffness;
   request.scene.contact_damping = impact.contact_damping;
   request.scene.v2 = speed;
@@ -58,12 +58,14 @@ Impact with_restitution(Law law, double e) {
   return impact;
 }
 
-// With its slip the step keeps Hunt-Crossley's first integral. What is left is the slip's series: k is short by u^7/9 and more, u
-// being about ln((1 + a)/(1 - e a))/(2 N), a the reduced speed; below 1e-3 of the restitution from 2.5 steps on down to e = 0.5.
+// With its slip the step keeps Hunt-Crossley's first integral. What is left is the slip's series: k is short by u^7/9
+// and more, u being about ln((1 + a)/(1 - e a))/(2 N), a the reduced speed; below 1e-3 of the restitution from 2.5
+// steps on down to e = 0.5.
 TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawFromTwoAndAHalfSteps) {
   for (double e : {0.5, 0.7, 0.95})
     for (double steps : {2.5, 3.0, 5.0, 10.0}) {
-      const Rebounds found = rebounds(Law::hunt_crossley, Numeric::float64, with_restitution(Law::hunt_crossley, e), steps);
+      const Rebounds found =
+          rebounds(Law::hunt_crossley, Numeric::float64, with_restitution(Law::hunt_crossley, e), steps);
       EXPECT_GT(found.least, e - 1e-3) << e << " at " << steps;
       EXPECT_LT(found.most, e + 1e-3) << e << " at " << steps;
     }
@@ -88,13 +90,14 @@ TEST(EnergyConsistent, HertzReboundsElastically) {
 // Hooke-Newton is solved in closed form, so that it may be as stiff as it likes.
 TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
   for (double steps : {0.1, 1.0, 10.0}) {
-    const Rebounds found = rebounds(Law::hooke_newton, Numeric::float64, with_restitution(Law::hooke_newton, 0.7), steps);
+    const Rebounds found =
+        rebounds(Law::hooke_newton, Numeric::float64, with_restitution(Law::hooke_newton, 0.7), steps);
     EXPECT_LE(found.most, 1 + 1e-12) << steps;
   }
 }
 
-// In 32 bits rounding adds to that: a place of a Value, 2^-31 of the bounds, or of a float, 2^-24, in each of the step's some
-// thirty operations, at random from step to step: 1e-5 of the energy is 5e-6 of the speed.
+// In 32 bits rounding adds to that: a place of a Value, 2^-31 of the bounds, or of a float, 2^-24, in each of the
+// step's some thirty operations, at random from step to step: 1e-5 of the energy is 5e-6 of the speed.
 TEST(EnergyConsistent, GainsNothingIn32Bits) {
   for (Numeric numeric : {Numeric::float32, Numeric::fixed32})
     for (Law law : {Law::hertz, Law::hunt_crossley})

@@ -230,7 +230,8 @@ void expect_quotient(uint32_t numerator, uint32_t denominator) {
   ASSERT_LE(fine * d, n * two_32) << n << " / " << d;
   ASSERT_LT(n * two_32 - fine * d, d + 4 * n) << n << " / " << d;
   // The table's 17 bits, two of them rounded off, and the last place.
-  const double rough = rough_quotient_q31(numerator, denominator), exact = static_cast<double>(n) / static_cast<double>(d) * 2147483648.0;
+  const double rough = rough_quotient_q31(numerator, denominator),
+               exact = static_cast<double>(n) / static_cast<double>(d) * 2147483648.0;
   ASSERT_LE(rough, exact * (1 + 1.0 / 65536) + 1) << n << " / " << d;
   ASSERT_GE(rough, exact * (1 - 4.0 / 65536) - 2) << n << " / " << d;
 }

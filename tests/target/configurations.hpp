@@ -136,7 +136,8 @@ constexpr auto with_newmarks(List<Newmarks...>) {
 }
 template <class Numeric, class... Laws>
 constexpr auto with_laws(List<Laws...>) {
-  using Newmarks = List<Moment, EnergyConsistent, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
+  using Newmarks =
+      List<Moment, EnergyConsistent, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
 template <class... Numerics>
@@ -151,10 +152,12 @@ using WithHardwareRoot = List<Configuration<HuntCrossley, Moment, BasicFloat32<H
 #else
 using WithHardwareRoot = List<>;
 #endif
-using Budgeted = decltype(WithHardwareRoot{} + List<  //
-    Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
-    Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
-    Configuration<HookeNewton, Moment, Fixed32, Sine>, Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
-    Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>{});
+using Budgeted = decltype(
+    WithHardwareRoot{} +
+    List<  //
+        Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
+        Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
+        Configuration<HookeNewton, Moment, Fixed32, Sine>, Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
+        Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>{});
 
 }  // namespace impact::target

@@ -10,8 +10,8 @@
 //     Absorber absorber;
 //     void timer_interrupt() { absorber.step(); write_dac(absorber.displacement()); }
 //
-// A scene is a type. What its template arguments do not name is not compiled: no power table for Hooke-Newton, no oscillator
-// for a sampled drive, no ledger and no log unless asked for.
+// A scene is a type. What its template arguments do not name is not compiled: no power table for Hooke-Newton, no
+// oscillator for a sampled drive, no ledger and no log unless asked for.
 //
 //     contact law   HookeNewton, Hertz, HuntCrossley
 //     stepper       Moment, EnergyConsistent, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference
@@ -21,6 +21,8 @@
 //
 // A step is: both masses fly freely to its end (newmark/linear_flow.hpp); where the ball then stands inside a stop, the
 // contact finds the force's impulse and moment, and both masses answer to them.
+
+#include <stdint.h>
 
 #include <impact/contact/hertz.hpp>
 #include <impact/contact/hooke_newton.hpp>
@@ -38,12 +40,10 @@
 #include <impact/plan_source.hpp>
 #include <impact/scene.hpp>
 
-#include <stdint.h>
-
 namespace impact {
 
-// Why a state is no longer to be trusted. Sticky: the first fault stays until clear_fault() or reset(). The state has been
-// held at its bound and is finite.
+// Why a state is no longer to be trusted. Sticky: the first fault stays until clear_fault() or reset(). The state has
+// been held at its bound and is finite.
 enum class Fault : uint16_t {
   none,
   displacement,  // a mass went beyond Bounds::displacement
@@ -81,7 +81,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     state_.x2 = plan.x2;
     state_.w2 = plan.w2;
     state_.drive = decltype(state_.drive)::start(plan.drive);
-    const Value right = plan.units.penetration(state_.x2 - state_.x1), left = plan.units.penetration(state_.x1 - state_.x2);
+    const Value right = plan.units.penetration(state_.x2 - state_.x1),
+                left = plan.units.penetration(state_.x1 - state_.x2);
     if (plan.right_stop && is_positive(right)) {
       state_.contact.start(plan.contact, plan.units, right, relative_rate(false));
     } else if (plan.left_stop && is_positive(left)) {
@@ -91,14 +92,15 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     (Features::start(plan, state_), ...);
   }
 
-  // Advances by one step. A sampled drive takes the sample at the step's end: newtons in a floating-point format, a fraction
-  // of Bounds::force in Q1.31 in Fixed32; the sample before the first is 0.
+  // Advances by one step. A sampled drive takes the sample at the step's end: newtons in a floating-point format, a
+  // fraction of Bounds::force in Q1.31 in Fixed32; the sample before the first is 0.
   constexpr void step(Value sample = Value{}) {
     Long made = state_.w1;
     if constexpr (Drive::is_sampled) plan.units.add(made, state_.drive.kick(plan.drive, sample));
     state_.x1.advance(made);
     state_.x2.advance(state_.w2);
-    Value increment = -(plan.stiffness * plan.units.position(state_.x1)) - plan.damping * plan.units.displacement(state_.w1);
+    Value increment =
+        -(plan.stiffness * plan.units.position(state_.x1)) - plan.damping * plan.units.displacement(state_.w1);
     if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
     plan.units.add(state_.w1, increment);
@@ -108,16 +110,16 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     (Features::after_step(plan, state_), ...);
   }
 
-  constexpr Value displacement() const { return plan.units.position(state_.x1); }       // of the main mass
+  constexpr Value displacement() const { return plan.units.position(state_.x1); }  // of the main mass
   constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
   constexpr bool is_touching() const { return state_.contact.phase == Phase::touching; }
   constexpr Fault fault() const { return state_.fault; }
   constexpr void clear_fault() { state_.fault = Fault::none; }
   constexpr const State& state() const { return state_; }
 
-  // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same on every
-  // little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's version, the scene, the
-  // bounds, the step or a type differ.
+  // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same
+  // on every little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's
+  // version, the scene, the bounds, the step or a type differ.
   static constexpr uint32_t state_version = 1;
   struct Saved {
     uint32_t version, plan_identity;
@@ -130,10 +132,10 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     return true;
   }
 
-  // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the drive's
-  // phase do not jump (handover.hpp); a drive that was off starts at phase 0, and ledger and log start anew. Refuses, and
-  // changes nothing, when bounds, step, clearance or stops differ, or during a contact when its state depends on the
-  // plan's forces: pointwise steppers, a damping set per impact, features.
+  // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the
+  // drive's phase do not jump (handover.hpp); a drive that was off starts at phase 0, and ledger and log start anew.
+  // Refuses, and changes nothing, when bounds, step, clearance or stops differ, or during a contact when its state
+  // depends on the plan's forces: pointwise steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
     constexpr bool is_bound = Contact::carries || ContactLaw::is_damped_per_impact || sizeof...(Features) > 0;
     if (next.status != Status::ok || next.handover.units != plan.handover.units) return false;
@@ -161,7 +163,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
  private:
   // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
   constexpr Value rate_ahead() const {
-    Value ahead = plan.rate_by_w1 * plan.units.displacement(state_.w1) + plan.rate_by_x1 * plan.units.position(state_.x1);
+    Value ahead =
+        plan.rate_by_w1 * plan.units.displacement(state_.w1) + plan.rate_by_x1 * plan.units.position(state_.x1);
     if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state_.drive.rate(plan.drive);
     return ahead;
   }
@@ -184,7 +187,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     if (is_positive(before)) before = Value{};
 
     const Contact contact_before = state_.contact;
-    const auto kick = state_.contact.resolve(plan.contact, units, trial, trial_rate, before, -mirrored(increment, left));
+    const auto kick =
+        state_.contact.resolve(plan.contact, units, trial, trial_rate, before, -mirrored(increment, left));
     const Value impulse = mirrored(kick.impulse, left), moment = mirrored(kick.moment, left);
     const auto& response = plan.contact.response;
     units.push(state_.x1, response.x1 * moment);
@@ -197,9 +201,10 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
       const Value penetration = trial - response.penetration * kick.moment;
       const bool begins = contact_before.phase == Phase::apart;
       const Value rate_before = (trial - before) + (trial - before) - trial_rate;
-      const ContactStep<Value> step = {Contact::moments(plan.contact, contact_before, state_.contact, kick),
-                                       state_.contact.phase == Phase::touching ? ContactLaw::template stored<Format>(units, penetration) : Value{},
-                                       rate_before, rate, begins};
+      const ContactStep<Value> step = {
+          Contact::moments(plan.contact, contact_before, state_.contact, kick),
+          state_.contact.phase == Phase::touching ? ContactLaw::template stored<Format>(units, penetration) : Value{},
+          rate_before, rate, begins};
       (Features::after_contact(plan, state_, step), ...);
     }
   }

@@ -1,11 +1,11 @@
 #pragma once
 // What a scene may ask to have recorded. A feature that is not named costs nothing.
 
+#include <stdint.h>
+
 #include <impact/contact/contact_terms.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
-
-#include <stdint.h>
 
 namespace impact {
 
@@ -21,8 +21,8 @@ struct ContactStep {
 // Energies since the start: what contact has dissipated, what it stores now, and the work of the drive.
 //
 //     work on the contact in a step   = J0 v1 - (v1 - v0) J1 / h     (the rate linear in time; exact for a free pair)
-//     dissipated                      = work - change of the stored energy; what a spring still holds when it lets go is lost
-//     work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
+//     dissipated                      = work - change of the stored energy; what a spring still holds when it lets go
+//     is lost work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
 //
 // Contact energies count in force_unit 2^penetration joules, the drive's work in drive units 2^penetration.
 struct EnergyLedger {
@@ -43,8 +43,8 @@ struct EnergyLedger {
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     using Format = typename Plan::FormatType;
     const auto rate_before = step.begins ? step.rate_at_impact : state.rate;
-    const auto work = Format::value(step.force.impulse * step.rate) -
-                      Format::value((step.rate - rate_before) * step.force.moment);
+    const auto work =
+        Format::value(step.force.impulse * step.rate) - Format::value((step.rate - rate_before) * step.force.moment);
     state.dissipated.add(work - (step.stored - state.stored));
     state.stored = step.stored;
     state.rate = step.rate;
@@ -60,8 +60,8 @@ struct EnergyLedger {
   }
 };
 
-// Contacts begun, the rate at which the last one began (2^penetration metres per step), and the largest mean force over a
-// step (force_unit).
+// Contacts begun, the rate at which the last one began (2^penetration metres per step), and the largest mean force over
+// a step (force_unit).
 struct ImpactLog {
   template <class Format>
   struct State {

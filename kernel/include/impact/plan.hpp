@@ -23,15 +23,15 @@ struct Plan {
   Status status;  // unless ok, the rest is meaningless
   double step;    // h, s
   typename Format::Units units;
-  Gain stiffness, damping;             // of the recurrence in linear_flow.hpp
-  Gain rate_by_w1, rate_by_x1;         // a velocity from the displacement that the coming step will make
+  Gain stiffness, damping;      // of the recurrence in linear_flow.hpp
+  Gain rate_by_w1, rate_by_x1;  // a velocity from the displacement that the coming step will make
   typename Drive::template Plan<Format> drive;
   ContactPlan contact;
-  double force_unit, drive_unit;       // N
+  double force_unit, drive_unit;  // N
   bool left_stop, right_stop;
-  Long x1, w1, x2, w2;                 // the initial state
-  uint32_t identity;                   // the fingerprint of scene, bounds, step and types
-  Handover<Format, Drive> handover;    // read by a change of plan only
+  Long x1, w1, x2, w2;               // the initial state
+  uint32_t identity;                 // the fingerprint of scene, bounds, step and types
+  Handover<Format, Drive> handover;  // read by a change of plan only
 
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step);
   static constexpr Plan refused(Status why) {
@@ -40,13 +40,35 @@ struct Plan {
     return plan;
   }
   static constexpr uint32_t identity_of(const Scene& scene, const Bounds& bounds, double h) {
-    const double numbers[] = {scene.main_mass, scene.main_stiffness, scene.main_damping, scene.ball_mass, scene.clearance,
-                              scene.contact_stiffness, scene.contact_damping, scene.drive_amplitude, scene.drive_pulsation,
-                              scene.x1, scene.v1, scene.x2, scene.v2, scene.restitution, bounds.displacement, bounds.speed,
-                              bounds.penetration, bounds.force, h, Stepper::longest_phase};
-    const uint32_t kinds[] = {static_cast<uint32_t>(scene.stops), static_cast<uint32_t>(scene.tension),
-                              static_cast<uint32_t>(ContactLaw::law), ContactLaw::is_damped_per_impact, Drive::is_sine,
-                              Drive::is_sampled, sizeof(typename Format::Value), sizeof(Long), sizeof(Gain),
+    const double numbers[] = {scene.main_mass,
+                              scene.main_stiffness,
+                              scene.main_damping,
+                              scene.ball_mass,
+                              scene.clearance,
+                              scene.contact_stiffness,
+                              scene.contact_damping,
+                              scene.drive_amplitude,
+                              scene.drive_pulsation,
+                              scene.x1,
+                              scene.v1,
+                              scene.x2,
+                              scene.v2,
+                              scene.restitution,
+                              bounds.displacement,
+                              bounds.speed,
+                              bounds.penetration,
+                              bounds.force,
+                              h,
+                              Stepper::longest_phase};
+    const uint32_t kinds[] = {static_cast<uint32_t>(scene.stops),
+                              static_cast<uint32_t>(scene.tension),
+                              static_cast<uint32_t>(ContactLaw::law),
+                              ContactLaw::is_damped_per_impact,
+                              Drive::is_sine,
+                              Drive::is_sampled,
+                              sizeof(typename Format::Value),
+                              sizeof(Long),
+                              sizeof(Gain),
                               sizeof(typename Stepper::template Contact<Format, ContactLaw>)};
     Fingerprint fingerprint{};
     for (double number : numbers) fingerprint.add_number(number);
@@ -71,7 +93,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   const double largest_rate = 2 * bounds.speed;
   const double k1 = scene.contact_stiffness;
   // A damping set per impact is 3 (1 - e)/2 at the impact's own speed: here as one at the largest speed.
-  const double damping_time = !ContactLaw::is_damped            ? 0
+  const double damping_time = !ContactLaw::is_damped             ? 0
                               : ContactLaw::is_damped_per_impact ? 1.5 * (1 - scene.restitution) / largest_rate
                                                                  : scene.contact_damping / k1;
   UnitBounds largest{};
@@ -79,19 +101,20 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   largest.displacement = bounds.speed * h;
   largest.penetration = larger(bounds.penetration, largest_rate * h);
   const double unit = power_of_two(constant::exponent_above(largest.penetration));
-  const double largest_force =
-      is_linear ? k1 * (bounds.penetration + damping_time * largest_rate)
-                : k1 * to_the_power(bounds.penetration) * (1 + damping_time * largest_rate);
-  largest.force_factor = is_linear ? (bounds.penetration + damping_time * largest_rate) / unit : 1.01 + damping_time * largest_rate;
+  const double largest_force = is_linear ? k1 * (bounds.penetration + damping_time * largest_rate)
+                                         : k1 * to_the_power(bounds.penetration) * (1 + damping_time * largest_rate);
+  largest.force_factor =
+      is_linear ? (bounds.penetration + damping_time * largest_rate) / unit : 1.01 + damping_time * largest_rate;
   if (!is_linear && !ContactLaw::is_damped) largest.force_factor = 1;
   const double drive = larger(scene.drive_amplitude, bounds.force);
   const double spring_and_damper = scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed;
   largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
   largest.push = h * h * largest_force / constant::smaller(scene.ball_mass, scene.main_mass);
   if (!is_linear) {
-    // Kicks count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and for
-    // what spring and drive add.
-    const double rate = h * h * 1.1 * (1 / scene.ball_mass + 1 / scene.main_mass) * k1 * to_the_power(unit) * largest.force_factor;
+    // Kicks count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and
+    // for what spring and drive add.
+    const double rate =
+        h * h * 1.1 * (1 / scene.ball_mass + 1 / scene.main_mass) * k1 * to_the_power(unit) * largest.force_factor;
     largest.push = larger(2 * rate, 8 * largest.increment);
   }
   const UnitExponents exponents = Format::exponents(largest);

@@ -18,11 +18,13 @@ class PlanSource {
     constexpr Status status = plan.status;
     static_assert(status != Status::displacement_bound,
                   "Bounds::displacement does not hold the clearance or the initial state, or is out of range");
-    static_assert(status != Status::speed_bound,
-                  "Bounds::speed does not hold the initial state, or a step at that speed is longer than Bounds::displacement, "
-                  "or c1/k1 times it passes 2^20");
-    static_assert(status != Status::penetration_bound,
-                  "Bounds::penetration is above Bounds::displacement, or its force moves a mass by as much in one step");
+    static_assert(
+        status != Status::speed_bound,
+        "Bounds::speed does not hold the initial state, or a step at that speed is longer than Bounds::displacement, "
+        "or c1/k1 times it passes 2^20");
+    static_assert(
+        status != Status::penetration_bound,
+        "Bounds::penetration is above Bounds::displacement, or its force moves a mass by as much in one step");
     static_assert(status != Status::force_bound, "Bounds::force is out of range");
     static_assert(status != Status::step, "Rig::step is out of range: see longest_step in status.hpp");
     static_assert(status == Status::ok, "a value of Rig::scene is out of range: see plan.status and status.hpp");

@@ -44,17 +44,17 @@ struct Scene {
   Stops stops = Stops::both;
   Tension tension = Tension::clamp;
   Damping damping = Damping::constant;
-  double restitution = 1.0;            // e, used by Damping::per_impact only
+  double restitution = 1.0;  // e, used by Damping::per_impact only
 };
 
 // The largest values that the scene reaches, in SI units. Fixed32 chooses every format from them; beyond them it
-// saturates and raises a fault; the tighter they are, the finer it counts. Floating point does without them. The defaults hold
-// the paper's scene under every law.
+// saturates and raises a fault; the tighter they are, the finer it counts. Floating point does without them. The
+// defaults hold the paper's scene under every law.
 struct Bounds {
-  double displacement = 0.1;   // of either mass, m
-  double speed = 2.0;          // of either mass, m/s
-  double penetration = 0.03;   // m
-  double force = 10.0;         // of a sampled drive, N
+  double displacement = 0.1;  // of either mass, m
+  double speed = 2.0;         // of either mass, m/s
+  double penetration = 0.03;  // m
+  double force = 10.0;        // of a sampled drive, N
 };
 
 }  // namespace impact

@@ -1,11 +1,11 @@
 #pragma once
-// Whether a scene can be planned, and if not, which of its values is at fault. A value is named by the first check that it
-// fails; its range is in the table of limits below.
+// Whether a scene can be planned, and if not, which of its values is at fault. A value is named by the first check that
+// it fails; its range is in the table of limits below.
+
+#include <stdint.h>
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>
-
-#include <stdint.h>
 
 namespace impact {
 
@@ -36,20 +36,20 @@ struct Range {
   constexpr bool holds(double x) const { return x >= least && x <= most; }  // false for a NaN
 };
 
-constexpr Range mass_range{1e-9, 1e9};               // kg
-constexpr Range main_stiffness_range{0, 1e12};       // N/m
-constexpr Range main_damping_range{0, 1e9};          // N s/m
-constexpr Range clearance_range{0, 1e12};            // m
+constexpr Range mass_range{1e-9, 1e9};                // kg
+constexpr Range main_stiffness_range{0, 1e12};        // N/m
+constexpr Range main_damping_range{0, 1e9};           // N s/m
+constexpr Range clearance_range{0, 1e12};             // m
 constexpr Range contact_stiffness_range{1e-3, 1e18};  // N/m or N/m^(3/2)
-constexpr Range contact_damping_range{0, 1e18};      // N s/m or N s/m^(5/2)
+constexpr Range contact_damping_range{0, 1e18};       // N s/m or N s/m^(5/2)
 constexpr Range restitution_range{0.01, 1};
-constexpr Range force_range{0, 1e9};                 // N
+constexpr Range force_range{0, 1e9};                    // N
 constexpr Range initial_displacement_range{-1e3, 1e3};  // m
 constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s
-constexpr Range bound_range{1e-9, 1e6};              // m and m/s
+constexpr Range bound_range{1e-9, 1e6};                 // m and m/s
 
-// The longest step, s: 0.1, three radians of the drive, and `phase` radians of the main mass's own vibration, whose damping
-// must not decay faster than in one step either.
+// The longest step, s: 0.1, three radians of the drive, and `phase` radians of the main mass's own vibration, whose
+// damping must not decay faster than in one step either.
 constexpr double longest_step(const Scene& scene, double phase) {
   double h = 0.1;
   const double pulsation = constant::square_root(scene.main_stiffness / scene.main_mass);
@@ -72,7 +72,8 @@ constexpr Status status_of(const Scene& scene, double step, double phase) {
   if (!(scene.drive_pulsation >= 0 && scene.drive_pulsation <= 1e6)) return Status::drive_pulsation;
   if (!initial_displacement_range.holds(scene.x1) || !initial_displacement_range.holds(scene.x2))
     return Status::initial_displacement;
-  if (!initial_velocity_range.holds(scene.v1) || !initial_velocity_range.holds(scene.v2)) return Status::initial_velocity;
+  if (!initial_velocity_range.holds(scene.v1) || !initial_velocity_range.holds(scene.v2))
+    return Status::initial_velocity;
   if (!(step >= 1e-9 && step <= longest_step(scene, phase))) return Status::step;
   return Status::ok;
 }
@@ -80,7 +81,8 @@ constexpr Status status_of(const Scene& scene, double step, double phase) {
 constexpr Status status_of(const Scene& scene, const Bounds& bounds) {
   const auto within = [](double x, double bound) { return x >= -bound && x <= bound; };
   if (!bound_range.holds(bounds.displacement)) return Status::displacement_bound;
-  if (!within(scene.x1, bounds.displacement) || !within(scene.x2, bounds.displacement)) return Status::displacement_bound;
+  if (!within(scene.x1, bounds.displacement) || !within(scene.x2, bounds.displacement))
+    return Status::displacement_bound;
   if (!bound_range.holds(bounds.speed)) return Status::speed_bound;
   if (!within(scene.v1, bounds.speed) || !within(scene.v2, bounds.speed)) return Status::speed_bound;
   if (!bound_range.holds(bounds.penetration)) return Status::penetration_bound;

@@ -5,31 +5,31 @@
 //
 //     force_unit = k1 2^(power penetration) 2^force newtons,    power = 1 (Hooke-Newton) or 3/2,
 //
-// so that k1 and the step length vanish from the contact's formulas: impulses are in force_unit h, moments of a force (the
-// integral of (h - s) f(s) over the step) in force_unit h^2.
-
-#include <impact/numeric/units.hpp>
+// so that k1 and the step length vanish from the contact's formulas: impulses are in force_unit h, moments of a force
+// (the integral of (h - s) f(s) over the step) in force_unit h^2.
 
 #include <stdint.h>
+
+#include <impact/numeric/units.hpp>
 
 namespace impact {
 
 struct ContactTerms {
-  double step = 0;              // h, s
-  double stiffness = 0;         // k1
-  double damping_time = 0;      // c1 / k1, s (Hooke-Newton) or s/m
-  double ball_mass = 0;         // m, kg
+  double step = 0;          // h, s
+  double stiffness = 0;     // k1
+  double damping_time = 0;  // c1 / k1, s (Hooke-Newton) or s/m
+  double ball_mass = 0;     // m, kg
   double main_mass = 0, main_stiffness = 0, main_damping = 0;
   double largest_penetration = 0, largest_rate = 0;  // m, m/s
-  double force_unit = 0;        // N
-  int damping_exponent = 0;     // of the damping term: c1/k1 delta' counts in 2^damping_exponent
-  double restitution = 1;       // for a damping set at each impact
+  double force_unit = 0;                             // N
+  int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
+  double restitution = 1;                            // for a damping set at each impact
   bool clamped = true;
 };
 
-// What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and w1 are the
-// main mass's displacement and its displacement per step, x2 and w2 the ball's; the last three act on the penetration and
-// its rate. Signs are those of a push on the right stop: x1 and w1 grow, the others fall.
+// What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and w1
+// are the main mass's displacement and its displacement per step, x2 and w2 the ball's; the last three act on the
+// penetration and its rate. Signs are those of a push on the right stop: x1 and w1 grow, the others fall.
 template <class Gain>
 struct Response {
   Gain x1, w1, w1_by_moment, x2, w2;

@@ -13,7 +13,8 @@ struct HookeNewton {
 
   // Energy stored at a penetration, k1 delta^2 / 2, in the units of contact_terms.hpp.
   template <class Format>
-  static constexpr typename Format::Value stored(const typename Format::Units& units, typename Format::Value penetration) {
+  static constexpr typename Format::Value stored(const typename Format::Units& units,
+                                                 typename Format::Value penetration) {
     return units.elastic(Format::value(half(square(positive_part(penetration)))));
   }
 };

@@ -1,6 +1,6 @@
 #pragma once
-// The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact from
-// its own speed.
+// The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact
+// from its own speed.
 
 #include <impact/contact/contact_terms.hpp>
 #include <impact/numeric/formula.hpp>

@@ -13,7 +13,8 @@ struct NoDrive {
   template <class Format>
   struct Plan {};
   template <class Format>
-  static constexpr Plan<Format> make_plan(const Scene&, const Bounds&, double, const LinearFlow&, const UnitExponents&) {
+  static constexpr Plan<Format> make_plan(const Scene&, const Bounds&, double, const LinearFlow&,
+                                          const UnitExponents&) {
     return {};
   }
   template <class Format>
@@ -33,7 +34,9 @@ struct NoDrive {
     static constexpr typename Format::Value force(const Plan<Format>&) { return {}; }
   };
   template <class Format>
-  static constexpr double force_unit(const Scene&, const Bounds&) { return 0; }
+  static constexpr double force_unit(const Scene&, const Bounds&) {
+    return 0;
+  }
 };
 
 }  // namespace impact

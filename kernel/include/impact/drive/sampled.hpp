@@ -1,6 +1,6 @@
 #pragma once
-// The drive as one sample a step from the caller (an ADC reading), held linear between samples: exact for the exact flow.
-// A sample is newtons in a floating-point format, and a fraction of Bounds::force in Q1.31 in fixed point.
+// The drive as one sample a step from the caller (an ADC reading), held linear between samples: exact for the exact
+// flow. A sample is newtons in a floating-point format, and a fraction of Bounds::force in Q1.31 in fixed point.
 
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/units.hpp>
@@ -59,7 +59,9 @@ struct Sampled {
     constexpr typename Format::Value force(const Plan<Format>&) const { return sample; }
   };
   template <class Format>
-  static constexpr double force_unit(const Scene&, const Bounds& bounds) { return Format::sample_unit(bounds.force); }
+  static constexpr double force_unit(const Scene&, const Bounds& bounds) {
+    return Format::sample_unit(bounds.force);
+  }
 };
 
 }  // namespace impact

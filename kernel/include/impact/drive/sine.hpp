@@ -1,6 +1,7 @@
 #pragma once
 // The drive F0 sin(w t), t = 0 at the start. Its part of the main mass's motion over a step is a sinusoid too, of known
-// amplitude and phase, so that one oscillator serves; its own part in the velocity follows from the oscillator's value and slope.
+// amplitude and phase, so that one oscillator serves; its own part in the velocity follows from the oscillator's value
+// and slope.
 
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/units.hpp>
@@ -75,9 +76,11 @@ struct Sine {
     const double S2 = s.sine * s.sine + s.cosine * s.cosine;
     if (!(S2 > 0)) return {};
     const auto oscillator = Format::Oscillator::make_plan(s, turn);
-    const int value = Format::oscillator_exponent(oscillator), slope = value - Format::Oscillator::slope_bits(oscillator);
+    const int value = Format::oscillator_exponent(oscillator),
+              slope = value - Format::Oscillator::slope_bits(oscillator);
     const double by_slope = s.sine / S2 / sine, by_value = s.cosine / S2 - by_slope * (1 - cosine);
-    const double P_sine = amplitude(scene) * flow.displacement.sine, P_cosine = amplitude(scene) * flow.displacement.cosine;
+    const double P_sine = amplitude(scene) * flow.displacement.sine,
+                 P_cosine = amplitude(scene) * flow.displacement.cosine;
     return {Format::gain(by_value, value, 1),
             Format::gain(by_slope, slope, 1),
             Format::gain(s.sine, 1, value),
@@ -112,8 +115,8 @@ struct Sine {
              plan.force_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
     }
 
-    // On to another plan's oscillator at the same phase. sin^2 + cos^2 = 1 corrects the amplitude, so that it cannot wander
-    // over any number of changes.
+    // On to another plan's oscillator at the same phase. sin^2 + cos^2 = 1 corrects the amplitude, so that it cannot
+    // wander over any number of changes.
     constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>& from, const Handover<Format>& out,
                                                             const Plan<Format>& to, const Handover<Format>& in) {
       using Value = typename Format::Value;
@@ -127,15 +130,17 @@ struct Sine {
       } else {
         cosine = Format::value(Format::constant(0.5));
       }
-      oscillator = Format::Oscillator::at(to.oscillator,
-                                          Format::native(in.value_by_sine * sine + in.value_by_cosine * cosine),
-                                          Format::native(in.slope_by_sine * sine + in.slope_by_cosine * cosine));
+      oscillator =
+          Format::Oscillator::at(to.oscillator, Format::native(in.value_by_sine * sine + in.value_by_cosine * cosine),
+                                 Format::native(in.slope_by_sine * sine + in.slope_by_cosine * cosine));
       return {out.ahead_by_sine * sine + out.ahead_by_cosine * cosine,
               in.behind_by_sine * sine + in.behind_by_cosine * cosine};
     }
   };
   template <class Format>
-  static constexpr double force_unit(const Scene& scene, const Bounds&) { return 2 * scene.drive_amplitude; }
+  static constexpr double force_unit(const Scene& scene, const Bounds&) {
+    return 2 * scene.drive_amplitude;
+  }
 };
 
 }  // namespace impact

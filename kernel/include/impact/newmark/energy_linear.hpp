@@ -17,12 +17,12 @@ struct EnergyLinear {
 
   struct Plan {
     Response<Gain> response;
-    Gain damping;       // C
-    Gain inside;        // 1/(1 + G (1/2 + C))
-    Gain entering;      // 1/(1 + G (1/2 + C)), of penetrations
-    Gain loss;          // 1 + G C over that
+    Gain damping;         // C
+    Gain inside;          // 1/(1 + G (1/2 + C))
+    Gain entering;        // 1/(1 + G (1/2 + C)), of penetrations
+    Gain loss;            // 1 + G C over that
     Gain half_stiffness;  // G/2
-    Gain pull;          // G C
+    Gain pull;            // G C
     bool clamped;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -63,17 +63,18 @@ struct EnergyLinear {
 
  private:
   [[gnu::always_inline]] constexpr Value inside(const Plan& plan, const Units& units, Value trial) const {
-    const Value force =
-        plan.inside * (units.elastic(Format::value(half(penetration)) + Format::value(half(trial))) +
-                       plan.damping * (trial - penetration));
+    const Value force = plan.inside * (units.elastic(Format::value(half(penetration)) + Format::value(half(trial))) +
+                                       plan.damping * (trial - penetration));
     return is_positive(trial - plan.response.penetration * force) ? force : leaving(plan, units, trial);
   }
 
   // With y = d0 - d1: y^2 + (trial - d0 + G C d0) y = G d0^2/2.
   constexpr Value leaving(const Plan& plan, const Units& units, Value trial) const {
     const Value b = Format::value(half(trial - penetration + plan.pull * penetration));
-    const Value y = positive_root<Format>(b, without_sign(plan.half_stiffness * penetration) * without_sign(penetration));
-    const Value elastic = Format::value(half(penetration * Format::quotient(positive_part(penetration), positive_part(y))));
+    const Value y =
+        positive_root<Format>(b, without_sign(plan.half_stiffness * penetration) * without_sign(penetration));
+    const Value elastic =
+        Format::value(half(penetration * Format::quotient(positive_part(penetration), positive_part(y))));
     return units.elastic(elastic) - plan.damping * penetration;
   }
 

@@ -1,18 +1,21 @@
 #pragma once
-// The energy-consistent contact for the power laws, in the units of contact_terms.hpp. n is the mean of d^(3/2) between the
-// penetrations d0 and d1 at both ends (0 where they are negative); r, s: their roots; p = (s+r)/2, z = (s-r)/2:
+// The energy-consistent contact for the power laws, in the units of contact_terms.hpp. n is the mean of d^(3/2) between
+// the penetrations d0 and d1 at both ends (0 where they are negative); r, s: their roots; p = (s+r)/2, z = (s-r)/2:
 //
-//     staying   n = p^3 + 2 p z^2 + z^4/(5p)        entering  n = (2/5) s^5/(d1 - d0)        leaving  n = (2/5) r^5/(d0 - d1)
+//     staying   n = p^3 + 2 p z^2 + z^4/(5p)        entering  n = (2/5) s^5/(d1 - d0)        leaving  n = (2/5) r^5/(d0
+//     - d1)
 //
-//     f = n (1 + C (d1 - d0) + u k)        slip = G n k        d1 = trial - G f - slip        u = C G n, k = (atanh(u)/u - 1)/u
+//     f = n (1 + C (d1 - d0) + u k)        slip = G n k        d1 = trial - G f - slip        u = C G n, k =
+//     (atanh(u)/u - 1)/u
 //
-// (Hertz: C = 0.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the slip, which moves the ball without
-// changing its velocity, this step keeps it, and the restitution is the law's own at any number of steps per contact. Here
-// k = u/3 + u^3/5 + u^5/7: within 1.3 % for u <= 0.6, which is 2.5 steps a contact at restitution 1/2.
+// (Hertz: C = 0.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the slip, which moves the
+// ball without changing its velocity, this step keeps it, and the restitution is the law's own at any number of steps
+// per contact. Here k = u/3 + u^3/5 + u^5/7: within 1.3 % for u <= 0.6, which is 2.5 steps a contact at restitution
+// 1/2.
 //
-// While contact stays or begins, residual(s) = s^2 + G f(s) + slip(s) - trial = 0 is increasing and convex where the contact
-// pushes: Newton's method from s = sqrt(trial) comes down on the root monotonically, in the plan's number of passes. An
-// iterate below 0 says that the ball leaves; then t = d0/(d0 - d1), the share of the step in contact, solves
+// While contact stays or begins, residual(s) = s^2 + G f(s) + slip(s) - trial = 0 is increasing and convex where the
+// contact pushes: Newton's method from s = sqrt(trial) comes down on the root monotonically, in the plan's number of
+// passes. An iterate below 0 says that the ball leaves; then t = d0/(d0 - d1), the share of the step in contact, solves
 //
 //     c t^2 + m t = d0        c = (2/5) G r^3 (1 + k + u k),  m = d0 - trial - (2/5) C G r^5
 //
@@ -66,8 +69,8 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     return {kick.impulse, Format::value(half(kick.impulse))};
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate,
-                                                       Value before, Value) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
+                                                       Value trial_rate, Value before, Value) {
     if (phase == Phase::apart) {
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, trial_rate);
       penetration = before;
@@ -107,8 +110,9 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     }
     const Value p = Format::value(half(s)) + Format::value(half(root)), z = p - root;
     const Value pp = times(p, p), zz = times(z, z), q = ratio(zz, p);
-    return {times(p, pp + doubled(zz)) + part(1.0 / 5, times(zz, q)),
-            part(3.0 / 4, pp) + part(1.0 / 2, zz) + times(p, z) + part(1.0 / 5, times(z, q)) - part(1.0 / 20, times(q, q))};
+    return {
+        times(p, pp + doubled(zz)) + part(1.0 / 5, times(zz, q)),
+        part(3.0 / 4, pp) + part(1.0 / 2, zz) + times(p, z) + part(1.0 / 5, times(z, q)) - part(1.0 / 20, times(q, q))};
   }
 
   // u, k and u dk/du
@@ -116,8 +120,10 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     Value u, k, rise;
   };
   static constexpr Slip slip_at(const Plan& plan, Value n) {
-    const Value u = Format::four_times_up_to_one(plan.share * n), uu = times(u, u), u3 = times(u, uu), u5 = times(u3, uu);
-    return {u, part(1.0 / 3, u) + part(1.0 / 5, u3) + part(1.0 / 7, u5), part(1.0 / 3, u) + part(3.0 / 5, u3) + part(5.0 / 7, u5)};
+    const Value u = Format::four_times_up_to_one(plan.share * n), uu = times(u, u), u3 = times(u, uu),
+                u5 = times(u3, uu);
+    return {u, part(1.0 / 3, u) + part(1.0 / 5, u3) + part(1.0 / 7, u5),
+            part(1.0 / 3, u) + part(3.0 / 5, u3) + part(5.0 / 7, u5)};
   }
 
   // Finds the force and the slip of a step that ends in contact; false if there is none.
@@ -170,8 +176,8 @@ struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     force = units.elastic(n);
     slip = Value{};
     if constexpr (ContactLaw::is_damped) {
-      force = Format::value(positive_part(force + units.elastic(times(n, times(at.u, at.k))) -
-                                          times(r3, damping(plan) * penetration)));
+      force = Format::value(
+          positive_part(force + units.elastic(times(n, times(at.u, at.k))) - times(r3, damping(plan) * penetration)));
       slip = plan.give * times(n, at.k);
     }
   }

@@ -32,15 +32,15 @@ struct DriveShares {
 // The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.
 struct LinearFlow {
   double e11 = 0, e12 = 0, e21 = 0, e22 = 0;
-  double b0 = 0, b1 = 0, c0 = 0, c1 = 0;    // m/N: a force held linear over the step
-  Sinusoid displacement, velocity;          // m/N: a force sin(w t), at the start of the step
+  double b0 = 0, b1 = 0, c0 = 0, c1 = 0;  // m/N: a force held linear over the step
+  Sinusoid displacement, velocity;        // m/N: a force sin(w t), at the start of the step
 
   constexpr double stiffness() const { return e11 * e22 - e12 * e21; }
   constexpr double damping() const { return -(e11 + e22) - stiffness(); }
 };
 
-// exp(A) - 1 of the oscillator augmented by its drive: x, u, F, F' - F, sin, cos. Scaling and squaring on E = exp(A) - 1
-// by E(2A) = 2 E + E^2, from a Taylor series on a norm below 1/2: relative precision near 1e-15, at resonance and for
+// exp(A) - 1 of the oscillator augmented by its drive: x, u, F, F' - F, sin, cos. Scaling and squaring on E = exp(A) -
+// 1 by E(2A) = 2 E + E^2, from a Taylor series on a norm below 1/2: relative precision near 1e-15, at resonance and for
 // any damping.
 constexpr LinearFlow exact_flow(const Scene& scene, double h) {
   constexpr int size = 6;
@@ -87,8 +87,10 @@ constexpr LinearFlow exact_flow(const Scene& scene, double h) {
         sum.at[row][column] = 2 * sum.at[row][column] + square.at[row][column];
   }
   const auto& e = sum.at;
-  return {e[0][0], e[0][1], e[1][0], e[1][1],           e[0][2] - e[0][3], e[0][3],
-          e[1][2] - e[1][3], e[1][3], {e[0][4], e[0][5]}, {e[1][4], e[1][5]}};
+  return {e[0][0],           e[0][1],           e[1][0],
+          e[1][1],           e[0][2] - e[0][3], e[0][3],
+          e[1][2] - e[1][3], e[1][3],           {e[0][4], e[0][5]},
+          {e[1][4], e[1][5]}};
 }
 
 // Newmark's map (Newmark 1959) with gamma = 1/2: x' = x + h v + h^2 [(1/2 - beta) a + beta a'], v' = v + h (a + a')/2,
@@ -108,8 +110,14 @@ constexpr LinearFlow newmark_flow(const Scene& scene, double h, double beta) {
   const Ends x = respond(1, 0, -khh / M, 0), u = respond(0, 1, -ch / M, 0);
   const Ends start = respond(0, 0, h * h / M, 0), end = respond(0, 0, 0, h * h);
   const double cosine = constant::cosine(scene.drive_pulsation * h), sine = constant::sine(scene.drive_pulsation * h);
-  return {x.x,     u.x,   x.u,   u.u,
-          start.x, end.x, start.u, end.u,
+  return {x.x,
+          u.x,
+          x.u,
+          u.u,
+          start.x,
+          end.x,
+          start.u,
+          end.u,
           {start.x + end.x * cosine, end.x * sine},
           {start.u + end.u * cosine, end.u * sine}};
 }

@@ -1,13 +1,13 @@
 #pragma once
-// The moment-fitted step: exact free flight, and in contact Newmark's two updates with the weights fitted to the contact
-// law instead of to a force that is constant or linear in time. Over a step from 0 to h,
+// The moment-fitted step: exact free flight, and in contact Newmark's two updates with the weights fitted to the
+// contact law instead of to a force that is constant or linear in time. Over a step from 0 to h,
 //
 //     J0 = integral of f(s) ds        J1 = integral of (h - s) f(s) ds
 //
-// are all that the motion of a free mass sees of the force: v gains J0/m and x gains J1/m. With r and s the roots of the
-// penetrations d0 and d1 at both ends, p = (s+r)/2 and z = (s-r)/2, a root of the penetration that runs linearly in time
-// gives both in closed form, the damping is a total derivative, and the deviation of the rates from a uniform one enters to
-// first order. One square root and one quotient a step; fourth order; stable from 3 steps a contact on.
+// are all that the motion of a free mass sees of the force: v gains J0/m and x gains J1/m. With r and s the roots of
+// the penetrations d0 and d1 at both ends, p = (s+r)/2 and z = (s-r)/2, a root of the penetration that runs linearly in
+// time gives both in closed form, the damping is a total derivative, and the deviation of the rates from a uniform one
+// enters to first order. One square root and one quotient a step; fourth order; stable from 3 steps a contact on.
 
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/newmark/moment_linear.hpp>

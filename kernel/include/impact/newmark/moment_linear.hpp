@@ -1,15 +1,16 @@
 #pragma once
-// The moment-fitted contact for Hooke-Newton, f = d + C v in the units of contact_terms.hpp (d: penetration, v: its rate per
-// step, C = c1/(k1 h)).
+// The moment-fitted contact for Hooke-Newton, f = d + C v in the units of contact_terms.hpp (d: penetration, v: its
+// rate per step, C = c1/(k1 h)).
 //
-// Without contact d would run through the step as the cubic through its values and rates at both ends: from d0 and v0 with
-// the acceleration a and the jerk j. The law gives each derivative of the force from those of d, and the masses give
-// each of d from the force's:
+// Without contact d would run through the step as the cubic through its values and rates at both ends: from d0 and v0
+// with the acceleration a and the jerk j. The law gives each derivative of the force from those of d, and the masses
+// give each of d from the force's:
 //
 //     f^(n) = d^(n) + C d^(n+1)        d^(n+2) = (a, j, 0, ..) - G f^(n)        G: response of the rate to the force
 //
-// a Taylor series that makes J0 and J1 linear in d0, v0, a and j: over a whole step inside, the plan sums it to the end and
-// the step has eight multiplications. A step in which the ball comes or goes finds that instant and sums the series up to it:
+// a Taylor series that makes J0 and J1 linear in d0, v0, a and j: over a whole step inside, the plan sums it to the end
+// and the step has eight multiplications. A step in which the ball comes or goes finds that instant and sums the series
+// up to it:
 //
 //     entering  at the root of the free parabola of d, from d = 0
 //     leaving   at the root of d (tension allowed) or of f (clamped: what the spring still holds is lost, and
@@ -27,9 +28,9 @@ struct MomentLinear {
 
   struct Plan {
     Response<Gain> response;
-    Gain damping;                                   // C
+    Gain damping;  // C
     struct {
-      Gain penetration, change, rate_change, sag;   // d0, trial - d0, trial rate - v0, trial - d0 - v0
+      Gain penetration, change, rate_change, sag;  // d0, trial - d0, trial rate - v0, trial - d0 - v0
     } impulse, moment;
     bool clamped;
   };
@@ -78,9 +79,12 @@ struct MomentLinear {
     const bool pulls = !is_positive(units.elastic(at) + plan.damping * at_rate);
     phase = plan.clamped && pulls ? Phase::released : Phase::touching;
   }
-  static constexpr Kick<Value> moments(const Plan&, const MomentLinear&, const MomentLinear&, Kick<Value> kick) { return kick; }
+  static constexpr Kick<Value> moments(const Plan&, const MomentLinear&, const MomentLinear&, Kick<Value> kick) {
+    return kick;
+  }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value before, Value) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
+                                                       Value trial_rate, Value before, Value) {
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
     const Value change = trial - penetration, rate_change = trial_rate - rate, sag = change - rate;
@@ -102,7 +106,8 @@ struct MomentLinear {
   }
 
  private:
-  [[gnu::always_inline]] constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate, Kick<Value> kick) {
+  [[gnu::always_inline]] constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate,
+                                                      Kick<Value> kick) {
     penetration = trial - plan.response.penetration * kick.moment;
     rate = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
@@ -115,19 +120,20 @@ struct MomentLinear {
     Value d[series_terms + 1], f[series_terms];  // derivatives at the start, per step
   };
   [[gnu::always_inline]] static constexpr Series series(const Plan& plan, const Units& units, Value d, Value v, Value a,
-                                                            Value jerk) {
+                                                        Value jerk) {
     Series result{};
     result.d[0] = d;
     result.d[1] = v;
     for (int n = 0; n < series_terms; ++n) {
       result.f[n] = units.elastic(result.d[n]) + plan.damping * result.d[n + 1];
-      if (n + 2 <= series_terms) result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Value{}) - plan.response.rate * result.f[n];
+      if (n + 2 <= series_terms)
+        result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Value{}) - plan.response.rate * result.f[n];
     }
     return result;
   }
 
-  // x0 + x1 t/(1 + integrals) + x2 t^2/((1 + integrals)(2 + integrals)) + ...: the series at t, or its repeated integral
-  // from 0 to t over t^integrals / integrals!.
+  // x0 + x1 t/(1 + integrals) + x2 t^2/((1 + integrals)(2 + integrals)) + ...: the series at t, or its repeated
+  // integral from 0 to t over t^integrals / integrals!.
   template <int integrals, class Time, int n = 1>
   [[gnu::always_inline]] static constexpr Value at(const Value* x, Time t) {
     if constexpr (n == series_terms) {
@@ -151,8 +157,8 @@ struct MomentLinear {
     return {impulse, lever};
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial, Value trial_rate,
-                                                     Value before) {
+  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial,
+                                                     Value trial_rate, Value before) {
     const Value a = twice_value(trial_rate - (trial - before));
     auto t = Format::quotient(without_sign(trial), without_sign(trial - before));
     for (int pass = 0; pass < 2; ++pass) {
@@ -164,8 +170,8 @@ struct MomentLinear {
   }
 
   // `end`: what vanishes, at the end of the step had the contact lasted; a first guess of when comes from the chord.
-  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial, Value trial_rate,
-                                                     Value end) {
+  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial,
+                                                     Value trial_rate, Value end) {
     const Value change = trial_rate - rate, sag = twice_value(trial - penetration - rate);
     const Value half_jerk = change + twice_value(change - sag) - sag;
     const Series from = series(plan, units, penetration, rate, change - half_jerk, twice_value(half_jerk));
@@ -186,7 +192,8 @@ struct MomentLinear {
   static constexpr Value twice_value(Value x) { return x + x; }
 
   // Pushed in again before it was out: the force grows from zero, to first order in time.
-  [[gnu::always_inline]] constexpr Kick<Value> pressed_again(const Plan& plan, const Units& units, Value trial, Value trial_rate) {
+  [[gnu::always_inline]] constexpr Kick<Value> pressed_again(const Plan& plan, const Units& units, Value trial,
+                                                             Value trial_rate) {
     const Value start = units.elastic(penetration) + plan.damping * rate;
     const Value end = units.elastic(trial) + plan.damping * trial_rate;
     Kick<Value> kick{};

@@ -1,22 +1,22 @@
 #pragma once
-// Classical Newmark: the contact force is the law at the end of the step, found together with the motion. It enters both
-// masses linearly, so that contact is one scalar equation: with the penetration and its rate that the step would reach
-// without the new force, and the constants B and C of the plan,
+// Classical Newmark: the contact force is the law at the end of the step, found together with the motion. It enters
+// both masses linearly, so that contact is one scalar equation: with the penetration and its rate that the step would
+// reach without the new force, and the constants B and C of the plan,
 //
 //     force = law(trial penetration - B force, trial rate - C force)
 //
 // Hooke-Newton is linear and solved by one multiplication. For the power laws Newton's method starts from force 0: the
 // residual force - law(..) is increasing and concave in the force, so every iterate stays on the near side of the root,
-// whatever the stiffness. The error falls as c^(2^passes) with c = |d law / d force| at the largest penetration, from which
-// the plan has the number of passes that reaches the format's precision.
+// whatever the stiffness. The error falls as c^(2^passes) with c = |d law / d force| at the largest penetration, from
+// which the plan has the number of passes that reaches the format's precision.
 //
 // A stop acts at the end of a step if the step without the new force ends inside it. Second order on smooth motion; a
 // contact that lasts a few steps only can gain energy, see the README's limits.
 
 #include <impact/contact/impact_damping.hpp>
 #include <impact/newmark/linear_flow.hpp>
-#include <impact/numeric/formula.hpp>
 #include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/formula.hpp>
 #include <impact/scene.hpp>
 
 namespace impact {
@@ -24,8 +24,8 @@ namespace impact {
 template <int beta_numerator, int beta_denominator>
 struct Pointwise {
   static constexpr double beta = static_cast<double>(beta_numerator) / beta_denominator;
-  // Radians of the main mass's own vibration in a step: 2/sqrt(1 - 4 beta) is where the scheme turns unstable (Hughes 1987),
-  // for the average acceleration never.
+  // Radians of the main mass's own vibration in a step: 2/sqrt(1 - 4 beta) is where the scheme turns unstable (Hughes
+  // 1987), for the average acceleration never.
   static constexpr double longest_phase = 4 * beta < 1 ? 1.98 / constant::square_root(1 - 4 * beta) : 1e6;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return newmark_flow(scene, h, beta); }
 
@@ -37,10 +37,10 @@ struct Pointwise {
 
     struct Plan {
       Response<Gain> response;
-      Gain w1_next, w2_next;  // what the force still does to the displacement per step after the next step
+      Gain w1_next, w2_next;    // what the force still does to the displacement per step after the next step
       Gain w1_share, w2_share;  // its share of the displacement that the next step will make
-      Gain damping;           // c1 / (k1 h)
-      Gain solution;          // Hooke-Newton: 1 / (1 - d law / d force)
+      Gain damping;             // c1 / (k1 h)
+      Gain solution;            // Hooke-Newton: 1 / (1 - d law / d force)
       int passes;
       bool clamped;
     };
@@ -55,19 +55,19 @@ struct Pointwise {
       }
       int passes = 1;
       for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
-      return {{Format::gain(F * flow.b1, 0, unit.push),
-               Format::gain(F * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
-               Format::gain(0, 0, 0), Format::gain(F * beta * ball, 0, unit.push),
-               Format::gain(F * (1 - beta) * ball, 0, unit.push), Format::gain(F * B, 0, unit.penetration),
-               Format::gain(F * C, 0, unit.penetration), Format::gain(0, 0, 0)},
-              Format::gain(F * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
-              Format::gain(F * beta * ball, 0, unit.push),
-              Format::gain(F * flow.b0 / flow.e12, 0, unit.penetration),
-              Format::gain(F * (0.5 - beta) * ball, 0, unit.penetration),
-              damping_gain<Format, ContactLaw>(terms, unit),
-              Format::gain(1 / (1 + slope), 0, 0),
-              passes,
-              terms.clamped};
+      return {
+          {Format::gain(F * flow.b1, 0, unit.push),
+           Format::gain(F * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push), Format::gain(0, 0, 0),
+           Format::gain(F * beta * ball, 0, unit.push), Format::gain(F * (1 - beta) * ball, 0, unit.push),
+           Format::gain(F * B, 0, unit.penetration), Format::gain(F * C, 0, unit.penetration), Format::gain(0, 0, 0)},
+          Format::gain(F * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
+          Format::gain(F * beta * ball, 0, unit.push),
+          Format::gain(F * flow.b0 / flow.e12, 0, unit.penetration),
+          Format::gain(F * (0.5 - beta) * ball, 0, unit.penetration),
+          damping_gain<Format, ContactLaw>(terms, unit),
+          Format::gain(1 / (1 + slope), 0, 0),
+          passes,
+          terms.clamped};
     }
 
     static constexpr bool carries = true, slips = false;
@@ -78,10 +78,12 @@ struct Pointwise {
     // The force, linear over the step between its values before and after.
     static constexpr Kick<Value> moments(const Plan&, const Contact& before, const Contact& after, Kick<Value>) {
       return {Format::value(half(before.force + after.force)),
-              Format::value(Format::constant(0.5 - beta) * before.force) + Format::value(Format::constant(beta) * after.force)};
+              Format::value(Format::constant(0.5 - beta) * before.force) +
+                  Format::value(Format::constant(beta) * after.force)};
     }
 
-    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate, Value, Value) {
+    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
+                                                         Value trial_rate, Value, Value) {
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)
         if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);
@@ -117,7 +119,8 @@ struct Pointwise {
         return x;
     }
 
-    [[gnu::always_inline]] constexpr Value found(const Plan& plan, const Units& units, Value trial, Value trial_rate) const {
+    [[gnu::always_inline]] constexpr Value found(const Plan& plan, const Units& units, Value trial,
+                                                 Value trial_rate) const {
       if constexpr (ContactLaw::law == Law::hooke_newton) {
         const Value f = plan.solution * (units.elastic(trial) + damping(plan) * trial_rate);
         return plan.clamped ? Format::value(positive_part(f)) : f;

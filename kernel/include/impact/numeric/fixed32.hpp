@@ -1,10 +1,10 @@
 #pragma once
-// The fixed-point format of the step. Values are Q1.31 fractions of a power of two that the plan chooses for each quantity
-// from the scene's bounds; states are 64-bit integers at one common scale, because what a step adds to a position is a
-// thousand times smaller than a 32-bit position's last place.
+// The fixed-point format of the step. Values are Q1.31 fractions of a power of two that the plan chooses for each
+// quantity from the scene's bounds; states are 64-bit integers at one common scale, because what a step adds to a
+// position is a thousand times smaller than a 32-bit position's last place.
 //
-//     position x = raw * 2^(position - 63); its upper word is a Value. 2^position is twice the bound or more, so that a state
-//     that passes its bound is seen before anything wraps.
+//     position x = raw * 2^(position - 63); its upper word is a Value. 2^position is twice the bound or more, so that a
+//     state that passes its bound is seen before anything wraps.
 //
 // Rounding: a Gain rounds to nearest where it shifts right, and otherwise down.
 
@@ -65,7 +65,8 @@ struct Fixed32 {
   struct Weight : Gain {
     [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
       const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
-      const int32_t product = high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
+      const int32_t product =
+          high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
       if (after > 0) return {(product + (1 << (after - 1))) >> after};
       if (after == 0) return {rounded_high_product(x.raw, weight.mantissa)};
       return {static_cast<int32_t>(static_cast<uint32_t>(product) << 1)};
@@ -77,7 +78,8 @@ struct Fixed32 {
     using constant::exponent_above;
     UnitExponents e{};
     e.position = exponent_above(bounds.position) + 1;
-    // A quantity counts in 2^-31 of a position's unit at the finest: its Value then ends with the position's last place.
+    // A quantity counts in 2^-31 of a position's unit at the finest: its Value then ends with the position's last
+    // place.
     const int finest = e.position - 31;
     const auto exponent = [finest](double bound) {
       return bound > constant::power_of_two(finest) ? exponent_above(bound) : finest;
@@ -104,7 +106,8 @@ struct Fixed32 {
 
   struct Units {
     int64_t gap;
-    int position_exponent, displacement_shift, increment_shift, push_shift, penetration_shift, penetration_exponent, force_bits;
+    int position_exponent, displacement_shift, increment_shift, push_shift, penetration_shift, penetration_exponent,
+        force_bits;
 
     static constexpr Units make(const UnitExponents& e, double gap) {
       return {static_cast<int64_t>(gap * constant::power_of_two(63 - e.position)),
@@ -129,27 +132,31 @@ struct Fixed32 {
     static constexpr int64_t half_place = int64_t{1} << 31;
     constexpr Long state_at(double x) const { return {state(x).raw + half_place}; }
     constexpr double si_at(Long x) const { return si({x.raw - half_place}); }
-    constexpr double si(Long x) const { return static_cast<double>(x.raw) * constant::power_of_two(position_exponent - 63); }
+    constexpr double si(Long x) const {
+      return static_cast<double>(x.raw) * constant::power_of_two(position_exponent - 63);
+    }
     constexpr double si_penetration_unit() const { return constant::power_of_two(penetration_exponent); }
-    constexpr double si_penetration(Value x) const { return x.raw * constant::power_of_two(-31) * si_penetration_unit(); }
+    constexpr double si_penetration(Value x) const {
+      return x.raw * constant::power_of_two(-31) * si_penetration_unit();
+    }
     static constexpr double fraction(Value x) { return x.raw * constant::power_of_two(-31); }
 
     static constexpr Value position(Long x) { return {opaque(static_cast<int32_t>(x.raw >> 32))}; }
     constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
-    constexpr void add(Long& x, Value increment) const {
-      x.raw += shifted(increment.raw, increment_shift);
-    }
+    constexpr void add(Long& x, Value increment) const { x.raw += shifted(increment.raw, increment_shift); }
     constexpr void displace(Long& x, Value penetration) const {
       x.raw += static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(penetration.raw)) << penetration_shift);
     }
-    constexpr void push(Long& x, Value increment) const {
-      x.raw += shifted(increment.raw, push_shift);
+    constexpr void push(Long& x, Value increment) const { x.raw += shifted(increment.raw, push_shift); }
+    constexpr Value relative(Long difference) const {
+      return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
     }
-    constexpr Value relative(Long difference) const { return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)}; }
     constexpr Value penetration(Long along) const {
       const int64_t inside = along.raw - gap;
       const auto upper = static_cast<int32_t>(inside >> 32), largest = INT32_MAX >> (32 - penetration_shift);
-      return {upper > largest ? INT32_MAX : upper < ~largest ? INT32_MIN : static_cast<int32_t>(inside >> penetration_shift)};
+      return {upper > largest    ? INT32_MAX
+              : upper < ~largest ? INT32_MIN
+                                 : static_cast<int32_t>(inside >> penetration_shift)};
     }
     // On the upper words alone: true whenever x2 - x1 > gap, and at times one last place early.
     constexpr bool beyond_stop(Long x2, Long x1) const {
@@ -222,9 +229,13 @@ struct Fixed32 {
     return {fraction >= 1 ? INT32_MAX : fraction <= -1 ? -INT32_MAX : static_cast<int32_t>(fraction * 2147483647.0)};
   }
   template <int bits>
-  static constexpr Value value(Signed<bits> x) { return with_bits<31>(x); }
+  static constexpr Value value(Signed<bits> x) {
+    return with_bits<31>(x);
+  }
   template <int bits>
-  static constexpr Value value(Unsigned<bits> x) { return with_bits<31>(with_sign(x)); }
+  static constexpr Value value(Unsigned<bits> x) {
+    return with_bits<31>(with_sign(x));
+  }
   // numerator <= denominator
   template <int a, int b>
   static constexpr Unsigned<32 + a - b> quotient(Unsigned<a> numerator, Unsigned<b> denominator) {

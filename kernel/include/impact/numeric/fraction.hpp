@@ -5,12 +5,12 @@
 //     Signed<31>: [-1, 1) in steps of 2^-31 (Q1.31 in ARM's notation, which counts the sign bit)
 //     Unsigned<32>: [0, 1) in steps of 2^-32 (UQ0.32)
 //
-// A product and a shift to fewer fraction bits round down: an error in (-1, 0] last places. Nothing saturates here: whoever
-// writes a formula shows that its values fit.
-
-#include <impact/numeric/high_product.hpp>
+// A product and a shift to fewer fraction bits round down: an error in (-1, 0] last places. Nothing saturates here:
+// whoever writes a formula shows that its values fit.
 
 #include <stdint.h>
+
+#include <impact/numeric/high_product.hpp>
 
 namespace impact {
 
@@ -23,8 +23,8 @@ struct Unsigned {
   uint32_t raw;
 };
 
-// A factor of 15 bits, for what is small or a constant of no weight: without a long multiplication a product with it costs
-// a third of a full one.
+// A factor of 15 bits, for what is small or a constant of no weight: without a long multiplication a product with it
+// costs a third of a full one.
 template <int bits>
 struct Short {
   uint32_t raw;
@@ -120,30 +120,52 @@ constexpr Signed<a + b - 16> operator*(Signed<a> x, Short<b> y) {
 
 // Powers of two cost nothing: they move the point.
 template <int bits>
-constexpr Signed<bits + 1> half(Signed<bits> x) { return {x.raw}; }
+constexpr Signed<bits + 1> half(Signed<bits> x) {
+  return {x.raw};
+}
 template <int bits>
-constexpr Unsigned<bits + 1> half(Unsigned<bits> x) { return {x.raw}; }
+constexpr Unsigned<bits + 1> half(Unsigned<bits> x) {
+  return {x.raw};
+}
 template <int bits>
-constexpr Signed<bits + 2> quarter(Signed<bits> x) { return {x.raw}; }
+constexpr Signed<bits + 2> quarter(Signed<bits> x) {
+  return {x.raw};
+}
 template <int bits>
-constexpr Unsigned<bits + 2> quarter(Unsigned<bits> x) { return {x.raw}; }
+constexpr Unsigned<bits + 2> quarter(Unsigned<bits> x) {
+  return {x.raw};
+}
 template <int bits>
-constexpr Unsigned<bits + 3> eighth(Unsigned<bits> x) { return {x.raw}; }
+constexpr Unsigned<bits + 3> eighth(Unsigned<bits> x) {
+  return {x.raw};
+}
 template <int bits>
-constexpr Signed<bits - 1> twice(Signed<bits> x) { return {x.raw}; }
+constexpr Signed<bits - 1> twice(Signed<bits> x) {
+  return {x.raw};
+}
 template <int bits>
-constexpr Unsigned<bits - 1> twice(Unsigned<bits> x) { return {x.raw}; }
+constexpr Unsigned<bits - 1> twice(Unsigned<bits> x) {
+  return {x.raw};
+}
 
 template <int bits>
-constexpr Unsigned<2 * bits - 32> square(Unsigned<bits> x) { return x * x; }
+constexpr Unsigned<2 * bits - 32> square(Unsigned<bits> x) {
+  return x * x;
+}
 template <int bits>
-constexpr Unsigned<2 * bits - 32> square(Signed<bits> x) { return {static_cast<uint32_t>(high_product(x.raw, x.raw))}; }
+constexpr Unsigned<2 * bits - 32> square(Signed<bits> x) {
+  return {static_cast<uint32_t>(high_product(x.raw, x.raw))};
+}
 
 // x - y, signed, for x and y below 1.
 constexpr Signed<31> difference(Unsigned<31> x, Unsigned<31> y) { return {static_cast<int32_t>(x.raw - y.raw)}; }
 template <int bits>
-constexpr bool is_positive(Signed<bits> x) { return x.raw > 0; }
+constexpr bool is_positive(Signed<bits> x) {
+  return x.raw > 0;
+}
 template <int bits>
-constexpr Unsigned<bits> positive_part(Signed<bits> x) { return {static_cast<uint32_t>(opaque(x.raw > 0 ? x.raw : 0))}; }
+constexpr Unsigned<bits> positive_part(Signed<bits> x) {
+  return {static_cast<uint32_t>(opaque(x.raw > 0 ? x.raw : 0))};
+}
 
 }  // namespace impact

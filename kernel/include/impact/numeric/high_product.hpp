@@ -16,8 +16,8 @@
 
 namespace impact {
 
-// The same number, of which the compiler knows nothing. GCC multiplies a number that it knows not to be negative, or to be the
-// upper word of a longer one, by a signed number in four instructions instead of one.
+// The same number, of which the compiler knows nothing. GCC multiplies a number that it knows not to be negative, or to
+// be the upper word of a longer one, by a signed number in four instructions instead of one.
 inline int32_t veiled(int32_t x) {
   __asm__("" : "+r"(x));
   return x;

@@ -3,30 +3,29 @@
 //
 //     s' = s + d        d = d_before - curvature s        curvature = 4 sin^2(turn / 2), turn = pulsation * step
 //
-// (the "magic circle"; it is the exact recurrence of any sinusoid of that pulsation). In integers it is also a reversible
-// map of a grid onto itself, so that the amplitude cannot spiral: at 40 rad/s and h = 1e-4 it drifts by 3e-7 in 24 h, and the
-// phase, set by the 31 bits of the curvature, by less than pulsation * time * 2^-31.
+// (the "magic circle"; it is the exact recurrence of any sinusoid of that pulsation). In integers it is also a
+// reversible map of a grid onto itself, so that the amplitude cannot spiral: at 40 rad/s and h = 1e-4 it drifts by 3e-7
+// in 24 h, and the phase, set by the 31 bits of the curvature, by less than pulsation * time * 2^-31.
+
+#include <stdint.h>
 
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/high_product.hpp>
-
-#include <stdint.h>
 
 namespace impact {
 
 // The recurrence in 64-bit integers. The sinusoid is s * 2^(exponent - 63); its upper word is s in Q1.31 of 2^exponent.
 struct IntegerOscillator {
   struct Plan {
-    int32_t curvature = 0;    // * 2^-curvature_bits
+    int32_t curvature = 0;  // * 2^-curvature_bits
     int curvature_bits = 32;
-    int slope_bits = 0;       // the slope's upper word holds this many bits more than the value's
+    int slope_bits = 0;  // the slope's upper word holds this many bits more than the value's
     int exponent = 0;
     int64_t value = 0, slope = 0;
   };
   static constexpr Plan make_plan(Sinusoid sinusoid, double turn) {
-    const double amplitude =
-        constant::square_root(sinusoid.sine * sinusoid.sine + sinusoid.cosine * sinusoid.cosine);
+    const double amplitude = constant::square_root(sinusoid.sine * sinusoid.sine + sinusoid.cosine * sinusoid.cosine);
     if (!(amplitude > 0)) return {};
     const double half = constant::sine(turn / 2), curvature = 4 * half * half;
     const double before = sinusoid.cosine * constant::cosine(turn) - sinusoid.sine * constant::sine(turn);
@@ -35,8 +34,8 @@ struct IntegerOscillator {
     const double scale = constant::power_of_two(63 - plan.exponent);
     plan.curvature_bits = curvature > 0 ? 31 - constant::exponent_above(curvature) : 62;
     if (plan.curvature_bits > 62) plan.curvature_bits = 62;
-    plan.curvature =
-        static_cast<int32_t>(constant::smaller(2147483647.0, curvature * constant::power_of_two(plan.curvature_bits)+0.5));
+    plan.curvature = static_cast<int32_t>(
+        constant::smaller(2147483647.0, curvature * constant::power_of_two(plan.curvature_bits) + 0.5));
     const double steepest = 2 * constant::magnitude(half);
     plan.slope_bits = steepest > 0 ? -constant::exponent_above(steepest) : 31;
     if (plan.slope_bits > 31) plan.slope_bits = 31;

@@ -2,9 +2,9 @@
 // The floating-point formats of the step: Float32 (float with compensated state and an integer sine), Float32Plain (one
 // float a state, the fewest cycles), and Float64 for the host, which separates the method's error from rounding.
 //
-// A format offers: Value, what a step computes with; Long, what it carries from step to step; Gain, a constant of the plan
-// that multiplies a Value; Units, the powers of two that Values count in. Floating point keeps metres, metres per step and
-// newtons: its units are all 1, and the functions that elsewhere move points and signs do nothing.
+// A format offers: Value, what a step computes with; Long, what it carries from step to step; Gain, a constant of the
+// plan that multiplies a Value; Units, the powers of two that Values count in. Floating point keeps metres, metres per
+// step and newtons: its units are all 1, and the functions that elsewhere move points and signs do nothing.
 
 #include <impact/lookup/square_root.hpp>
 #include <impact/numeric/formula.hpp>
@@ -132,7 +132,9 @@ struct RealFormat {
   static constexpr Real rough_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
   // A root t of a decreasing function, moved by its value over its steepness.
-  static constexpr Real corrected(Real t, Real value, Real steepness) { return steepness > 0 ? t + value / steepness : t; }
+  static constexpr Real corrected(Real t, Real value, Real steepness) {
+    return steepness > 0 ? t + value / steepness : t;
+  }
 };
 
 // Host only.

@@ -18,7 +18,7 @@ struct Plan {
   using FormatType = Format;
   using Gain = typename Format::Gain;
   using Long = typename Format::Long;
-  using ContactPlan = typename Stepper::template Contact<Format, ContactLaw>::Plan;
+  using Treatment = typename Stepper::template Contact<Format, ContactLaw>;
 
   Status status;  // unless ok, the rest is meaningless
   double step;    // h, s
@@ -26,7 +26,7 @@ struct Plan {
   Gain stiffness, damping;      // of the recurrence in linear_flow.hpp
   Gain rate_by_w1, rate_by_x1;  // a velocity from the displacement that the coming step will make
   typename Drive::template Plan<Format> drive;
-  ContactPlan contact;
+  typename Treatment::Plan contact;
   double force_unit, drive_unit;  // N
   bool left_stop, right_stop;
   Long x1, w1, x2, w2;               // the initial state
@@ -69,7 +69,7 @@ struct Plan {
                               sizeof(typename Format::Value),
                               sizeof(Long),
                               sizeof(Gain),
-                              sizeof(typename Stepper::template Contact<Format, ContactLaw>)};
+                              sizeof(Treatment)};
     Fingerprint fingerprint{};
     for (double number : numbers) fingerprint.add_number(number);
     for (uint32_t kind : kinds) fingerprint.add(kind);
@@ -88,7 +88,6 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   using constant::power_of_two;
   const LinearFlow flow = Stepper::flow(scene, h);
   const bool is_linear = ContactLaw::law == Law::hooke_newton;
-  const auto to_the_power = [](double d) { return is_linear ? d : d * constant::square_root(d); };
 
   const double largest_rate = 2 * bounds.speed;
   const double k1 = scene.contact_stiffness;
@@ -100,30 +99,14 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   largest.position = bounds.displacement;
   largest.displacement = bounds.speed * h;
   largest.penetration = larger(bounds.penetration, largest_rate * h);
-  const double unit = power_of_two(constant::exponent_above(largest.penetration));
-  const double largest_force = is_linear ? k1 * (bounds.penetration + damping_time * largest_rate)
-                                         : k1 * to_the_power(bounds.penetration) * (1 + damping_time * largest_rate);
-  largest.force_factor =
-      is_linear ? (bounds.penetration + damping_time * largest_rate) / unit : 1.01 + damping_time * largest_rate;
-  if (!is_linear && !ContactLaw::is_damped) largest.force_factor = 1;
   const double drive = larger(scene.drive_amplitude, bounds.force);
   const double spring_and_damper = scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed;
   largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
-  largest.push = h * h * largest_force / constant::smaller(scene.ball_mass, scene.main_mass);
-  if (!is_linear) {
-    // Kicks count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and
-    // for what spring and drive add.
-    const double rate =
-        h * h * 1.1 * (1 / scene.ball_mass + 1 / scene.main_mass) * k1 * to_the_power(unit) * largest.force_factor;
-    largest.push = larger(2 * rate, 8 * largest.increment);
-  }
-  const UnitExponents exponents = Format::exponents(largest);
-
-  status = Format::status_of(exponents, scene.clearance / 2);
-  if (status != Status::ok) return refused(status);
 
   ContactTerms terms{};
   terms.step = h;
+  terms.is_linear = is_linear;
+  terms.is_damped = ContactLaw::is_damped;
   terms.stiffness = k1;
   terms.damping_time = damping_time;
   terms.ball_mass = scene.ball_mass;
@@ -132,10 +115,16 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   terms.main_damping = scene.main_damping;
   terms.largest_penetration = bounds.penetration;
   terms.largest_rate = largest_rate;
-  terms.force_unit = k1 * to_the_power(power_of_two(exponents.penetration)) * power_of_two(exponents.force);
-  terms.damping_exponent = exponents.force + (is_linear ? exponents.penetration : 0);
   terms.restitution = scene.restitution;
   terms.clamped = scene.tension == Tension::clamp;
+  Treatment::bound_forces(terms, largest);
+  const UnitExponents exponents = Format::exponents(largest);
+
+  status = Format::status_of(exponents, scene.clearance / 2);
+  if (status != Status::ok) return refused(status);
+
+  terms.force_unit = k1 * terms.to_the_power(power_of_two(exponents.penetration)) * power_of_two(exponents.force);
+  terms.damping_exponent = exponents.force + (is_linear ? exponents.penetration : 0);
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2);
   const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);
@@ -147,7 +136,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
           Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration),
           Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration),
           Drive::template make_plan<Format>(scene, bounds, h, flow, exponents),
-          Stepper::template Contact<Format, ContactLaw>::make_plan(terms, flow, exponents),
+          Treatment::make_plan(terms, flow, exponents),
           terms.force_unit,
           Drive::template force_unit<Format>(scene, bounds),
           scene.stops != Stops::right,

@@ -10,12 +10,15 @@
 
 #include <stdint.h>
 
+#include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/units.hpp>
 
 namespace impact {
 
 struct ContactTerms {
   double step = 0;          // h, s
+  bool is_linear = false;   // power = 1
+  bool is_damped = false;
   double stiffness = 0;     // k1
   double damping_time = 0;  // c1 / k1, s (Hooke-Newton) or s/m
   double ball_mass = 0;     // m, kg
@@ -25,6 +28,27 @@ struct ContactTerms {
   int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
   double restitution = 1;                            // for a damping set at each impact
   bool clamped = true;
+
+  constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }
+};
+
+// For a treatment that evaluates the law at penetrations up to the bound: the units of its forces and pushes.
+struct ResolvedForces {
+  static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
+    using constant::larger;
+    const double k1 = terms.stiffness, h = terms.step, d = terms.largest_penetration;
+    const double damping = terms.damping_time * terms.largest_rate;
+    const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
+    const double force = terms.is_linear ? k1 * (d + damping) : k1 * terms.to_the_power(d) * (1 + damping);
+    largest.force_factor = terms.is_linear ? (d + damping) / unit : terms.is_damped ? 1.01 + damping : 1;
+    largest.push = h * h * force / constant::smaller(terms.ball_mass, terms.main_mass);
+    if (terms.is_linear) return;
+    // Kicks count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and
+    // for what spring and drive add.
+    const double rate = h * h * 1.1 * (1 / terms.ball_mass + 1 / terms.main_mass) * k1 * terms.to_the_power(unit) *
+                        largest.force_factor;
+    largest.push = larger(2 * rate, 8 * largest.increment);
+  }
 };
 
 // What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and w1

@@ -10,7 +10,7 @@
 namespace impact {
 
 template <class Format>
-struct EnergyLinear {
+struct EnergyLinear : ResolvedForces {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;

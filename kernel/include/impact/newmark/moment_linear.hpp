@@ -21,7 +21,7 @@
 namespace impact {
 
 template <class Format>
-struct MomentLinear {
+struct MomentLinear : ResolvedForces {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;

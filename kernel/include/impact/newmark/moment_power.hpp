@@ -24,7 +24,7 @@
 namespace impact {
 
 template <class Format, class ContactLaw>
-struct MomentPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
   using Root = typename Format::Root;
   using Gain = typename Format::Gain;

@@ -30,7 +30,7 @@ struct Pointwise {
   static constexpr LinearFlow flow(const Scene& scene, double h) { return newmark_flow(scene, h, beta); }
 
   template <class Format, class ContactLaw>
-  struct Contact : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+  struct Contact : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;

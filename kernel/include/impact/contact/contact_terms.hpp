@@ -16,8 +16,8 @@
 namespace impact {
 
 struct ContactTerms {
-  double step = 0;          // h, s
-  bool is_linear = false;   // power = 1
+  double step = 0;         // h, s
+  bool is_linear = false;  // power = 1
   bool is_damped = false;
   double stiffness = 0;     // k1
   double damping_time = 0;  // c1 / k1, s (Hooke-Newton) or s/m

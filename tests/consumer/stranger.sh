@@ -4,17 +4,10 @@
 # bits as on this machine.  stranger.sh PROJECT
 set -eu
 project=$1
-for tool in arm-none-eabi-g++ qemu-system-arm; do
-  command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
-done
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
-sh "$project/tests/consumer/from_readme.sh" "$project/README.md" "$folder"
+. "$project/tests/consumer/readme_image.sh"
 begin=$(date +%s%N)
-cp -r "$project/kernel" "$folder/kernel"
-cd "$folder"
 sh -eu build.sh
-echo "from a copy of kernel/ to an image: $((($(date +%s%N) - begin) / 1000000)) ms"
+echo "from the files to an image: $((($(date +%s%N) - begin) / 1000000)) ms"
 arm-none-eabi-size scene.elf
 # The plan is folded into the step: neither it nor what a change of plan needs is in the image.
 ! arm-none-eabi-nm -C scene.elf | grep -E 'hand_over|::plan$' || exit 1
@@ -30,11 +23,8 @@ END
 c++ -std=c++17 -O2 -ffp-contract=off -I kernel/include host.cpp -o host
 on_host=$(./host)
 
-# The image ends in a loop of its own; a busy machine may need more than the first wait to get there.
 for seconds in 1 4 16; do
-  on_target=$( (sleep $seconds && echo "xp /1dw $address" && echo quit) |
-    qemu-system-arm -machine mps2-an386 -kernel scene.elf -display none -serial none -monitor stdio |
-    awk -F': ' '/^[0-9a-f]+: / { print $2 + 0 }')
+  on_target=$(memory_after $seconds "/1dw $address" | awk '{ print $1 + 0 }')
   [ "$on_target" != "$on_host" ] || break
 done
 echo "displacement after 1 s: $on_target on the target, $on_host here"

@@ -4,14 +4,7 @@
 #   takeover.sh PROJECT
 set -eu
 project=$1
-for tool in arm-none-eabi-g++ qemu-system-arm; do
-  command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
-done
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
-sh "$project/tests/consumer/from_readme.sh" "$project/README.md" "$folder"
-cp -r "$project/kernel" "$folder/kernel"
-cd "$folder"
+. "$project/tests/consumer/readme_image.sh"
 sh -eu build.sh
 symbol=$(arm-none-eabi-nm -S scene.elf | awk '/absorber$/ && NF == 4 { print $1, $2 }')
 address=0x${symbol% *} words=$((0x${symbol#* } / 4))
@@ -44,12 +37,9 @@ int main() {
 }
 END
 c++ -std=c++17 -O2 -ffp-contract=off -I kernel/include heir.cpp -o heir
-# The image ends in a loop of its own; a busy machine may need more than the first wait to get there.
 for seconds in 1 4 16; do
   status=0
-  (sleep $seconds && echo "xp /${words}xw $address" && echo quit) |
-    qemu-system-arm -machine mps2-an386 -kernel scene.elf -display none -serial none -monitor stdio |
-    sed -n 's/^[0-9a-f]*: //p' | ./heir || status=$?
+  memory_after $seconds "/${words}xw $address" | ./heir || status=$?
   [ $status != 0 ] || break
 done
 exit $status

@@ -47,6 +47,60 @@ constexpr double sine(double x) {
 }
 constexpr double cosine(double x) { return sine(x + 1.570796326794896619231); }
 
+constexpr double exponential(double x) {
+  if (x < -700) return 0;
+  constexpr double ln2 = 0.6931471805599453094172;
+  const int doublings = static_cast<int>(x / ln2 + (x < 0 ? -0.5 : 0.5));
+  x -= ln2 * doublings;
+  double term = 1, sum = 1;
+  for (int n = 1; n < 18; ++n) sum += term *= x / n;
+  return sum * power_of_two(doublings);
+}
+
+// exp(x) - 1 - x, without cancellation near 0.
+constexpr double exponential_above_tangent(double x) {
+  if (magnitude(x) > 1) return exponential(x) - 1 - x;
+  double term = x, sum = 0;
+  for (int n = 2; n < 20; ++n) sum += term *= x / n;
+  return sum;
+}
+
+// ln(1 + x) = 2 artanh(x / (2 + x)), x > -1, with relative precision near 0 as well.
+constexpr double logarithm_of_one_plus(double x) {
+  constexpr double ln2 = 0.6931471805599453094172;
+  int doublings = 0;
+  if (magnitude(x) > 0.5) {
+    doublings = exponent_above((1 + x) * 0.75);
+    x = (1 + x) * power_of_two(-doublings) - 1;
+  }
+  const double z = x / (2 + x);
+  double power = z, sum = 0;
+  for (int n = 1; n < 32; n += 2, power *= z * z) sum += power / n;
+  return doublings * ln2 + 2 * sum;
+}
+
+// x^exponent, x > 0.
+constexpr double power(double x, double exponent) {
+  constexpr double ln2 = 0.6931471805599453094172;
+  const int doublings = exponent_above(x);
+  const double logarithm = doublings * ln2 + logarithm_of_one_plus(x * power_of_two(-doublings) - 1);
+  return exponential(exponent * logarithm);
+}
+
+// arctan(q) / q for x = q^2, and for x < 0 its continuation artanh(q) / q for x = -q^2; -1/2 <= x <= 1. The argument is
+// reduced by arctan(q) = 2 arctan(q / (1 + sqrt(1 + q^2))).
+constexpr double arc_tangent_ratio(double x) {
+  double factor = 1;
+  for (int halving = 0; halving < 3; ++halving) {
+    const double divisor = 1 + square_root(1 + x);
+    x /= divisor * divisor;
+    factor *= 2 / divisor;
+  }
+  double term = 1, sum = 0;
+  for (int n = 1; n < 24; n += 2, term *= -x) sum += term / n;
+  return factor * sum;
+}
+
 constexpr int64_t nearest(double x) { return static_cast<int64_t>(x < 0 ? x - 0.5 : x + 0.5); }
 
 }  // namespace impact::constant

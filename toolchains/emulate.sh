@@ -1,16 +1,19 @@
 #!/bin/sh
-# Runs an image on the emulated board of its target: emulate.sh TARGET IMAGE
+# Runs an image on the emulated board of its target: emulate.sh TARGET IMAGE [SHIFT]
 # What the image prints goes to standard output; its exit code is this script's. -icount makes time a count of
-# instructions, so that a run repeats exactly: 2^10 ns each on Cortex-M, where the widest step gives the 24-bit SysTick
-# the finest view of one instruction (16.384 or 25.6 ticks), and 1 ns each on RISC-V, where minstret counts it.
+# instructions, so that a run repeats exactly: 2^SHIFT ns each. By default 2^10 on Cortex-M, where the widest step gives
+# the 24-bit SysTick the finest view of one instruction (16.384 or 25.6 ticks), and 1 on RISC-V, where minstret counts
+# it. Time asleep passes at once.
 set -eu
 case $1 in
-  cortex-m0 | cortex-m0plus) set -- qemu-system-arm -machine microbit -icount shift=10 -kernel "$2" ;;
-  cortex-m3) set -- qemu-system-arm -machine mps2-an385 -icount shift=10 -kernel "$2" ;;
-  cortex-m4f) set -- qemu-system-arm -machine mps2-an386 -icount shift=10 -kernel "$2" ;;
-  cortex-m7f) set -- qemu-system-arm -machine mps2-an500 -icount shift=10 -kernel "$2" ;;
-  rv32imac) set -- qemu-system-riscv32 -machine virt -bios none -icount shift=0 -kernel "$2" ;;
+  cortex-m0 | cortex-m0plus) set -- "$2" "${3-10}" qemu-system-arm -machine microbit ;;
+  cortex-m3) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an385 ;;
+  cortex-m4f) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an386 ;;
+  cortex-m7f) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an500 ;;
+  rv32imac) set -- "$2" "${3-0}" qemu-system-riscv32 -machine virt -bios none ;;
   *) echo "emulate.sh: no board for target '$1'" >&2 && exit 2 ;;
 esac
+image=$1 shift=$2 && shift 2
 # Without a console device of its own QEMU prints semihosting text on standard error.
-exec "$@" -display none -serial none -monitor none -semihosting-config enable=on,target=native </dev/null 2>&1
+exec "$@" -icount "shift=$shift,sleep=off" -kernel "$image" -display none -serial none -monitor none \
+  -semihosting-config enable=on,target=native </dev/null 2>&1

@@ -27,14 +27,19 @@ void fault_handler() {
   impact::board::exit(3);
 }
 
+// A fault unless cortex_m_timer.cpp is linked.
+[[gnu::weak, gnu::alias("fault_handler")]] void systick_handler();
+
 struct VectorTable {
   uint32_t* stack;
   void (*reset)();
-  void (*system[14])();  // NMI to SysTick
+  void (*system[13])();  // NMI to PendSV
+  void (*systick)();
 };
 [[gnu::section(".vectors"), gnu::used]] const VectorTable vectors = {
     stack_top,
     reset_handler,
     {fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler,
-     fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler}};
+     fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler},
+    systick_handler};
 }

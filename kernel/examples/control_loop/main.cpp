@@ -1,0 +1,94 @@
+// A complete firmware: the model of an impact absorber as a plant in the loop. A timer interrupt at 10 kHz reads the
+// drive from a converter, steps the model, writes the main mass's displacement to another, and watches its deadline and
+// the model's fault; the main loop reports once a second. What it asks of the board is in board.hpp.
+
+#include <stdint.h>
+
+#include <impact/absorber.hpp>
+
+#include "board.hpp"
+
+namespace {
+
+constexpr uint32_t steps_per_second = 10000;
+
+constexpr impact::Bounds rig_bounds() {
+  impact::Bounds bounds;
+  bounds.force = 10;           // N: full scale of the input
+  bounds.displacement = 0.05;  // m: beyond it the model raises a fault
+  return bounds;
+}
+struct Rig {
+  static constexpr impact::Scene scene{};  // the paper's
+  static constexpr impact::Bounds bounds = rig_bounds();
+  static constexpr double step = 1.0 / steps_per_second;
+};
+using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::Fixed32>;
+Absorber absorber;
+
+// After a fault the output rests for this many steps while the model starts anew.
+constexpr uint32_t steps_at_rest = steps_per_second / 10;
+
+struct Statistics {
+  uint32_t steps;
+  uint32_t busy, longest;  // ticks of the timer from the end of a period to the end of its interrupt
+  uint32_t overruns;       // steps that were not done when the next one was due
+  uint32_t faults;
+};
+Statistics current;          // the interrupt's own
+Statistics last_second;      // handed to the main loop,
+volatile bool has_finished;  // whenever this says so
+
+void control_interrupt() {
+  static uint32_t rest = 0;
+  absorber.step({board::converters.force});
+  if (absorber.fault() != impact::Fault::none) {
+    absorber.reset();
+    rest = steps_at_rest;
+    ++current.faults;
+  }
+  board::converters.displacement = rest > 0 ? 0 : absorber.displacement().raw;
+  if (rest > 0) --rest;
+
+  const uint32_t busy = board::timer_elapsed();
+  if (board::timer_is_due()) ++current.overruns;
+  current.busy += busy;
+  if (busy > current.longest) current.longest = busy;
+  if (++current.steps == steps_per_second) {
+    last_second = current;
+    current = {};
+    has_finished = true;
+  }
+}
+
+void print_share_of_period(const char* what, uint32_t ticks) {
+  const uint32_t thousandths = ticks * 1000 / board::timer_period();
+  board::print(what);
+  board::print(thousandths / 10);
+  board::print(".");
+  board::print(thousandths % 10);
+  board::print(" %");
+}
+
+void report() {
+  print_share_of_period("load ", last_second.busy / last_second.steps);
+  print_share_of_period(", longest step ", last_second.longest);
+  board::print(", overruns ");
+  board::print(last_second.overruns);
+  board::print(", faults ");
+  board::print(last_second.faults);
+  board::print("\n");
+}
+
+}  // namespace
+
+int main() {
+  board::start_sampling(steps_per_second, control_interrupt);
+  for (;;) {
+    board::sleep();
+    if (!has_finished) continue;
+    has_finished = false;
+    __atomic_signal_fence(__ATOMIC_ACQUIRE);  // last_second is read after its flag
+    report();
+  }
+}

@@ -1,0 +1,45 @@
+#!/bin/sh
+# The example firmware on an emulated board: control_loop.sh PROJECT TARGET IMAGE
+# Prints its load and longest step in thousandths of the period as rows for within_budget.sh, and fails unless
+#   - the output in every step is what the same sources compute on this machine, bit for bit,
+#   - the drive beyond bounds in the second second, and nothing else, raises faults, and the output then rests as long as
+#     main.cpp says,
+#   - no step overruns at 31.25 million instructions per second, about those of a Cortex-M0 at 48 MHz, and steps in
+#     contact do once the processor is slow enough.
+set -eu
+project=$1 target=$2 image=$3
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+
+run() { sh "$project/toolchains/emulate.sh" "$target" "$image" "$1"; }
+outputs() { grep '^output' "$1"; }
+# A line "load 6.6 %, longest step 12.5 %, overruns 0, faults 0" has them in fields 2, 5, 7 and 9.
+reports() { grep '^load' "$1" | awk -F'[ ,%]+' "$2"; }
+fail() { echo "# $1" && cat "$folder/target" && exit 1; }
+
+c++ -std=c++17 -O2 -ffp-contract=off -I "$project/kernel/include" -I "$project/kernel/examples" \
+  -I "$project/toolchains" "$project/kernel/examples/control_loop/main.cpp" \
+  "$project/tests/target/control_loop_signal.cpp" "$project/tests/target/host_timer.cpp" \
+  "$project/tests/target/host_console.cpp" -o "$folder/on_host"
+"$folder/on_host" >"$folder/host"
+run 5 >"$folder/target"
+
+[ "$(outputs "$folder/target" | wc -l)" = 3 ] || fail "three seconds were expected"
+[ "$(outputs "$folder/target")" = "$(outputs "$folder/host")" ] || fail "the output differs from this machine's"
+reports "$folder/target" '{ if ($7 > 0 || (NR == 2) != ($9 > 0)) wrong = 1 } END { exit NR != 3 || wrong }' ||
+  fail "overruns, or faults that were not provoked, or none where they were"
+faults=$(reports "$folder/target" 'NR == 2 { print $9 }')
+[ "$(outputs "$folder/target" | sed -n 's/.*at 0 for //p' | sed 1d | xargs)" = "$((1000 * faults)) 0" ] ||
+  fail "the output did not rest after a fault"
+
+for shift in 6 7 8 9; do
+  run $shift >"$folder/slow"
+  [ "$(outputs "$folder/slow")" = "$(outputs "$folder/host")" ] || fail "the output depends on the processor's speed"
+  overruns=$(reports "$folder/slow" '{ sum += $7 } END { print sum + 0 }')
+  [ "$overruns" = 0 ] || break
+done
+[ "$overruns" != 0 ] || fail "a processor that is too slow was not noticed"
+
+row='{ if ($5 > longest) longest = $5 } NR == 1 { load = $2 } END { print 10 * load "," 10 * longest }'
+echo "$target,hunt-crossley,moment,fixed32,sampled,interrupt_permille,$(reports "$folder/target" "$row")"
+cat "$folder/target"

@@ -60,8 +60,8 @@ constexpr FreeImpact power_law_impact(double stiffness_over_mass, double a, doub
     // psi(-y) - level is convex and this start is above its root, since y = level + 1 - exp(-y) and psi(-y) <= y^2/2:
     // Newton's method comes down on it.
     double end = level + constant::smaller(1, constant::square_root(2 * level));
-    for (int pass = 0; pass < 8; ++pass) end -= (psi(-end) - level) / (end - psi(-end));
-    e = (end - psi(-end)) / a;
+    for (int pass = 0; pass < 8; ++pass) end -= (level - psi(-end)) / constant::exponential_less_one(-end);
+    e = -constant::exponential_less_one(-end) / a;
 
     constexpr double points[][2] = {
         {0.019855071751231856, 0.050614268145188088}, {0.10166676129318658, 0.11119051722668723},
@@ -73,7 +73,7 @@ constexpr FreeImpact power_law_impact(double stiffness_over_mass, double a, doub
       for (const auto& [t, weight] : points) {
         const double t4 = t * t * t * t, fall = side * t * t4, y = side - fall;
         // psi(side) - psi(y), of terms that do not cancel
-        const double above = constant::exponential(y) * psi(fall) + fall * (y + psi(y));
+        const double above = constant::exponential(y) * psi(fall) + fall * constant::exponential_less_one(y);
         sum += constant::magnitude(side) * 5 * t4 * weight / constant::power(above, 0.6);
       }
     shape = constant::power(2.0 / 5, 0.6) * constant::power(a, 0.2) * sum;

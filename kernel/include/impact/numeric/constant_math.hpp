@@ -65,6 +65,10 @@ constexpr double exponential_above_tangent(double x) {
   return sum;
 }
 
+constexpr double exponential_less_one(double x) {
+  return magnitude(x) > 1 ? exponential(x) - 1 : x + exponential_above_tangent(x);
+}
+
 // ln(1 + x) = 2 artanh(x / (2 + x)), x > -1, with relative precision near 0 as well.
 constexpr double logarithm_of_one_plus(double x) {
   constexpr double ln2 = 0.6931471805599453094172;

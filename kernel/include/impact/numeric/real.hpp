@@ -41,9 +41,10 @@ struct CompensatedState {
     rest = term - (next - sum);
     sum = next;
   }
-  // Positions that differ by a clearance have sums whose difference is exact.
+  // With what the difference of the sums rounds off (Knuth's two-sum): the ball's is a penetration small beside it.
   friend constexpr CompensatedState operator-(CompensatedState a, CompensatedState b) {
-    return {a.sum - b.sum, a.rest - b.rest};
+    const Real difference = a.sum - b.sum, taken = a.sum - difference, left = difference + taken;
+    return {difference, (a.sum - left) + (taken - b.sum) + (a.rest - b.rest)};
   }
   friend constexpr CompensatedState mirrored(CompensatedState x, bool left) {
     return {left ? -x.sum : x.sum, left ? -x.rest : x.rest};

@@ -1,0 +1,168 @@
+// One impact of two free masses over the whole range of stiffness, step, restitution, speed, mass ratio and clearance,
+// by every law, format and passive stepper, wherever its plan accepts it, at 64 phases of the impact within the step:
+// no fault, no energy gained, the law's own restitution. All corners of that range and a low-discrepancy sample of its
+// inside; IMPACT_STABILITY_CELLS asks for a larger one.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "host_ref/free_pair.hpp"
+
+namespace impact::host {
+namespace {
+
+constexpr int dimensions = 6, corners = 1 << dimensions;
+
+// A contact of more steps than this is stepped so often and no oftener: it is resolved, and would take minutes.
+constexpr double most_steps_per_contact = 2000;
+
+double steps_per_contact(const FreePair& free) { return contact_time(impact_of(free)).value() / free.step; }
+
+// Each of u from 0 to 1.
+FreePair cell_at(Law law, const double (&u)[dimensions]) {
+  FreePair free;
+  free.law = law;
+  free.contact_stiffness = std::pow(10, 2 + 13 * u[0]);  // 1e2 to 1e15
+  free.step = std::pow(10, -6 + 4 * u[1]);               // 1e-6 to 1e-2 s
+  free.restitution = law == Law::hertz ? 1 : 0.05 + 0.95 * u[2];
+  free.speed = std::pow(10, -4 + 5 * u[3]);                               // 1e-4 to 10 m/s
+  free.ball_mass = free.main_mass * std::pow(10, -4 + 6 * u[4]);          // 1e-4 to 1e2
+  free.clearance = u[5] < 0.1 ? 0 : std::pow(10, -6 * (1 - u[5]) / 0.9);  // 0, and 1e-6 to 1 m
+  const double time = contact_time(impact_of(free)).value();
+  free.step = std::max(free.step, time / most_steps_per_contact);
+  // The ball is not to start in the left stop nor to come back to it.
+  free.stops = free.clearance > free.speed * (8 * free.step + 5 * time) ? Stops::both : Stops::right;
+  return free;
+}
+
+// The corners first, and then the additive recurrence of the generalised golden ratio g, g^7 = g + 1 (Roberts 2018).
+FreePair cell(Law law, int index) {
+  double u[dimensions];
+  double ratio = 1, power = 1;
+  for (int i = 0; i < 60; ++i) ratio = std::pow(1 + ratio, 1.0 / (dimensions + 1));
+  for (int i = 0; i < dimensions; ++i) {
+    power /= ratio;
+    double whole = 0;
+    u[i] = index < corners ? (index >> i) & 1 : std::modf(0.5 + (index - corners) * power, &whole);
+  }
+  return cell_at(law, u);
+}
+
+int cells() {
+  const char* asked = std::getenv("IMPACT_STABILITY_CELLS");
+  return corners + (asked ? std::atoi(asked) : 200);
+}
+
+std::string text_of(const FreePair& free) {
+  char text[256];
+  std::snprintf(text, sizeof text, "k1 %.6g, e %.4g, v0 %.6g m/s, m/M %.6g, d %.6g m, h %.6g s: %.3g steps a contact",
+                free.contact_stiffness, free.restitution, free.speed, free.ball_mass / free.main_mass, free.clearance,
+                free.step, steps_per_contact(free));
+  return text;
+}
+
+std::unique_ptr<Simulation> simulation_of(const Request& request) { return make_simulation(request).simulation; }
+
+struct Kind {
+  Law law;
+  Stepper stepper;
+  Numeric numeric;
+};
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << name_of(kind.law) << " " << name_of(kind.stepper) << " " << name_of(kind.numeric);
+}
+
+// What rounding may add to the energy of one impact, over that before it.
+//
+// Each step of the contact takes the penetration with an error of `place`, and does the work of the contact's force
+// over it: at most 5/2 place/peak of the impact's energy (F peak = 5/2 of it under a power law, 2 under a linear one),
+// with either sign at random, six standard deviations of which are taken; or, in Float32Plain, whose position advances
+// by the same rounded step each time, always with the same one. Then the format's own share: issue's 1e-5 in 32 bits,
+// 1e-12 in double.
+double rounding_gain(const FreePair& free, Numeric numeric) {
+  const Impact impact = impact_of(free);
+  const double position = free.clearance / 2 + free.speed * (2 * *contact_time(impact) + 2 * free.step);
+  const double steps = std::max(1.0, steps_per_contact(free)), peak = *peak_penetration(impact);
+  const double place = position * (numeric == Numeric::float64         ? 0x1p-53
+                                   : numeric == Numeric::float32_plain ? 0x1p-25
+                                                                       : 0x1p-47);
+  const double same_way = numeric == Numeric::float32_plain ? steps : 6 * std::sqrt(steps);
+  return (numeric == Numeric::float64 ? 1e-12 : 1e-5) + 2.5 * same_way * place / peak;
+}
+
+class EveryCell : public testing::TestWithParam<Kind> {};
+
+// The restitution is the law's within 1 % by auto and by the impulsive treatment, and within 1e-3 by the
+// energy-consistent one from 2.5 steps a contact on. Rounding may add half of the energy's share.
+TEST_P(EveryCell, ReboundsAsTheLawAndGainsNothing) {
+  const auto [law, stepper, numeric] = GetParam();
+  struct Worst {
+    double value = -1;
+    std::string where;
+    void see(double seen, const FreePair& free) {
+      if (seen <= value) return;
+      value = seen;
+      where = text_of(free);
+    }
+  } gain, error;
+  int accepted = 0;
+  for (int index = 0; index < cells(); ++index) {
+    const FreePair free = cell(law, index);
+    const auto found = rebounds(free, stepper, numeric, simulation_of);
+    if (!found) continue;
+    ++accepted;
+    const double rounding = rounding_gain(free, numeric), exact = restitution(impact_of(free)).value();
+    EXPECT_TRUE(found->is_sound) << text_of(free);
+    EXPECT_LE(found->energy_gain(), rounding) << text_of(free) << ", phase " << found->phase_of_largest;
+    const double off = std::max(found->largest - exact, exact - found->least);
+    gain.see(found->energy_gain(), free);
+    if (stepper == Stepper::energy && steps_per_contact(free) < 2.5) continue;
+    error.see(stepper == Stepper::energy ? off : off / exact, free);
+    EXPECT_LE(off, (stepper == Stepper::energy ? 1e-3 : 0.01 * exact) + rounding / (2 * exact))
+        << text_of(free) << ": " << found->least << " to " << found->largest << ", not " << exact;
+  }
+  std::printf("  %d of %d cells accepted\n  largest gain %.2g at %s\n  largest error of restitution %.2g at %s\n",
+              accepted, cells(), gain.value, gain.where.c_str(), error.value, error.where.c_str());
+  // A fifth of the cells, or the suite says nothing.
+  EXPECT_GE(accepted, cells() / 5);
+}
+
+// What the paper's scheme and the classical Runge-Kutta method do with the same cells: the suite can tell.
+class Yardstick : public testing::TestWithParam<Law> {};
+
+TEST_P(Yardstick, MultipliesTheEnergyOfAnImpact) {
+  for (const bool is_average : {true, false}) {
+    int gaining = 0, measured = 0;
+    double largest = -1;
+    std::string where;
+    for (int index = 0; index < cells(); ++index) {
+      const FreePair free = cell(GetParam(), index);
+      const auto found =
+          rebounds(free, Stepper::average, Numeric::float64, is_average ? MakeSimulation(simulation_of) : runge_kutta);
+      if (!found) continue;
+      ++measured;
+      const double ratio = std::max(found->largest, -found->least), gain = ratio * ratio - 1;
+      if (gain > 0.01) ++gaining;
+      if (gain <= largest) continue;
+      largest = gain;
+      where = text_of(free);
+    }
+    std::printf("  %s: %d of %d cells gain more than 1 %% of the energy, at most %.2g of it at %s\n",
+                is_average ? "average acceleration" : "Runge-Kutta", gaining, measured, largest, where.c_str());
+    EXPECT_GE(gaining, measured / 10);
+    EXPECT_GT(largest, 1);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Laws, Yardstick, testing::Values(Law::hooke_newton, Law::hertz, Law::hunt_crossley));
+
+constexpr Kind kinds[] = {{Law::hertz, Stepper::automatic, Numeric::float32},
+                          {Law::hertz, Stepper::energy, Numeric::float32}};
+INSTANTIATE_TEST_SUITE_P(FreePair, EveryCell, testing::ValuesIn(kinds));
+
+}  // namespace
+}  // namespace impact::host

@@ -172,7 +172,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   __attribute__((noinline)) constexpr void touch(Value increment, Long made) {
     const auto& units = plan.units;
     if (state_.contact.phase == Phase::apart) state_.at_left = (state_.x2 - state_.x1).is_negative();
-    const bool left = state_.at_left != 0;
+    const bool left = plan.left_stop && plan.right_stop ? state_.at_left != 0 : plan.left_stop;
     if constexpr (Contact::carries) {
       const Value carried = mirrored(state_.contact.force, left);
       units.push(state_.w1, plan.contact.w1_next * carried);

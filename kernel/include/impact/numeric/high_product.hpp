@@ -26,7 +26,7 @@ inline int32_t veiled(int32_t x) {
 constexpr int32_t opaque(int32_t x) { return x; }
 #else
 constexpr int32_t opaque(int32_t x) {
-  return __builtin_is_constant_evaluated() || __builtin_constant_p(x) ? x : veiled(x);
+  return __builtin_constant_p(x) || __builtin_is_constant_evaluated() ? x : veiled(x);
 }
 #endif
 

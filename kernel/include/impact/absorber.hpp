@@ -99,8 +99,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     if constexpr (Drive::is_sampled) plan.units.add(made, state_.drive.kick(plan.drive, sample));
     state_.x1.advance(made);
     state_.x2.advance(state_.w2);
-    Value increment =
-        -(plan.stiffness * plan.units.position(state_.x1)) - plan.damping * plan.units.displacement(state_.w1);
+    Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
+                      Format::term(plan.damping, plan.units.displacement(state_.w1));
     if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
     plan.units.add(state_.w1, increment);

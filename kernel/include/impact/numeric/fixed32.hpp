@@ -207,6 +207,7 @@ struct Fixed32 {
     if (-1 - e > 30) return {0, 0};
     return {static_cast<int32_t>(mantissa), -1 - e};
   }
+  static constexpr Value term(Gain gain, Value x) { return gain * x; }
   // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive and the gain in [0, 2).
   static constexpr Gain gain_over(Gain gain, Value divisor) {
     const int zeros = leading_zeros(static_cast<uint32_t>(divisor.raw));

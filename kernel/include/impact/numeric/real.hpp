@@ -113,6 +113,8 @@ struct RealFormat {
   static constexpr Gain gain(double factor, int from, int to) {
     return static_cast<Real>(factor * constant::power_of_two(from - to));
   }
+  // gain * x; nothing where a constant gain is 0, which a compiler multiplies out for the sake of -0 and NaN.
+  static constexpr Value term(Gain gain, Value x) { return gain == 0 ? 0 : gain * x; }
   static constexpr Gain gain_over(Gain gain, Value divisor) { return gain / divisor; }
   static constexpr Value moved(Value x, int) { return x; }
   static constexpr double sample_unit(double) { return 1; }

@@ -1,0 +1,32 @@
+# Images of scenes side by side, for leaving_out.sh. Sets leaving_out_numerics, leaving_out_scenes, and for each format
+# and scene an image leaving_out_NUMERIC_SCENE. Needs add_image(NAME SOURCE...).
+
+set(leaving_out_numerics Fixed32)
+if(IMPACT_CPU_FLAGS MATCHES "-mfpu")
+  list(APPEND leaving_out_numerics Float32Plain)
+endif()
+
+set(leaving_out_scenes "")
+macro(scene name)
+  list(APPEND leaving_out_scenes ${name})
+  foreach(numeric ${leaving_out_numerics})
+    add_image(leaving_out_${numeric}_${name} ${CMAKE_CURRENT_LIST_DIR}/leaving_out.cpp)
+    target_compile_definitions(leaving_out_${numeric}_${name} PRIVATE NUMERIC=${numeric} ${ARGN})
+  endforeach()
+endmacro()
+
+scene(paper)
+scene(no_drive DRIVE=NoDrive)
+scene(sampled DRIVE=Sampled)
+scene(hooke_newton LAW=HookeNewton)
+scene(hooke_newton_average LAW=HookeNewton NEWMARK=AverageAcceleration)
+scene(average NEWMARK=AverageAcceleration)
+scene(hertz LAW=Hertz)
+scene(no_contact_damping CHANGE=scene.contact_damping=0)
+scene(no_main_damping CHANGE=scene.main_damping=0)
+scene(no_main_stiffness CHANGE=scene.main_stiffness=0)
+scene(right_stop CHANGE=scene.stops=Stops::right)
+scene(ledger FEATURE=EnergyLedger)
+scene(log FEATURE=ImpactLog)
+scene(reading READING)
+scene(run_time_plan AT_RUN_TIME)

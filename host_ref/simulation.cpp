@@ -166,8 +166,6 @@ std::string_view name_of(Numeric numeric) { return name_in(numerics, numeric); }
 
 Outcome make_simulation(const Request& asked) {
   Request request = asked;
-  if (request.stepper == Stepper::impulsive)
-    return {nullptr, {"newmark", "impulsive", "auto, average, linear, fox-goodwin, central, moment, energy"}};
   // The fewest steps that a contact of this scene has are those of its fastest impact; without bounds, of one at 1 m/s.
   const double speed = request.bounds ? 2 * request.bounds->speed : 1;
   const double contact_time = contact_time_of(request, speed), steps = contact_time / request.step;

@@ -146,6 +146,8 @@ Planned plan_with_stepper(const Request& request, const Bounds& bounds) {
       return plan_with_drive<Format, ContactLaw, CentralDifference>(request, bounds);
     case Stepper::energy:
       return plan_with_drive<Format, ContactLaw, EnergyConsistent>(request, bounds);
+    case Stepper::impulsive:
+      return plan_with_drive<Format, ContactLaw, Impulsive>(request, bounds);
     default:
       return plan_with_drive<Format, ContactLaw, Moment>(request, bounds);
   }

@@ -14,10 +14,9 @@
 // oscillator for a sampled drive, no ledger and no log unless asked for.
 //
 //     contact law   HookeNewton, Hertz, HuntCrossley
-//     stepper       Moment, EnergyConsistent, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference
-//     drive         NoDrive, Sine, Sampled
-//     format        Fixed32, Float32, Float32Plain, Float64 (host)
-//     features      EnergyLedger, ImpactLog
+//     stepper       Moment, EnergyConsistent, Impulsive, AverageAcceleration, LinearAcceleration, FoxGoodwin,
+//     CentralDifference drive         NoDrive, Sine, Sampled format        Fixed32, Float32, Float32Plain, Float64
+//     (host) features      EnergyLedger, ImpactLog
 //
 // A step is: both masses fly freely to its end (newmark/linear_flow.hpp); where the ball then stands inside a stop, the
 // contact finds the force's impulse and moment, and both masses answer to them.
@@ -32,6 +31,7 @@
 #include <impact/drive/sine.hpp>
 #include <impact/features.hpp>
 #include <impact/newmark/energy.hpp>
+#include <impact/newmark/impulsive.hpp>
 #include <impact/newmark/moment.hpp>
 #include <impact/newmark/pointwise.hpp>
 #include <impact/numeric/fixed32.hpp>
@@ -183,30 +183,54 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     if (units.saturated(trial)) raise(Fault::penetration);
     if (!units.in_range(state_.w2)) hold_ball();
     const Value trial_rate = relative_rate(left);
-    Value before = trial - mirrored(units.relative(state_.w2 - made), left);
+    const Value travel = mirrored(units.relative(state_.w2 - made), left);
+    Value before = trial - travel;
     if (is_positive(before)) before = Value{};
 
     const Contact contact_before = state_.contact;
-    const auto kick =
-        state_.contact.resolve(plan.contact, units, trial, trial_rate, before, -mirrored(increment, left));
-    const Value impulse = mirrored(kick.impulse, left), moment = mirrored(kick.moment, left);
+    if constexpr (Contact::splits) {
+      const Value main_rate = mirrored(units.relative(state_.w1) + rate_ahead(), left);
+      const auto kick =
+          state_.contact.resolve(plan.contact, units, trial, trial_rate, travel, -mirrored(increment, left), main_rate);
+      push(kick, kick.ball, left);
+      if (state_.contact.rests) state_.x2 = units.stop(state_.x1, left);
+      if constexpr (sizeof...(Features) > 0) {
+        const Value after = kick.rate - kick.ball.impulse - kick.ball.impulse;
+        const Kick<Value> force = {kick.ball.impulse, Format::value(half(kick.ball.impulse))};
+        const ContactStep<Value> step = {force, Value{}, kick.rate, after, contact_before.phase == Phase::apart, false};
+        (Features::after_contact(plan, state_, step), ...);
+      }
+    } else {
+      const auto kick =
+          state_.contact.resolve(plan.contact, units, trial, trial_rate, before, -mirrored(increment, left));
+      push(kick, kick, left);
+      if constexpr (Contact::slips) units.displace(state_.x2, -mirrored(state_.contact.slip, left));
+      if constexpr (sizeof...(Features) > 0) {
+        const auto& response = plan.contact.response;
+        const Value rate = trial_rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
+        const Value penetration = trial - response.penetration * kick.moment;
+        const bool begins = contact_before.phase == Phase::apart;
+        const Value rate_before = (trial - before) + (trial - before) - trial_rate;
+        const ContactStep<Value> step = {
+            Contact::moments(plan.contact, contact_before, state_.contact, kick),
+            state_.contact.phase == Phase::touching ? ContactLaw::template stored<Format>(units, penetration) : Value{},
+            rate_before,
+            rate,
+            begins,
+            !begins};
+        (Features::after_contact(plan, state_, step), ...);
+      }
+    }
+  }
+
+  constexpr void push(const Kick<Value>& main, const Kick<Value>& ball, bool left) {
+    const auto& units = plan.units;
     const auto& response = plan.contact.response;
+    const Value impulse = mirrored(main.impulse, left), moment = mirrored(main.moment, left);
     units.push(state_.x1, response.x1 * moment);
     units.push(state_.w1, response.w1 * impulse + response.w1_by_moment * moment);
-    units.push(state_.x2, response.x2 * -moment);
-    units.push(state_.w2, response.w2 * -impulse);
-    if constexpr (Contact::slips) units.displace(state_.x2, -mirrored(state_.contact.slip, left));
-    if constexpr (sizeof...(Features) > 0) {
-      const Value rate = trial_rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
-      const Value penetration = trial - response.penetration * kick.moment;
-      const bool begins = contact_before.phase == Phase::apart;
-      const Value rate_before = (trial - before) + (trial - before) - trial_rate;
-      const ContactStep<Value> step = {
-          Contact::moments(plan.contact, contact_before, state_.contact, kick),
-          state_.contact.phase == Phase::touching ? ContactLaw::template stored<Format>(units, penetration) : Value{},
-          rate_before, rate, begins};
-      (Features::after_contact(plan, state_, step), ...);
-    }
+    units.push(state_.x2, response.x2 * -mirrored(ball.moment, left));
+    units.push(state_.w2, response.w2 * -mirrored(ball.impulse, left));
   }
 
   // Rate of penetration, for the state as it stands.

@@ -10,12 +10,12 @@
 namespace impact {
 
 // A step in contact as the features see it: the force's impulse and moment, the energy stored at its end, the rate of
-// penetration at both ends (the first for a step with which contact begins).
+// penetration at both ends (the first unless the step follows one in contact, with whose end it begins).
 template <class Value>
 struct ContactStep {
   Kick<Value> force;
   Value stored, rate_at_impact, rate;
-  bool begins;
+  bool begins, follows;
 };
 
 // Energies since the start: what contact has dissipated, what it stores now, and the work of the drive.
@@ -42,7 +42,7 @@ struct EnergyLedger {
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     using Format = typename Plan::FormatType;
-    const auto rate_before = step.begins ? step.rate_at_impact : state.rate;
+    const auto rate_before = step.follows ? state.rate : step.rate_at_impact;
     const auto work =
         Format::value(step.force.impulse * step.rate) - Format::value((step.rate - rate_before) * step.force.moment);
     state.dissipated.add(work - (step.stored - state.stored));

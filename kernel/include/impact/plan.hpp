@@ -85,7 +85,6 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   if (status == Status::ok) status = status_of(scene, bounds);
   if (status != Status::ok) return refused(status);
   using constant::larger;
-  using constant::power_of_two;
   const LinearFlow flow = Stepper::flow(scene, h);
   const bool is_linear = ContactLaw::law == Law::hooke_newton;
 
@@ -123,7 +122,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   status = Format::status_of(exponents, scene.clearance / 2);
   if (status != Status::ok) return refused(status);
 
-  terms.force_unit = k1 * terms.to_the_power(power_of_two(exponents.penetration)) * power_of_two(exponents.force);
+  terms.force_unit = Treatment::force_unit(terms, exponents);
   terms.damping_exponent = exponents.force + (is_linear ? exponents.penetration : 0);
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2);

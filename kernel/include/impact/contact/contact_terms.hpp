@@ -34,6 +34,12 @@ struct ContactTerms {
 
 // For a treatment that evaluates the law at penetrations up to the bound: the units of its forces and pushes.
 struct ResolvedForces {
+  static constexpr bool splits = false;
+
+  static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
+    using constant::power_of_two;
+    return terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) * power_of_two(unit.force);
+  }
   static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
     using constant::larger;
     const double k1 = terms.stiffness, h = terms.step, d = terms.largest_penetration;
@@ -66,6 +72,13 @@ enum class Phase : uint32_t { apart, touching, released };
 template <class Value>
 struct Kick {
   Value impulse, moment;
+};
+
+// A kick that the two masses feel differently, and the rate of penetration at which it came.
+template <class Value>
+struct SplitKick : Kick<Value> {
+  Kick<Value> ball;
+  Value rate;
 };
 
 }  // namespace impact

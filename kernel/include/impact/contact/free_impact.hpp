@@ -51,34 +51,49 @@ constexpr FreeImpact hooke_newton_impact(double stiffness, double damping_time, 
   return {e, time, e * time / (1 + e)};
 }
 
-// k1/mu, and a = c1 V/k1; Hertz is a = 0.
-constexpr FreeImpact power_law_impact(double stiffness_over_mass, double a, double speed) {
-  double e = 1, shape = 3.21806546;  // 2.943275184 (5/4)^(2/5)
-  if (a > 1e-9) {
-    const auto psi = [](double y) { return constant::exponential_above_tangent(y); };
-    const double start = constant::logarithm_of_one_plus(a), level = psi(start);
+// ln(1 + c1 v/k1) at the start of a contact, and at its end less sign, for a = c1 V/k1 > 0.
+struct HuntCrossleyRates {
+  double start, end, level, restitution;
+
+  explicit constexpr HuntCrossleyRates(double a)
+      : start(constant::logarithm_of_one_plus(a)),
+        end(0),
+        level(constant::exponential_above_tangent(start)),
+        restitution(1) {
+    if (!(a > 1e-9)) return;
     // psi(-y) - level is convex and this start is above its root, since y = level + 1 - exp(-y) and psi(-y) <= y^2/2:
     // Newton's method comes down on it.
-    double end = level + constant::smaller(1, constant::square_root(2 * level));
-    for (int pass = 0; pass < 8; ++pass) end -= (level - psi(-end)) / constant::exponential_less_one(-end);
-    e = -constant::exponential_less_one(-end) / a;
+    end = level + constant::smaller(1, constant::square_root(2 * level));
+    for (int pass = 0; pass < 8; ++pass)
+      end -= (level - constant::exponential_above_tangent(-end)) / constant::exponential_less_one(-end);
+    restitution = -constant::exponential_less_one(-end) / a;
+  }
+};
 
+// k1/mu, and a = c1 V/k1; Hertz is a = 0.
+constexpr FreeImpact power_law_impact(double stiffness_over_mass, double a, double speed) {
+  double shape = 3.21806546;  // 2.943275184 (5/4)^(2/5)
+  const HuntCrossleyRates rates(a);
+  if (a > 1e-9) {
     constexpr double points[][2] = {
         {0.019855071751231856, 0.050614268145188088}, {0.10166676129318658, 0.11119051722668723},
         {0.2372337950418355, 0.15685332293894369},    {0.40828267875217511, 0.181341891689181},
         {0.59171732124782495, 0.181341891689181},     {0.7627662049581645, 0.15685332293894369},
         {0.89833323870681348, 0.11119051722668723},   {0.9801449282487682, 0.050614268145188088}};
+    const double sides[] = {rates.start, -rates.end};
     double sum = 0;
-    for (const double side : {start, -end})
+    for (const double side : sides)
       for (const auto& [t, weight] : points) {
         const double t4 = t * t * t * t, fall = side * t * t4, y = side - fall;
         // psi(side) - psi(y), of terms that do not cancel
-        const double above = constant::exponential(y) * psi(fall) + fall * constant::exponential_less_one(y);
+        const double above = constant::exponential(y) * constant::exponential_above_tangent(fall) +
+                             fall * constant::exponential_less_one(y);
         sum += constant::magnitude(side) * 5 * t4 * weight / constant::power(above, 0.6);
       }
     shape = constant::power(2.0 / 5, 0.6) * constant::power(a, 0.2) * sum;
   }
-  const double time = shape / constant::power(stiffness_over_mass * stiffness_over_mass * speed, 0.2);
+  const double time = shape / constant::power(stiffness_over_mass * stiffness_over_mass * speed, 0.2),
+               e = rates.restitution;
   return {e, time, e * time / (1 + e)};
 }
 

@@ -8,6 +8,9 @@
 //
 // Rounding: a Gain rounds to nearest where it shifts right, and otherwise down.
 
+#include <stddef.h>
+
+#include <impact/lookup/power_four_fifths.hpp>
 #include <impact/lookup/reciprocal.hpp>
 #include <impact/lookup/square_root.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -177,6 +180,8 @@ struct Fixed32 {
       const auto upper = static_cast<uint32_t>(x.raw >> 32);
       return upper ^ upper << 1;
     }
+    static constexpr Value held(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
+    constexpr Long stop(Long main, bool left) const { return {left ? main.raw - gap : main.raw + gap}; }
     constexpr bool hold_position(Long& x) const {
       constexpr int64_t bound = (int64_t{1} << 62) - 1;
       return hold(x, bound);
@@ -263,6 +268,18 @@ struct Fixed32 {
   static constexpr Value four_times_up_to_one(Value x) { return {x.raw < 1 << 29 ? 4 * x.raw : INT32_MAX}; }
   static constexpr Unsigned<32> root_of_product(Unsigned<30> x) {
     return {square_root_q32(x.raw < UINT32_C(1) << 30 ? x.raw << 2 : ~UINT32_C(0))};
+  }
+  // x^(4/5), x > 0
+  static constexpr Value power_four_fifths(Value x) {
+    return value(Unsigned<31>{power_four_fifths_q31(static_cast<uint32_t>(x.raw))});
+  }
+  // Between the values at even steps of y from 0 to 1.
+  template <size_t size>
+  static constexpr Value interpolated(const Value (&values)[size], Unsigned<32> y) {
+    constexpr int bits = constant::exponent_above(size - 1);
+    static_assert(size == (size_t{1} << bits) + 1, "2^n steps");
+    const Value* at = values + (y.raw >> (32 - bits));
+    return at[0] + value((at[1] - at[0]) * Unsigned<32>{y.raw << bits});
   }
   static constexpr Root root(Value x) { return {x.raw == 0 ? 0 : square_root_q31(static_cast<uint32_t>(x.raw) << 1)}; }
 };

@@ -6,6 +6,9 @@
 // plan that multiplies a Value; Units, the powers of two that Values count in. Floating point keeps metres, metres per
 // step and newtons: its units are all 1, and the functions that elsewhere move points and signs do nothing.
 
+#include <stddef.h>
+
+#include <impact/lookup/power_four_fifths.hpp>
 #include <impact/lookup/square_root.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/oscillator.hpp>
@@ -100,6 +103,11 @@ struct RealFormat {
     }
     static constexpr bool in_range(Long, Long, Long) { return true; }
     static constexpr bool in_range(Long) { return true; }
+    static constexpr Value held(Value x, Value) { return x; }
+    constexpr Long stop(Long main, bool left) const {
+      main.advance(mirrored(gap, left));
+      return main;
+    }
     static constexpr bool hold_position(Long&) { return false; }
     static constexpr bool hold_displacement(Long&) { return false; }
     static constexpr Value one() { return 1; }
@@ -129,6 +137,16 @@ struct RealFormat {
   static constexpr Real four_times_up_to_one(Real x) { return 4 * x < 1 ? 4 * x : 1; }
   static constexpr Real root_of_product(Real x) { return root(x); }
   static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
+  static constexpr Real power_four_fifths(Real x) {
+    return static_cast<Real>(impact::power_four_fifths(static_cast<float>(x)));
+  }
+  // Between the values at even steps of y from 0 to 1.
+  template <size_t size>
+  static constexpr Real interpolated(const Real (&values)[size], Real y) {
+    const Real place = y * static_cast<Real>(size - 1);
+    const int index = place < static_cast<Real>(size - 2) ? static_cast<int>(place) : static_cast<int>(size - 2);
+    return values[index] + (values[index + 1] - values[index]) * (place - static_cast<Real>(index));
+  }
   static constexpr Real quotient(Real numerator, Real denominator) {
     return numerator < denominator ? numerator / denominator : 1;
   }

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <impact/choice.hpp>
 #include <utility>
 
-#include "host_ref/closed_form.hpp"
 #include "host_ref/simulation_of.hpp"
 
 namespace impact::host {
@@ -52,24 +52,56 @@ Refusal refusal(const char* field, double value, Range range) {
   return {field, text(value), text(range.least) + " to " + text(range.most)};
 }
 
-// Fewest steps per contact: the moment-fitted step is stable from 3 on and within 1e-3 of the law's restitution from 8;
-// the energy-consistent step's solver converges from 2 on.
-constexpr double moment_from = 3, moment_precise_from = 8, energy_from = 2;
+Resolution resolution(const Request& request, const Bounds& bounds) {
+  switch (request.law) {
+    case Law::hooke_newton:
+      return resolution_of<HookeNewton>(request.scene, bounds);
+    case Law::hertz:
+      return resolution_of<Hertz>(request.scene, bounds);
+    case Law::hunt_crossley:
+      break;
+  }
+  if (request.scene.damping == Damping::per_impact) return resolution_of<HuntCrossleyPerImpact>(request.scene, bounds);
+  return resolution_of<HuntCrossley>(request.scene, bounds);
+}
 
-constexpr Bounds unbounded{bound_range.most, bound_range.most, bound_range.most, force_range.most};
+Stepper chosen(const Request& request, const Bounds& bounds) {
+  switch (choice_for(resolution(request, bounds), request.step)) {
+    case Choice::moment:
+      return Stepper::moment;
+    case Choice::impulsive:
+    case Choice::energy:
+      break;
+  }
+  return Stepper::energy;
+}
 
-double contact_time_of(const Request& request, double speed) {
+// Floating point needs no bounds, but the rule a largest speed: that of the start, and what the drive can add in the
+// run, F/M over the difference of the pulsations (a beat; at resonance, over the inverse of the run's duration); at
+// least half a metre per second.
+Bounds estimated_bounds(const Request& request) {
   const Scene& scene = request.scene;
-  const double reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
-  return contact_time(
-             {request.law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed, Tension::clamp})
-      .value_or(0);
+  const double natural = std::sqrt(scene.main_stiffness / scene.main_mass), slowest = 1 / request.duration;
+  double driven = 0;
+  if (request.drive == DriveKind::sine)
+    driven = scene.drive_amplitude / std::max(std::abs(natural - scene.drive_pulsation), slowest);
+  for (double force : request.samples) driven = std::max(driven, std::abs(force) / std::max(natural, slowest));
+  Bounds bounds{bound_range.most, bound_range.most, bound_range.most, force_range.most};
+  bounds.speed = std::min(bound_range.most,
+                          std::max({0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass,
+                                    std::abs(scene.v2)}));
+  return bounds;
 }
 
 // Half as much again as a float64 run of the same scene reaches, so that a rounding cannot pass them.
-Bounds measured_bounds(const Request& request) {
+Bounds measured_bounds(Request request) {
   constexpr double margin = 1.5;
-  const Planned planned = plan_simulation<Float64>(request, unbounded);
+  const Bounds estimate = estimated_bounds(request);
+  Planned planned = plan_simulation<Float64>(request, estimate);
+  if (planned.status == Status::steps_per_contact) {
+    request.stepper = chosen(request, estimate);
+    planned = plan_simulation<Float64>(request, estimate);
+  }
   Bounds bounds{1e-6, 1e-6, 1e-6, 1e-6};
   for (double force : request.samples) bounds.force = std::max(bounds.force, std::abs(force));
   if (!planned.simulation) return bounds;
@@ -88,6 +120,12 @@ Bounds measured_bounds(const Request& request) {
   bounds.displacement =
       std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * request.step});
   return bounds;
+}
+
+Range steps_of(Stepper stepper, const Resolution& contact) {
+  return stepper == Stepper::moment   ? Moment::steps(contact)
+         : stepper == Stepper::energy ? EnergyConsistent::steps(contact)
+                                      : any_step;
 }
 
 Refusal refusal_for(Status status, const Request& request, const Bounds& bounds) {
@@ -129,6 +167,10 @@ Refusal refusal_for(Status status, const Request& request, const Bounds& bounds)
                                                                      : Moment::longest_phase;
       return refusal("step", request.step, {1e-9, longest_step(scene, phase)});
     }
+    case Status::steps_per_contact:
+      return refusal("step", request.step, {1e-9, steps_of(request.stepper, resolution(request, bounds)).most});
+    case Status::contact_time:
+      return {"newmark", std::string(name_of(request.stepper)), "auto, for a contact as long as this"};
     case Status::displacement_bound:
     case Status::speed_bound:
     case Status::penetration_bound:
@@ -140,7 +182,18 @@ Refusal refusal_for(Status status, const Request& request, const Bounds& bounds)
   return {};
 }
 
-// The plan's choice and what it rests on, for standard error.
+// What steps, and what that rests on.
+std::string description(const Request& request, const Bounds& bounds) {
+  const Resolution contact = resolution(request, bounds);
+  const double steps = contact.steps_per_contact(request.step);
+  std::string line = std::string(name_of(request.stepper)) + ", " + text(steps) + " steps per contact at " +
+                     text(2 * bounds.speed) + " m/s, " + text(contact.main_phase) +
+                     " rad of the main mass's vibration during it";
+  if (request.stepper == Stepper::moment)
+    line += ", restitution within " + text(Moment::restitution_error(contact, request.step)) + " of the law's";
+  return line;
+}
+
 class Described final : public Simulation {
  public:
   Described(std::unique_ptr<Simulation> simulation, std::string description)
@@ -166,22 +219,13 @@ std::string_view name_of(Numeric numeric) { return name_in(numerics, numeric); }
 
 Outcome make_simulation(const Request& asked) {
   Request request = asked;
-  // The fewest steps that a contact of this scene has are those of its fastest impact; without bounds, of one at 1 m/s.
-  const double speed = request.bounds ? 2 * request.bounds->speed : 1;
-  const double contact_time = contact_time_of(request, speed), steps = contact_time / request.step;
-  if (request.stepper == Stepper::automatic)
-    request.stepper = steps >= moment_precise_from || !(steps > 0) ? Stepper::moment : Stepper::energy;
-  const double fewest = request.stepper == Stepper::moment                                       ? moment_from
-                        : request.stepper == Stepper::energy && request.law != Law::hooke_newton ? energy_from
-                                                                                                 : 0;
-
-  Bounds bounds{};
-  if (request.bounds)
-    bounds = *request.bounds;
-  else if (request.numeric == Numeric::fixed32)
+  const bool is_automatic = request.stepper == Stepper::automatic;
+  Bounds bounds = request.bounds ? *request.bounds : estimated_bounds(request);
+  if (is_automatic) request.stepper = chosen(request, bounds);
+  if (!request.bounds && request.numeric == Numeric::fixed32) {
     bounds = measured_bounds(request);
-  else
-    bounds = unbounded;
+    if (is_automatic) request.stepper = chosen(request, bounds);
+  }
   Planned planned{};
   switch (request.numeric) {
     case Numeric::float32:
@@ -199,11 +243,7 @@ Outcome make_simulation(const Request& asked) {
   }
   if (planned.status != Status::ok) return {nullptr, refusal_for(planned.status, request, bounds)};
 
-  if (steps > 0 && steps < fewest) return {nullptr, refusal("step", request.step, {1e-9, contact_time / fewest})};
-  return {std::make_unique<Described>(std::move(planned.simulation), std::string(name_of(request.stepper)) + ", " +
-                                                                         text(steps) + " steps per contact at " +
-                                                                         text(speed) + " m/s"),
-          {}};
+  return {std::make_unique<Described>(std::move(planned.simulation), description(request, bounds)), {}};
 }
 
 }  // namespace impact::host

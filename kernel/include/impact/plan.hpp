@@ -4,6 +4,7 @@
 // same plan at run time.
 
 #include <impact/contact/contact_terms.hpp>
+#include <impact/contact/resolution.hpp>
 #include <impact/handover.hpp>
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -85,37 +86,20 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   if (status == Status::ok) status = status_of(scene, bounds);
   if (status != Status::ok) return refused(status);
   using constant::larger;
+  status = status_of(Stepper::steps(resolution_of<ContactLaw>(scene, bounds)), h);
+  if (status != Status::ok) return refused(status);
   const LinearFlow flow = Stepper::flow(scene, h);
-  const bool is_linear = ContactLaw::law == Law::hooke_newton;
+  ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
+  terms.step = h;
 
-  const double largest_rate = 2 * bounds.speed;
-  const double k1 = scene.contact_stiffness;
-  // A damping set per impact is 3 (1 - e)/2 at the impact's own speed: here as one at the largest speed.
-  const double damping_time = !ContactLaw::is_damped             ? 0
-                              : ContactLaw::is_damped_per_impact ? 1.5 * (1 - scene.restitution) / largest_rate
-                                                                 : scene.contact_damping / k1;
   UnitBounds largest{};
   largest.position = bounds.displacement;
   largest.displacement = bounds.speed * h;
-  largest.penetration = larger(bounds.penetration, largest_rate * h);
+  largest.penetration = larger(bounds.penetration, terms.largest_rate * h);
   const double drive = larger(scene.drive_amplitude, bounds.force);
   const double spring_and_damper = scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed;
   largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
 
-  ContactTerms terms{};
-  terms.step = h;
-  terms.is_linear = is_linear;
-  terms.is_damped = ContactLaw::is_damped;
-  terms.stiffness = k1;
-  terms.damping_time = damping_time;
-  terms.ball_mass = scene.ball_mass;
-  terms.main_mass = scene.main_mass;
-  terms.main_stiffness = scene.main_stiffness;
-  terms.main_damping = scene.main_damping;
-  terms.largest_penetration = bounds.penetration;
-  terms.largest_rate = largest_rate;
-  terms.restitution = scene.restitution;
-  terms.clamped = scene.tension == Tension::clamp;
   Treatment::bound_forces(terms, largest);
   const UnitExponents exponents = Format::exponents(largest);
 
@@ -123,7 +107,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   if (status != Status::ok) return refused(status);
 
   terms.force_unit = Treatment::force_unit(terms, exponents);
-  terms.damping_exponent = exponents.force + (is_linear ? exponents.penetration : 0);
+  terms.damping_exponent = exponents.force + (terms.is_linear ? exponents.penetration : 0);
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2);
   const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);

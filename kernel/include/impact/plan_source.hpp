@@ -27,6 +27,11 @@ class PlanSource {
         "Bounds::penetration is above Bounds::displacement, or its force moves a mass by as much in one step");
     static_assert(status != Status::force_bound, "Bounds::force is out of range");
     static_assert(status != Status::step, "Rig::step is out of range: see longest_step in status.hpp");
+    static_assert(status != Status::steps_per_contact,
+                  "Rig::step has too few steps per contact for this stepper: take impact::Chosen, or a step within "
+                  "Stepper::steps(resolution_of<Law>(scene, bounds))");
+    static_assert(status != Status::contact_time,
+                  "contact lasts too long for this stepper, whatever the step: take impact::Chosen");
     static_assert(status == Status::ok, "a value of Rig::scene is out of range: see plan.status and status.hpp");
   }
 };

@@ -28,6 +28,8 @@ enum class Status : uint8_t {
   speed_bound,
   penetration_bound,
   force_bound,
+  steps_per_contact,  // too few for the stepper: Stepper::steps has the longest step that does
+  contact_time,       // no step does: the contact lasts too long for the stepper
 };
 
 // What is allowed, both ends included.
@@ -88,6 +90,12 @@ constexpr Status status_of(const Scene& scene, const Bounds& bounds) {
   if (!bound_range.holds(bounds.penetration)) return Status::penetration_bound;
   if (!force_range.holds(bounds.force)) return Status::force_bound;
   return Status::ok;
+}
+
+// Against the steps with which a stepper is right, see contact/resolution.hpp.
+constexpr Status status_of(const Range& steps, double step) {
+  if (!(steps.most > 0)) return Status::contact_time;
+  return steps.holds(step) ? Status::ok : Status::steps_per_contact;
 }
 
 }  // namespace impact

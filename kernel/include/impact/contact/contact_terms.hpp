@@ -12,6 +12,7 @@
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
 
 namespace impact {
 
@@ -31,6 +32,27 @@ struct ContactTerms {
 
   constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }
 };
+
+template <class ContactLaw>
+constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
+  ContactTerms terms{};
+  terms.is_linear = ContactLaw::law == Law::hooke_newton;
+  terms.is_damped = ContactLaw::is_damped;
+  terms.stiffness = scene.contact_stiffness;
+  terms.ball_mass = scene.ball_mass;
+  terms.main_mass = scene.main_mass;
+  terms.main_stiffness = scene.main_stiffness;
+  terms.main_damping = scene.main_damping;
+  terms.largest_penetration = bounds.penetration;
+  terms.largest_rate = 2 * bounds.speed;
+  terms.restitution = scene.restitution;
+  terms.clamped = scene.tension == Tension::clamp;
+  // A damping set per impact is 3 (1 - e)/2 at the impact's own speed: here as one at the largest speed.
+  if (ContactLaw::is_damped)
+    terms.damping_time = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) / terms.largest_rate
+                                                          : scene.contact_damping / terms.stiffness;
+  return terms;
+}
 
 // For a treatment that evaluates the law at penetrations up to the bound: the units of its forces and pushes.
 struct ResolvedForces {

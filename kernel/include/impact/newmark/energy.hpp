@@ -5,6 +5,7 @@
 // is never negative: contact cannot create energy. The masses' response to a constant force is exact, so that this
 // holds on a sprung, damped, driven main mass as well. Second order.
 
+#include <impact/contact/resolution.hpp>
 #include <impact/newmark/energy_linear.hpp>
 #include <impact/newmark/energy_power.hpp>
 #include <impact/newmark/linear_flow.hpp>
@@ -29,6 +30,11 @@ struct EnergyConsistent {
   // Radians of the main mass's own vibration in a step.
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
+
+  // The solver of the power laws converges from 2 steps on.
+  static constexpr Range steps(const Resolution& contact) {
+    return contact.law == Law::hooke_newton ? any_step : Range{0, contact.detail / 2};
+  }
 
   template <class Format, class ContactLaw>
   using Contact = typename detail::EnergyContact<ContactLaw::law>::template Type<Format, ContactLaw>;

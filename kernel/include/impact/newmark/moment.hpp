@@ -7,8 +7,13 @@
 // are all that the motion of a free mass sees of the force: v gains J0/m and x gains J1/m. With r and s the roots of
 // the penetrations d0 and d1 at both ends, p = (s+r)/2 and z = (s-r)/2, a root of the penetration that runs linearly in
 // time gives both in closed form, the damping is a total derivative, and the deviation of the rates from a uniform one
-// enters to first order. One square root and one quotient a step; fourth order; stable from 3 steps a contact on.
+// enters to first order. One square root and one quotient a step; fourth order.
+//
+// Range, measured on free pairs over 64 phases of the impact within the step, e = 0.05 to 1 (choice_test.cpp): from 4
+// steps per Resolution::detail on a contact gains no energy (an undamped Hooke-Newton one 5e-4 of it at 4 steps, 1e-5
+// at 8, falling with the sixth power); from 8 on its restitution is within 1 % of the law's.
 
+#include <impact/contact/resolution.hpp>
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/newmark/moment_linear.hpp>
 #include <impact/newmark/moment_power.hpp>
@@ -33,6 +38,14 @@ struct Moment {
   // Radians of the main mass's own vibration in a step.
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
+
+  static constexpr double fewest_steps = 4, precise_steps = 8;  // per Resolution::detail
+  static constexpr Range steps(const Resolution& contact) { return {0, contact.detail / fewest_steps}; }
+  // An upper bound: 1.5e-3 (power laws) or 5e-5 (Hooke-Newton) at 8 steps.
+  static constexpr double restitution_error(const Resolution& contact, double step) {
+    const double share = precise_steps * step / contact.detail, fourth = share * share * share * share;
+    return (contact.law == Law::hooke_newton ? 5e-5 : 1.5e-3) * fourth * (share + 0.1);
+  }
 
   template <class Format, class ContactLaw>
   using Contact = typename detail::MomentContact<ContactLaw::law>::template Type<Format, ContactLaw>;

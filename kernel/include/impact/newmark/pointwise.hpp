@@ -14,6 +14,7 @@
 // contact that lasts a few steps only can gain energy, see the README's limits.
 
 #include <impact/contact/impact_damping.hpp>
+#include <impact/contact/resolution.hpp>
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/formula.hpp>
@@ -28,6 +29,8 @@ struct Pointwise {
   // 1987), for the average acceleration never.
   static constexpr double longest_phase = 4 * beta < 1 ? 1.98 / constant::square_root(1 - 4 * beta) : 1e6;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return newmark_flow(scene, h, beta); }
+
+  static constexpr Range steps(const Resolution&) { return any_step; }
 
   template <class Format, class ContactLaw>
   struct Contact : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {

@@ -1,0 +1,181 @@
+// The plan's rule (choice.hpp) at its edges, the ranges of the steppers with the step that would do, and what the rule
+// promises of one impact of two free masses: no energy gained, restitution within a hundredth of the law's, within the
+// error that the stepper states.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <impact/absorber.hpp>
+#include <impact/choice.hpp>
+#include <string>
+#include <type_traits>
+
+#include "host_ref/closed_form.hpp"
+#include "host_ref/simulation.hpp"
+
+namespace impact::host {
+namespace {
+
+constexpr double speed = 0.8;               // m/s: of the impact, and the fastest that Bounds state
+constexpr Bounds bounds{0.5, 0.4, 0.4, 1};  // room for a contact of any restitution here
+
+Request pair_of(Law law, double e, Tension tension = Tension::clamp) {
+  Request request;
+  request.law = law;
+  request.drive = DriveKind::none;
+  request.bounds = bounds;
+  Impact impact;
+  impact.law = law;
+  impact.speed = speed;
+  impact.tension = tension;
+  Scene& scene = request.scene;
+  scene.main_stiffness = scene.main_damping = scene.drive_pulsation = 0;
+  scene.tension = tension;
+  scene.contact_damping = law == Law::hertz ? 0 : contact_damping(impact, e).value();
+  scene.clearance = 0.2;
+  return request;
+}
+
+Resolution resolution(const Request& request) {
+  return request.law == Law::hertz          ? resolution_of<Hertz>(request.scene, bounds)
+         : request.law == Law::hooke_newton ? resolution_of<HookeNewton>(request.scene, bounds)
+                                            : resolution_of<HuntCrossley>(request.scene, bounds);
+}
+
+struct Contact {
+  Law law;
+  double e;
+  Tension tension = Tension::clamp;
+};
+constexpr Contact contacts[] = {{Law::hertz, 1},
+                                {Law::hunt_crossley, 0.05},
+                                {Law::hunt_crossley, 0.1},
+                                {Law::hunt_crossley, 0.3},
+                                {Law::hunt_crossley, 0.5},
+                                {Law::hunt_crossley, 0.7},
+                                {Law::hunt_crossley, 0.95},
+                                {Law::hunt_crossley, 0.999},
+                                {Law::hooke_newton, 0.05},
+                                {Law::hooke_newton, 0.3},
+                                {Law::hooke_newton, 0.7},
+                                {Law::hooke_newton, 0.999},
+                                {Law::hooke_newton, 0.05, Tension::allow},
+                                {Law::hooke_newton, 0.7, Tension::allow}};
+std::string name_of(const Contact& contact) {
+  return std::string(host::name_of(contact.law)) + " " + std::to_string(contact.e) +
+         (contact.tension == Tension::allow ? " tension" : "");
+}
+
+struct Rebounds {
+  double least = 1e9, most = -1e9;
+};
+// Over 64 phases of the impact within the step.
+Rebounds rebounds(Request request) {
+  constexpr int phases = 64;
+  const double time = resolution(request).contact_time;
+  const int steps = static_cast<int>(1.5 * time / request.step) + 8;
+  Rebounds result;
+  for (int phase = 0; phase < phases; ++phase) {
+    request.scene.v1 = -speed / 2;
+    request.scene.v2 = speed / 2;
+    request.scene.x2 = request.scene.clearance / 2 - speed * request.step * (1 + (phase + 0.5) / phases);
+    const auto simulation = make_simulation(request).simulation;
+    EXPECT_NE(simulation, nullptr);
+    if (!simulation) break;
+    for (int i = 0; i < steps; ++i) simulation->step(0);
+    const Sample after = simulation->sample();
+    EXPECT_EQ(after.contact_force, 0);
+    result.least = std::min(result.least, (after.v1 - after.v2) / speed);
+    result.most = std::max(result.most, (after.v1 - after.v2) / speed);
+  }
+  return result;
+}
+
+// Just inside a range's end: the longest step there is, and the first that there is not.
+constexpr double just_below = 1 - 1e-9, just_above = 1 + 1e-9;
+
+TEST(Choice, IsMomentFromEightStepsOn) {
+  for (const Contact& contact : contacts) {
+    const Resolution r = resolution(pair_of(contact.law, contact.e, contact.tension));
+    EXPECT_EQ(choice_for(r, just_below * r.detail / 8), Choice::moment) << name_of(contact);
+    EXPECT_NE(choice_for(r, just_above * r.detail / 8), Choice::moment) << name_of(contact);
+  }
+}
+
+TEST(Choice, IsImpulsiveBelowWhileTheMainMassHardlyMoves) {
+  Resolution r = resolution(pair_of(Law::hunt_crossley, 0.7));
+  r.main_phase = 0.05;
+  EXPECT_EQ(choice_for(r, r.detail), Choice::impulsive);
+  r.main_phase = 0.0501;
+  EXPECT_EQ(choice_for(r, r.detail), Choice::energy);
+}
+
+// 2e-5 of the energy at 8 steps is what a restitution of 1 - 1e-5 loses.
+TEST(Choice, IsEnergyWhereHookeNewtonLosesLessThanMomentMayGain) {
+  Resolution r = resolution(pair_of(Law::hooke_newton, 0.7));
+  r.restitution = 1 - 0.9e-5;
+  EXPECT_EQ(choice_for(r, r.detail / 8), Choice::energy);
+  r.restitution = 1 - 1.1e-5;
+  EXPECT_EQ(choice_for(r, just_below * r.detail / 8), Choice::moment);
+  r.restitution = 1;
+  EXPECT_EQ(choice_for(r, r.detail / 1000), Choice::energy);
+}
+
+struct Rig {
+  static constexpr Scene scene{};
+  static constexpr Bounds bounds{};
+  static constexpr double step = 1e-4;
+};
+struct SlowRig : Rig {
+  static constexpr double step = 5e-3;
+};
+static_assert(std::is_same_v<Chosen<Rig, HuntCrossley>, Moment>);
+static_assert(std::is_same_v<Chosen<SlowRig, HuntCrossley>, EnergyConsistent>);
+
+// The refusal names a step; that one is accepted, and the next is not.
+TEST(Choice, ARefusedStepperNamesTheStepThatWouldDo) {
+  for (const Contact& contact : contacts)
+    for (const Stepper stepper : {Stepper::moment, Stepper::energy}) {
+      Request request = pair_of(contact.law, contact.e, contact.tension);
+      request.stepper = stepper;
+      const Resolution r = resolution(request);
+      const Range steps = stepper == Stepper::moment ? Moment::steps(r) : EnergyConsistent::steps(r);
+      if (steps.most >= longest_step(request.scene, Moment::longest_phase)) continue;
+      request.step = just_above * steps.most;
+      const Outcome refused = make_simulation(request);
+      EXPECT_EQ(refused.simulation, nullptr) << name_of(contact);
+      EXPECT_EQ(refused.refusal.field, "step");
+      char allowed[64];
+      std::snprintf(allowed, sizeof allowed, "1e-09 to %.6g", steps.most);
+      EXPECT_EQ(refused.refusal.allowed, allowed) << name_of(contact);
+      request.step = just_below * steps.most;
+      EXPECT_NE(make_simulation(request).simulation, nullptr) << name_of(contact);
+    }
+}
+
+// No energy gained, but by Hooke-Newton without damping, from the fewest steps on. From eight on within a hundredth of
+// the law's restitution, and everywhere within what the stepper states.
+TEST(Choice, MomentKeepsWhatItStates) {
+  for (const Contact& contact : contacts)
+    for (const double steps : {4.0, 5.0, 6.5, 8.0, 10.0, 13.0, 20.0, 40.0}) {
+      Request request = pair_of(contact.law, contact.e, contact.tension);
+      request.stepper = Stepper::moment;
+      const Resolution r = resolution(request);
+      request.step = just_below * r.detail / steps;
+      const Rebounds found = rebounds(request);
+      const double error = std::max(found.most - contact.e, contact.e - found.least);
+      const double stated = Moment::restitution_error(r, request.step) + 1e-12;
+      EXPECT_LE(error, stated) << name_of(contact) << " at " << steps;
+      if (steps >= 8) {
+        EXPECT_LE(error, 0.01 * contact.e) << name_of(contact) << " at " << steps;
+      }
+      const double gain_of_spring = contact.law == Law::hooke_newton ? 1e-5 * std::pow(8 / steps, 6) : 0;
+      EXPECT_LE(found.most * found.most, 1 + std::max(gain_of_spring - (1 - contact.e * contact.e), 0.0) + 1e-12)
+          << name_of(contact) << " at " << steps;
+    }
+}
+
+}  // namespace
+}  // namespace impact::host

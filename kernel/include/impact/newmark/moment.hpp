@@ -9,7 +9,7 @@
 // time gives both in closed form, the damping is a total derivative, and the deviation of the rates from a uniform one
 // enters to first order. One square root and one quotient a step; fourth order.
 //
-// Range, measured on free pairs over 64 phases of the impact within the step, e = 0.05 to 1 (choice_test.cpp): from 4
+// Range, measured on free pairs over 64 phases of the impact within the step, e = 0.05 to 1 (choice_test.cpp): from 5
 // steps per Resolution::detail on a contact gains no energy (an undamped Hooke-Newton one 5e-4 of it at 4 steps, 1e-5
 // at 8, falling with the sixth power); from 8 on its restitution is within 1 % of the law's.
 
@@ -39,7 +39,7 @@ struct Moment {
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
-  static constexpr double fewest_steps = 4, precise_steps = 8;  // per Resolution::detail
+  static constexpr double fewest_steps = 5, precise_steps = 8;  // per Resolution::detail
   static constexpr Range steps(const Resolution& contact) { return {0, contact.detail / fewest_steps}; }
   // An upper bound: 1.5e-3 (power laws) or 5e-5 (Hooke-Newton) at 8 steps.
   static constexpr double restitution_error(const Resolution& contact, double step) {

@@ -70,6 +70,7 @@ Stepper chosen(const Request& request, const Bounds& bounds) {
     case Choice::moment:
       return Stepper::moment;
     case Choice::impulsive:
+      return Stepper::impulsive;
     case Choice::energy:
       break;
   }
@@ -98,7 +99,7 @@ Bounds measured_bounds(Request request) {
   constexpr double margin = 1.5;
   const Bounds estimate = estimated_bounds(request);
   Planned planned = plan_simulation<Float64>(request, estimate);
-  if (planned.status == Status::steps_per_contact) {
+  if (planned.status == Status::steps_per_contact || planned.status == Status::contact_time) {
     request.stepper = chosen(request, estimate);
     planned = plan_simulation<Float64>(request, estimate);
   }
@@ -123,9 +124,10 @@ Bounds measured_bounds(Request request) {
 }
 
 Range steps_of(Stepper stepper, const Resolution& contact) {
-  return stepper == Stepper::moment   ? Moment::steps(contact)
-         : stepper == Stepper::energy ? EnergyConsistent::steps(contact)
-                                      : any_step;
+  return stepper == Stepper::moment      ? Moment::steps(contact)
+         : stepper == Stepper::energy    ? EnergyConsistent::steps(contact)
+         : stepper == Stepper::impulsive ? Impulsive::steps(contact)
+                                         : any_step;
 }
 
 Refusal refusal_for(Status status, const Request& request, const Bounds& bounds) {
@@ -170,7 +172,9 @@ Refusal refusal_for(Status status, const Request& request, const Bounds& bounds)
     case Status::steps_per_contact:
       return refusal("step", request.step, {1e-9, steps_of(request.stepper, resolution(request, bounds)).most});
     case Status::contact_time:
-      return {"newmark", std::string(name_of(request.stepper)), "auto, for a contact as long as this"};
+      return {"newmark", std::string(name_of(request.stepper)),
+              "auto: the contact lasts " + text(resolution(request, bounds).main_phase) +
+                  " rad of the main mass's vibration, impulsive holds up to " + text(Impulsive::longest_main_phase)};
     case Status::displacement_bound:
     case Status::speed_bound:
     case Status::penetration_bound:

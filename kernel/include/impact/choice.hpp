@@ -15,6 +15,7 @@
 
 #include <impact/contact/resolution.hpp>
 #include <impact/newmark/energy.hpp>
+#include <impact/newmark/impulsive.hpp>
 #include <impact/newmark/moment.hpp>
 #include <impact/scene.hpp>
 
@@ -40,6 +41,10 @@ struct StepperOf;
 template <>
 struct StepperOf<Choice::moment> {
   using Type = Moment;
+};
+template <>
+struct StepperOf<Choice::impulsive> {
+  using Type = Impulsive;
 };
 template <>
 struct StepperOf<Choice::energy> {

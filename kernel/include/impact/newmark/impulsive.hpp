@@ -31,6 +31,7 @@
 
 #include <impact/contact/contact_terms.hpp>
 #include <impact/contact/rebound.hpp>
+#include <impact/contact/resolution.hpp>
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/scene.hpp>
@@ -41,6 +42,12 @@ struct Impulsive {
   // Radians of the main mass's own vibration in a step.
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
+  // The impact is at an instant for the main mass, whatever the step: what contact dissipates in a driven run is off by
+  // 1.6 % at 0.04 rad of the main mass's vibration during a contact, by 10 % at 0.25.
+  static constexpr double longest_main_phase = 0.25;
+  static constexpr Range steps(const Resolution& contact) {
+    return contact.main_phase <= longest_main_phase ? any_step : Range{0, 0};
+  }
 
   template <class Format, class ContactLaw>
   struct Contact {

@@ -107,13 +107,15 @@ struct Impulsive {
       const Value rate = units.held(trial_rate, plan.largest_rate);
       const Value acceleration = plan.acceleration * gain;
       const auto bounce = plan.rebound.at(is_positive(travel) ? units.held(travel, plan.largest_rate) : rate);
-      const Value pressed = Format::value(positive_part(acceleration) * bounce.depth);
+      const Value pressed = Format::value(acceleration * bounce.depth);
       if (!is_positive(pressed - Format::value(half(rate * rate)))) {
         const Value beyond = trial - bounce.depth;
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
         const Instant at(plan, t, rate, acceleration, main_rate);
-        const Value impulse = held(plan, units, at.rate - Format::value(bounce.loss * at.rate));
+        const Value touch_rate = at.rate - over(pressed, travel);
+        const Value impulse =
+            held(plan, units, at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate))));
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - Format::value(half(rate)))) {
           if (!is_inside) phase = Phase::apart;
@@ -130,6 +132,12 @@ struct Impulsive {
    private:
     static constexpr double reduced_mass(const ContactTerms& terms) {
       return 1 / (1 / terms.ball_mass + 1 / terms.main_mass);
+    }
+    // x / y, y > 0
+    static constexpr Value over(Value x, Value y) {
+      const bool is_negative = !is_positive(x);
+      return mirrored(Format::value(Format::quotient(positive_part(mirrored(x, is_negative)), positive_part(y))),
+                      is_negative);
     }
     static constexpr Value held(const Plan& plan, const Units& units, Value impulse) {
       return Format::value(positive_part(units.held(impulse, plan.largest_impulse)));

@@ -41,6 +41,7 @@ class KernelSimulation final : public Simulation {
       : request_(request), sample_unit_(Format::sample_unit(bounds.force)), kernel_(plan) {}
 
   void step(double force) override {
+    if constexpr (Kernel::Contact::splits) v2_before_ = kernel_.reading().v2;
     if constexpr (Drive::is_sampled)
       kernel_.step(Format::sample(force / sample_unit_));
     else
@@ -65,7 +66,10 @@ class KernelSimulation final : public Simulation {
     sample.penetration = scene.stops == Stops::right  ? y - gap
                          : scene.stops == Stops::left ? -y - gap
                                                       : std::abs(y) - gap;
-    if (kernel_.is_touching()) {
+    if constexpr (Kernel::Contact::splits) {
+      // The mean over the last step, by what the ball has felt; it may have come and gone within it.
+      sample.contact_force = scene.ball_mass * std::abs(now.v2 - v2_before_) / request_.step;
+    } else if (kernel_.is_touching()) {
       sample.penetration = side * y - gap;
       // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
       const double depth =
@@ -111,6 +115,7 @@ class KernelSimulation final : public Simulation {
   double sample_unit_;
   Kernel kernel_;
   long steps_ = 0;
+  double v2_before_ = request_.scene.v2;
 };
 
 template <class Format, class ContactLaw, class Stepper, class Drive>

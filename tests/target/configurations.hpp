@@ -21,6 +21,8 @@ constexpr const char* name<Moment> = "moment";
 template <>
 constexpr const char* name<EnergyConsistent> = "energy";
 template <>
+constexpr const char* name<Impulsive> = "impulsive";
+template <>
 constexpr const char* name<AverageAcceleration> = "average";
 template <>
 constexpr const char* name<LinearAcceleration> = "linear";
@@ -137,7 +139,7 @@ constexpr auto with_newmarks(List<Newmarks...>) {
 template <class Numeric, class... Laws>
 constexpr auto with_laws(List<Laws...>) {
   using Newmarks =
-      List<Moment, EnergyConsistent, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
+      List<Moment, EnergyConsistent, Impulsive, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
 template <class... Numerics>

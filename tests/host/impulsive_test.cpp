@@ -1,0 +1,300 @@
+// The impulsive step: the law's restitution at any phase of the impact, no energy created, settling, both stops.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <impact/absorber.hpp>
+#include <random>
+#include <type_traits>
+
+#include "host_ref/closed_form.hpp"
+
+namespace impact::host {
+namespace {
+
+template <class Format, class ContactLaw, class Drive = NoDrive>
+using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, Drive, Format, EnergyLedger, ImpactLog>;
+
+template <class Format>
+constexpr bool is_double = sizeof(typename Format::Value) == 8;
+
+template <class Format>
+class ImpulsiveStep : public testing::Test {};
+using Formats = testing::Types<Float64, Float32, Float32Plain, Fixed32>;
+TYPED_TEST_SUITE(ImpulsiveStep, Formats);
+
+// Numbers spread evenly in their logarithm.
+class Spread {
+ public:
+  double between(double least, double most) {
+    return std::exp(std::uniform_real_distribution<>(std::log(least), std::log(most))(engine_));
+  }
+
+ private:
+  std::mt19937 engine_{1};
+};
+
+Scene free_scene() {
+  Scene scene;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+  return scene;
+}
+
+template <class ContactLaw>
+Impact impact_of(const Scene& scene, double speed) {
+  Impact impact;
+  impact.law = ContactLaw::law;
+  impact.contact_stiffness = scene.contact_stiffness;
+  impact.contact_damping = scene.contact_damping;
+  impact.reduced_mass = scene.ball_mass * scene.main_mass / (scene.ball_mass + scene.main_mass);
+  impact.speed = speed;
+  return impact;
+}
+
+template <class Simulated>
+double energy_of(const Scene& scene, const Simulated& simulated) {
+  const auto now = simulated.reading();
+  return (scene.main_stiffness * now.x1 * now.x1 + scene.main_mass * now.v1 * now.v1 +
+          scene.ball_mass * now.v2 * now.v2) /
+         2;
+}
+template <class Simulated>
+double dissipated_by(const Simulated& simulated) {
+  const auto& plan = simulated.plan;
+  return simulated.state().dissipated.total() * plan.force_unit * plan.units.si_penetration_unit();
+}
+
+// Up to 8 steps a contact, 64 phases each. A rate counts in 2^-31 of up to 2^5 times the approach (Fixed32) or to 2^-24
+// of itself: some 16 roundings. Hunt-Crossley adds 6e-5 for its table.
+template <class Format, class ContactLaw>
+void expect_restitution_of_the_law() {
+  Spread spread;
+  const double rounding = is_double<Format> ? 1e-13 : 16 * 0x1p-24;
+  const double tolerance = ContactLaw::law == Law::hunt_crossley ? 6e-5 + rounding : rounding;
+  int impacts = 0;
+  while (impacts < 100) {
+    Scene scene = free_scene();
+    const double speed = spread.between(1e-4, 10), h = spread.between(1e-6, 1e-2), e = spread.between(0.05, 1);
+    scene.ball_mass = spread.between(1e-4, 1e2);
+    scene.contact_stiffness = spread.between(1e8, 1e15);
+    scene.contact_damping = 0;
+    Impact impact = impact_of<ContactLaw>(scene, speed);
+    if (ContactLaw::is_damped) impact.contact_damping = scene.contact_damping = *contact_damping(impact, e);
+    const double steps = *contact_time(impact) / h;
+    if (steps > 8 || scene.contact_damping > contact_damping_range.most) continue;
+    ++impacts;
+    const int run = static_cast<int>(2 * steps) + 6;
+    const double way = 4 * speed * h * (run + 2);
+    scene.clearance = way;
+    scene.v2 = speed;
+    for (int phase = 0; phase < 64; ++phase) {
+      scene.x2 = way / 2 - speed * h * (1 + phase / 64.0);
+      const auto plan = Kernel<Format, ContactLaw>::PlanType::make(scene, {2 * way, 2 * speed, way, 1}, h);
+      ASSERT_EQ(plan.status, Status::ok) << speed << " " << h << " " << scene.ball_mass;
+      Kernel<Format, ContactLaw> absorber(plan);
+      const double before = energy_of(scene, absorber);
+      for (int i = 0; i < run; ++i) absorber.step();
+      const auto after = absorber.reading();
+      const double law = *restitution(impact);
+      ASSERT_EQ(absorber.fault(), Fault::none);
+      ASSERT_NEAR((after.v1 - after.v2) / speed, law, tolerance) << steps << " steps a contact, phase " << phase;
+      const double approach = impact.reduced_mass * speed * speed / 2;
+      ASSERT_LE(energy_of(scene, absorber) - before, (is_double<Format> ? 1e-12 : 1e-5) * approach);
+      // Twice the restitution's error; Fixed32 counts energies in 2^-30 of a unit, in which the approach is 2^-13.
+      ASSERT_NEAR(dissipated_by(absorber) / approach, (1 - law) * (1 + law),
+                  2 * tolerance + (std::is_same_v<Format, Fixed32> ? 0x1p-16 : 0));
+      ASSERT_EQ(absorber.state().impacts, 1u);
+    }
+  }
+}
+TYPED_TEST(ImpulsiveStep, ReboundsAsTheLawAtAnyPhase) {
+  expect_restitution_of_the_law<TypeParam, HookeNewton>();
+  expect_restitution_of_the_law<TypeParam, Hertz>();
+  expect_restitution_of_the_law<TypeParam, HuntCrossley>();
+}
+
+TYPED_TEST(ImpulsiveStep, DampingPerImpactHasOneRestitution) {
+  Scene scene = free_scene();
+  scene.contact_stiffness = 1e12;
+  scene.damping = Damping::per_impact;
+  scene.restitution = 0.706;
+  for (double speed : {0.01, 0.8}) {
+    scene.v2 = speed;
+    scene.x2 = 0.0095;
+    const auto plan = Kernel<TypeParam, HuntCrossleyPerImpact>::PlanType::make(scene, {0.1, 2 * speed, 0.03, 1}, 1e-3);
+    ASSERT_EQ(plan.status, Status::ok);
+    Kernel<TypeParam, HuntCrossleyPerImpact> absorber(plan);
+    for (int i = 0; i < 1e3 * 0.001 / speed; ++i) absorber.step();
+    Impact impact = impact_of<HuntCrossley>(scene, speed);
+    impact.contact_damping = 1.5 * scene.contact_stiffness * (1 - scene.restitution) / speed;
+    const auto after = absorber.reading();
+    EXPECT_NEAR((after.v1 - after.v2) / speed, *restitution(impact), 16 * 0x1p-24);
+  }
+}
+
+// On a sprung main mass the algebra of impulsive.hpp leaves rounding, of some twenty numbers: of 2^-53, or of 2^-24 of
+// the largest energy in a mass that its bound allows, nine times the whole.
+template <class Format, class ContactLaw>
+void expect_no_energy_from_impacts() {
+  Spread spread;
+  const double h = 1e-3, tolerance = is_double<Format> ? 20 * 0x1p-53 * 9 : 20 * 0x1p-24 * 9;
+  for (int i = 0; i < 30; ++i) {
+    Scene scene = free_scene();
+    const double turn = spread.between(0.01, 0.999);
+    scene.main_stiffness = turn * turn / (h * h);
+    scene.ball_mass = spread.between(0.1, 10);
+    scene.contact_stiffness = spread.between(1e9, 1e15);
+    scene.contact_damping = i % 3 == 0 ? 0 : scene.contact_stiffness * spread.between(1e-9, 1);
+    scene.v1 = spread.between(0.01, 1);
+    scene.v2 = -spread.between(0.01, 1);
+    scene.clearance = i % 7 == 0 ? 0 : spread.between(1e-5, 1e-2);  // down to a hundredth of a step's flight
+    const double whole = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
+    const double speed = 3 * std::sqrt(2 * whole / std::min(scene.main_mass, scene.ball_mass));
+    const double place = speed * h / turn + scene.clearance + 2 * speed * h;
+    const auto plan = Kernel<Format, ContactLaw>::PlanType::make(scene, {place, speed, place, 1}, h);
+    ASSERT_EQ(plan.status, Status::ok);
+    Kernel<Format, ContactLaw> absorber(plan);
+    double before = energy_of(scene, absorber);
+    const double largest = before * (1 + 100 * tolerance);
+    for (int n = 0; n < 4000; ++n) {
+      absorber.step();
+      const double now = energy_of(scene, absorber);
+      ASSERT_LE(now, before + tolerance * whole) << "step " << n << ", w0 h " << turn;
+      ASSERT_LE(now, largest);
+      before = now;
+      // One step's flight beyond a stop at most.
+      const auto at = absorber.reading();
+      ASSERT_LE(std::abs(at.x2 - at.x1) - scene.clearance / 2, speed * h);
+    }
+    EXPECT_EQ(absorber.fault(), Fault::none);
+  }
+}
+TYPED_TEST(ImpulsiveStep, CreatesNoEnergyOnASpringAndBetweenBothStops) {
+  expect_no_energy_from_impacts<TypeParam, HookeNewton>();
+  expect_no_energy_from_impacts<TypeParam, Hertz>();
+  expect_no_energy_from_impacts<TypeParam, HuntCrossley>();
+}
+
+// A constant force on the main mass lays the ball on the left stop, where it bounces lower and lower. Then both move as
+// one mass: x1 by half the common acceleration times the square of the time, v1 by it times the time.
+template <class Format, class ContactLaw>
+void expect_common_motion(double contact_stiffness) {
+  Scene scene = free_scene();
+  scene.contact_stiffness = contact_stiffness;
+  scene.contact_damping =
+      ContactLaw::law == Law::hooke_newton ? 0.3 * std::sqrt(contact_stiffness) : 100 * contact_stiffness;
+  const double h = 1e-3, force = 2, speed = 4, place = 10;
+  const auto plan = Kernel<Format, ContactLaw, Sampled>::PlanType::make(scene, {place, speed, 0.1, 2 * force}, h);
+  ASSERT_EQ(plan.status, Status::ok);
+  Kernel<Format, ContactLaw, Sampled> absorber(plan);
+  const auto sample = Format::sample(force / Format::sample_unit(2 * force));
+  for (int n = 0; n < 1000; ++n) absorber.step(sample);
+  const auto start = absorber.reading();
+  const uint32_t impacts = absorber.state().impacts;
+  const double acceleration = force / (scene.main_mass + scene.ball_mass);
+  // A position and a velocity per step to 2^-24 of what they are, each step's rounding adding up.
+  const double rounding = is_double<Format> ? 1e-12 : sizeof(typename Format::Long) > 4 ? 1e-6 : 1e-3;
+  for (int n = 1; n <= 1000; ++n) {
+    absorber.step(sample);
+    const auto now = absorber.reading();
+    const double t = n * h;
+    ASSERT_NEAR(now.x2 - now.x1, -scene.clearance / 2, rounding) << n;
+    ASSERT_NEAR(now.v1, start.v1 + acceleration * t, 10 * rounding) << n;
+    ASSERT_NEAR(now.v2, now.v1, 10 * rounding) << n;
+    ASSERT_NEAR(now.x1, start.x1 + start.v1 * t + acceleration * t * t / 2, 10 * rounding) << n;
+  }
+  // At 4 m a float's place is a fifth of what the force presses the ball by in a step.
+  if (!std::is_same_v<Format, Float32Plain>) {
+    EXPECT_EQ(absorber.state().impacts, impacts);
+    EXPECT_TRUE(absorber.is_touching());
+  }
+  EXPECT_EQ(absorber.fault(), Fault::none);
+}
+TYPED_TEST(ImpulsiveStep, SettlesUnderAConstantForceAndStaysPut) {
+  for (double stiffness : {1e6, 1e8, 1e10, 1e12, 1e15}) {
+    SCOPED_TRACE(stiffness);
+    expect_common_motion<TypeParam, HookeNewton>(stiffness);
+    expect_common_motion<TypeParam, HuntCrossley>(stiffness);
+  }
+}
+
+// A ball that starts inside a stop is put on it.
+TYPED_TEST(ImpulsiveStep, StartsInsideAStop) {
+  for (double side : {1.0, -1.0}) {
+    Scene scene = free_scene();
+    scene.contact_stiffness = 1e12;
+    scene.x2 = side * 0.011;
+    const auto plan = Kernel<TypeParam, Hertz>::PlanType::make(scene, {}, 1e-3);
+    ASSERT_EQ(plan.status, Status::ok);
+    Kernel<TypeParam, Hertz> absorber(plan);
+    for (int n = 0; n < 100; ++n) absorber.step();
+    EXPECT_EQ(absorber.reading().v2, 0);
+    EXPECT_LE(std::abs(absorber.reading().x2), 0.011 + 1e-8);
+    EXPECT_EQ(absorber.fault(), Fault::none);
+  }
+}
+
+TYPED_TEST(ImpulsiveStep, GoesOnFromASavedState) {
+  Scene scene;
+  scene.contact_stiffness = 1e10;
+  using Absorber = Kernel<TypeParam, HuntCrossley, Sine>;
+  const auto plan = Absorber::PlanType::make(scene, {}, 1e-3);
+  Absorber first(plan), second(plan);
+  for (int n = 0; n < 1000; ++n) first.step();
+  ASSERT_TRUE(second.restore(first.save()));
+  for (int n = 0; n < 1000; ++n) first.step(), second.step();
+  const auto a = first.reading(), b = second.reading();
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+}
+
+// The bounds of rebound.hpp.
+TYPED_TEST(ImpulsiveStep, LossAndDepthAreThoseOfTheLaw) {
+  ContactTerms terms;
+  terms.step = 1e-3;
+  terms.stiffness = 1e9;
+  terms.ball_mass = 0.3;
+  terms.main_mass = 1;
+  UnitExponents unit{};
+  unit.penetration = is_double<TypeParam> || std::is_same_v<typename TypeParam::Value, float> ? 0 : -6;
+  const double metre = constant::power_of_two(unit.penetration);
+  for (double damping_time : {1e-3, 0.1, 1.0, 30.0, 1e4}) {
+    terms.damping_time = damping_time;
+    const auto rebound = Rebound<TypeParam, HuntCrossley>::make(terms, unit);
+    for (int i = 1; i < 2000; ++i) {
+      const double speed = 15.6 * std::exp(-i * 0.005);
+      const auto value = TypeParam::sample(speed * terms.step / metre);
+      const auto found = rebound.at(value);
+      const FreeImpact law = free_impact<HuntCrossley>(terms, speed);
+      using Units = typename TypeParam::Units;
+      ASSERT_NEAR(1 - 2 * Units::fraction(found.loss), law.restitution, 6e-5) << damping_time << " " << speed;
+      const double depth = Units::fraction(found.depth) * metre / (speed * law.centroid);
+      if (law.restitution > 0.05) {
+        ASSERT_NEAR(depth, 1, law.restitution > 0.2 ? 0.015 : 0.03) << damping_time << " " << speed;
+      }
+    }
+  }
+}
+
+TEST(PowerFourFifths, IsWithinItsBound) {
+  for (int zeros = 1; zeros < 32; ++zeros)
+    for (uint32_t i = 0; i < 4096; ++i) {
+      const uint32_t x = (0x80000000u | i << 19) >> zeros;
+      const double exact = std::pow(x * 0x1p-31, 0.8) * 0x1p31;
+      ASSERT_LE(power_four_fifths_q31(x), exact + 2) << x;
+      ASSERT_GE(power_four_fifths_q31(x), exact * (1 - 0.0096) - 2) << x;
+    }
+  for (int exponent = -126; exponent < 128; ++exponent)
+    for (int i = 0; i < 4096; ++i) {
+      const float x = std::ldexp(1 + static_cast<float>(i) / 4096, exponent);
+      const double exact = std::pow(static_cast<double>(x), 0.8);
+      ASSERT_NEAR(static_cast<double>(power_four_fifths(x)) / exact, 1 - 0.0048, 0.0048 + 4 * 0x1p-24) << x;
+    }
+  EXPECT_EQ(power_four_fifths(0), 0);
+  EXPECT_EQ(power_four_fifths(-1), 0);
+  EXPECT_EQ(power_four_fifths(1e-39f), 0);
+}
+
+}  // namespace
+}  // namespace impact::host

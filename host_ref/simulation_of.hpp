@@ -115,7 +115,7 @@ class KernelSimulation final : public Simulation {
   double sample_unit_;
   Kernel kernel_;
   long steps_ = 0;
-  double v2_before_ = request_.scene.v2;
+  double v2_before_ = kernel_.reading().v2;
 };
 
 template <class Format, class ContactLaw, class Stepper, class Drive>

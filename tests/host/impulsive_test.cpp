@@ -140,7 +140,8 @@ template <class Format, class ContactLaw>
 void expect_no_energy_from_impacts() {
   Spread spread;
   const double h = 1e-3, tolerance = is_double<Format> ? 20 * 0x1p-53 * 9 : 20 * 0x1p-24 * 9;
-  for (int i = 0; i < 30; ++i) {
+  int springs = 0;
+  for (int i = 0; springs < 25 && i < 100; ++i) {
     Scene scene = free_scene();
     const double turn = spread.between(0.01, 0.999);
     scene.main_stiffness = turn * turn / (h * h);
@@ -154,7 +155,9 @@ void expect_no_energy_from_impacts() {
     const double speed = 3 * std::sqrt(2 * whole / std::min(scene.main_mass, scene.ball_mass));
     const double place = speed * h / turn + scene.clearance + 2 * speed * h;
     const auto plan = Kernel<Format, ContactLaw>::PlanType::make(scene, {place, speed, place, 1}, h);
+    if (plan.status == Status::contact_time) continue;  // longer than the main mass's vibration allows
     ASSERT_EQ(plan.status, Status::ok);
+    ++springs;
     Kernel<Format, ContactLaw> absorber(plan);
     double before = energy_of(scene, absorber);
     const double largest = before * (1 + 100 * tolerance);
@@ -170,6 +173,7 @@ void expect_no_energy_from_impacts() {
     }
     EXPECT_EQ(absorber.fault(), Fault::none);
   }
+  EXPECT_EQ(springs, 25);
 }
 TYPED_TEST(ImpulsiveStep, CreatesNoEnergyOnASpringAndBetweenBothStops) {
   expect_no_energy_from_impacts<TypeParam, HookeNewton>();

@@ -47,6 +47,11 @@ constexpr const char* name<Sine> = "sine";
 template <>
 constexpr const char* name<Sampled> = "sampled";
 
+template <class Newmark>
+constexpr bool is_impulsive = false;
+template <>
+constexpr bool is_impulsive<Impulsive> = true;
+
 // The columns law,newmark,numeric,drive as one string.
 struct Label {
   char text[64] = {};
@@ -69,11 +74,17 @@ constexpr Label make_label() {
   return label;
 }
 
-// The paper's tables 1 and 2, at rest under the paper's sine, and otherwise released from beyond the first impact.
-template <class Law, class Drive>
+// The paper's tables 1 and 2, at rest under the paper's sine, and otherwise released from beyond the first impact. The
+// impulsive step has stops of a million times the stiffness, and as much damping as leaves the restitution.
+template <class Law, class Newmark, class Drive>
 constexpr Scene paper_scene() {
   Scene scene;
-  if (Law::law == impact::Law::hooke_newton) scene.contact_damping = 20.81;
+  const bool is_linear = Law::law == impact::Law::hooke_newton;
+  if (is_linear) scene.contact_damping = 20.81;
+  if (is_impulsive<Newmark>) {
+    scene.contact_stiffness *= 1e6;
+    scene.contact_damping *= is_linear ? 1e3 : 1e6;
+  }
   if (!Drive::is_sine) scene.x1 = scene.x2 = 0.03;
   return scene;
 }
@@ -96,7 +107,7 @@ struct Configuration {
   static constexpr Label label = make_label<Law, Newmark, Numeric, Drive>();
   template <int microseconds>
   struct Rig {
-    static constexpr Scene scene = paper_scene<Law, Drive>();
+    static constexpr Scene scene = paper_scene<Law, Newmark, Drive>();
     static constexpr Bounds bounds{};
     static constexpr double step = microseconds * 1e-6;
   };

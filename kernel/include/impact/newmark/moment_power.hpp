@@ -34,8 +34,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   struct Plan {
     Response<Weight> response;
-    Factor stiffness;                  // K
-    Weight damping, half_damping;      // K C, by a rate; K C/2, by what a kick does to a rate
+    Factor stiffness, part_stiffness;  // K, 2 K/5
+    Weight damping, part_damping;      // K C, 2 K C/5
+    Weight sixth_damping;              // K C/6, by what a kick does to a rate
     Gain force;                        // 1/K: from a kick to the force's own impulse
     int travel_places, change_places;  // from kicks to penetrations, from increments to kicks
   };
@@ -48,8 +49,10 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const int from = ContactLaw::is_damped_per_impact ? 0 : unit.penetration;
     return {response.template weights<Format>(1 / mobility, unit.kick, terms, flow, unit),
             Format::constant(K),
+            Format::constant(0.4 * K),
             Format::weight(K * C, from, 0),
-            Format::weight(K * C / 2, unit.kick, 0),
+            Format::weight(0.4 * K * C, from, 0),
+            Format::weight(K * C / 6, unit.kick, 0),
             Format::gain(1 / of_force, unit.kick, 0),
             unit.penetration - unit.kick,
             unit.kick - unit.increment};
@@ -92,12 +95,12 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto shape = root * without_sign(penetration);
     const Value E = strength(plan, rate);
     const Value force = Format::value(shape * E);
-    const auto elastic_rise = root * E * rate;
-    Value half_rise = Format::value(elastic_rise) - Format::value(quarter(elastic_rise));
-    if constexpr (ContactLaw::is_damped) half_rise = half_rise + Format::value(half_damping(plan, g - force) * shape);
-    const Value moment = Format::value(half(force)) + Format::value(half_rise * Format::short_constant(1.0 / 3));
-    const Value d = trial - travel(plan, moment);
-    return is_positive(d) ? stay(plan, trial, g, d, g - force - half_rise) : leave(plan, trial, g);
+    Value third_rise = Format::value(quarter(root * E * rate));  // of the force's change in half the step
+    if constexpr (ContactLaw::is_damped)
+      third_rise = third_rise + Format::value(sixth_damping(plan, g - force) * shape);
+    const Value d = trial - travel(plan, Format::value(half(force)) + third_rise);
+    if (!is_positive(d)) return leave(plan, trial, g, d);
+    return stay(plan, trial, g, d, g - force - third_rise - third_rise - third_rise);
   }
 
   [[gnu::always_inline]] constexpr Kick<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
@@ -114,7 +117,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Value impulse = Format::value(n * E) - travel(plan, Format::value(by_change * dv));
     Value moment = Format::value(half(impulse)) - Format::value(w * dd * E);
     if constexpr (ContactLaw::is_damped)
-      moment = moment - Format::value(half_damping(plan, dv) * n * Format::short_constant(1.0 / 6));
+      moment = moment - Format::value(half(sixth_damping(plan, dv) * n));
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
     const Value missed = trial - travel(plan, moment) - d;
@@ -125,49 +128,51 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
   [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
-    const auto d = without_sign(trial);
-    const auto u = Format::quotient(d, without_sign(trial - before));
     if constexpr (ContactLaw::is_damped_per_impact)
       this->begin(plan.damping, trial - before - Format::value(half(travel(plan, g))));
+    const auto d = without_sign(trial);
     const auto s = Format::root(trial);
-    const auto b = Format::constant(1.0 / 5) - u * Format::short_constant(4.0 / 35);
-    const auto su = plan.stiffness * (s * u);
-    const Value elastic = Format::value(Format::constant(2.0 / 5) * (su * d));
+    const auto u = Format::quotient(d, without_sign(trial - before));
+    const auto later = u * Format::short_constant(2.0 / 7);
+    const auto su = plan.part_stiffness * s * u;
+    const Value elastic = Format::value(su * d);
+    const Value lever = Format::value(half(elastic)) - Format::value(elastic * later);
+    const auto b = Format::constant(1.0 / 2) - later;
     Value impulse = elastic - travel(plan, Format::value(su * b * (u * (g - elastic))));
-    Value moment = Format::value(half(impulse)) - Format::value(su * b * d);
+    Value moment = Format::value(half(impulse)) - lever;
     if constexpr (ContactLaw::is_damped) {
-      const Value loss = Format::value(Format::constant(2.0 / 5) * (s * d * (damping(plan) * trial)));
+      const Value loss = part_damping(plan, s * d, trial);
       impulse = impulse + loss;
-      moment = moment + Format::value(u * Format::short_constant(2.0 / 7) * loss);
+      moment = moment + Format::value(later * loss);
     }
 
     const Value back = travel(plan, moment);
-    Value correction = Format::value((su - Format::constant(2.0 / 5) * (su * u)) * back);
+    Value correction = Format::value((su + su + half(su) - su * u) * back);
     if constexpr (ContactLaw::is_damped) correction = correction + Format::value(s * d * (damping(plan) * back));
-    return {impulse - correction, moment - Format::value(u * Format::short_constant(2.0 / 7) * correction)};
+    return {impulse - correction, moment - Format::value(later * correction)};
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, Value trial, Value g) {
+  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, Value trial, Value g, Value d1) {
     const auto d = without_sign(penetration);
-    const auto r = plan.stiffness * root;
-    auto u = Format::quotient(d, without_sign(penetration - trial));
-    Value loss{};
-    if constexpr (ContactLaw::is_damped)
-      loss = Format::value(Format::constant(2.0 / 5) * (root * d * (damping(plan) * penetration)));
-    Value impulse{}, moment{};
-    for (int pass = 0; pass < 2; ++pass) {
-      const auto b = Format::constant(1.0 / 5) - u * Format::short_constant(4.0 / 35);
-      const auto ru = r * u;
-      const Value elastic = Format::value(Format::constant(2.0 / 5) * (ru * d));
-      impulse = elastic - travel(plan, Format::value(ru * b * (u * (g - (pass == 0 ? elastic : impulse)))));
-      moment = Format::value(half(impulse)) + Format::value(ru * b * d);
-      if constexpr (ContactLaw::is_damped) {
-        impulse = impulse - loss;
-        moment = moment - loss + Format::value(u * Format::short_constant(2.0 / 7) * loss);
-      }
-      if (pass == 0) u = Format::quotient(d, without_sign(penetration - trial + travel(plan, moment)));
+    const auto way = Format::divisor(without_sign(penetration - d1));
+    const auto u = way.share(d);
+    const auto later = u * Format::short_constant(2.0 / 7);
+    const auto ru = plan.part_stiffness * root * u;
+    const Value elastic = Format::value(ru * d);
+    const auto b = Format::constant(1.0 / 2) - later;
+    const Value lever = Format::value(elastic * b);
+    Value loss{}, loss_later{};
+    if constexpr (ContactLaw::is_damped) {
+      loss = part_damping(plan, root * d, penetration);
+      loss_later = Format::value(later * loss);
     }
-    return {impulse, moment};
+    const Value impulse = elastic - travel(plan, Format::value(ru * b * (u * (g - elastic + loss))));
+    const Value moment = Format::value(half(impulse)) + lever - loss + loss_later;
+
+    // The end moves from the predicted one, and u with it.
+    const auto more = way.ratio(trial - travel(plan, moment) - d1);
+    return {impulse - loss + Format::value(elastic * more),
+            moment + Format::value((lever + lever + loss_later) * more)};
   }
 
   // What a kick does to the penetration, in its unit.
@@ -178,11 +183,19 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     else
       return plan.damping;
   }
-  constexpr Value half_damping(const Plan& plan, Value change_of_rate) const {
+  constexpr Value sixth_damping(const Plan& plan, Value change_of_rate) const {
     if constexpr (ContactLaw::is_damped_per_impact)
-      return Format::value(half(this->own_damping * travel(plan, change_of_rate)));
+      return Format::value(this->own_damping * travel(plan, change_of_rate) * Format::short_constant(1.0 / 6));
     else
-      return plan.half_damping * change_of_rate;
+      return plan.sixth_damping * change_of_rate;
+  }
+  // (2/5) K C d^(5/2), what damping takes of a step that comes or goes.
+  template <class Shape>
+  constexpr Value part_damping(const Plan& plan, Shape shape, Value d) const {
+    if constexpr (ContactLaw::is_damped_per_impact)
+      return Format::value(Format::constant(2.0 / 5) * (shape * (this->own_damping * d)));
+    else
+      return Format::value(shape * (plan.part_damping * d));
   }
   // K (1 + C v)
   constexpr Value strength(const Plan& plan, Value rate) const {

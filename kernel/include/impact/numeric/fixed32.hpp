@@ -247,6 +247,29 @@ struct Fixed32 {
   static constexpr Unsigned<32 + a - b> quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
     return {numerator.raw < denominator.raw ? quotient_q32(numerator.raw, denominator.raw) : ~UINT32_C(0)};
   }
+  // A divisor of several numbers.
+  struct Divisor {
+    int32_t own;
+    uint32_t inverse;
+    int zeros;
+
+    // x <= divisor
+    constexpr Unsigned<32> share(Unsigned<31> x) const {
+      if (x.raw >= static_cast<uint32_t>(own)) return {~UINT32_C(0)};
+      const uint32_t ahead = x.raw << zeros;
+      return {(high_product(ahead, inverse) << 1) | ((ahead * inverse) >> 31)};
+    }
+    // Of a number beyond the divisor as of the divisor.
+    constexpr Signed<29> ratio(Value x) const {
+      const int32_t held = x.raw > own ? own : x.raw < -own ? -own : x.raw;
+      const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(held) << (zeros - 1));
+      return {high_product(ahead, static_cast<int32_t>(inverse >> 1))};
+    }
+  };
+  static constexpr Divisor divisor(Unsigned<31> x) {
+    const int zeros = normalise<1>(x.raw);
+    return {static_cast<int32_t>(x.raw >> zeros), reciprocal_q31(x.raw), zeros};
+  }
   template <int a, int b>
   static constexpr Unsigned<31 + a - b> rough_quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
     return {rough_quotient_q31(numerator.raw, denominator.raw)};

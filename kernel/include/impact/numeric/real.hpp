@@ -150,6 +150,13 @@ struct RealFormat {
   static constexpr Real quotient(Real numerator, Real denominator) {
     return numerator < denominator ? numerator / denominator : 1;
   }
+  struct Divisor {
+    Real own;
+
+    constexpr Real share(Real x) const { return x < own ? x / own : 1; }
+    constexpr Real ratio(Real x) const { return x / own; }
+  };
+  static constexpr Divisor divisor(Real x) { return {x}; }
   static constexpr Real rough_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
   // A root t of a decreasing function, moved by its value over its steepness.

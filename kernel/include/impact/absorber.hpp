@@ -172,15 +172,16 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   __attribute__((noinline)) constexpr void touch(Value increment, Long made) {
     const auto& units = plan.units;
     if (state_.contact.phase == Phase::apart) state_.at_left = (state_.x2 - state_.x1).is_negative();
-    const bool left = plan.left_stop && plan.right_stop ? state_.at_left != 0 : plan.left_stop;
+    const bool left = plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
     if constexpr (Contact::carries) {
       const Value carried = mirrored(state_.contact.force, left);
       units.push(state_.w1, plan.contact.w1_next * carried);
       units.push(state_.w2, -(plan.contact.w2_next * carried));
     }
-    const Value trial = units.penetration(mirrored(state_.x2 - state_.x1, left));
+    const Long along = mirrored(state_.x2 - state_.x1, left);
+    const Value trial = units.penetration(along);
     if (state_.contact.phase == Phase::apart && !is_positive(trial)) return;
-    if (units.saturated(trial)) raise(Fault::penetration);
+    if (!units.fits(along)) raise(Fault::penetration);
     if (!units.in_range(state_.w2)) hold_ball();
     const Value trial_rate = relative_rate(left);
     const Value travel = mirrored(units.relative(state_.w2 - made), left);
@@ -225,6 +226,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
 
   constexpr void push(const Kick<Value>& main, const Kick<Value>& ball, bool left) {
     const auto& units = plan.units;
+    reload(state_);
     const auto& response = plan.contact.response;
     const Value impulse = mirrored(main.impulse, left), moment = mirrored(main.moment, left);
     units.push(state_.x1, response.x1 * moment);

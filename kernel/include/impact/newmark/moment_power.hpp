@@ -136,8 +136,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto later = u * Format::short_constant(2.0 / 7);
     const auto su = plan.part_stiffness * s * u;
     const Value elastic = Format::value(su * d);
-    const Value lever = Format::value(half(elastic)) - Format::value(elastic * later);
     const auto b = Format::constant(1.0 / 2) - later;
+    const Value lever = Format::value(elastic * b);
     Value impulse = elastic - travel(plan, Format::value(su * b * (u * (g - elastic))));
     Value moment = Format::value(half(impulse)) - lever;
     if constexpr (ContactLaw::is_damped) {

@@ -31,7 +31,8 @@ struct Fixed32 {
 
     constexpr void advance(Long other) { raw += other.raw; }
     friend constexpr Long operator-(Long a, Long b) { return {a.raw - b.raw}; }
-    friend constexpr Long mirrored(Long x, bool left) { return {left ? -x.raw : x.raw}; }
+    // To the left by the complement: one of 2^63 less.
+    friend constexpr Long mirrored(Long x, bool left) { return {x.raw ^ -static_cast<int64_t>(left)}; }
     constexpr bool is_negative() const { return raw < 0; }
   };
 
@@ -123,11 +124,6 @@ struct Fixed32 {
               e.force};
     }
 
-    // 64 bits from two words: fewer instructions than a long shift.
-    static constexpr int64_t shifted(int32_t x, int places) {
-      const auto low = static_cast<uint32_t>(static_cast<uint64_t>(static_cast<uint32_t>(x)) << places);
-      return static_cast<int64_t>(static_cast<uint64_t>(static_cast<uint32_t>(x >> (32 - places))) << 32 | low);
-    }
     constexpr Long state(double x) const {
       return {static_cast<int64_t>(x * constant::power_of_two(63 - position_exponent))};
     }
@@ -146,20 +142,22 @@ struct Fixed32 {
 
     static constexpr Value position(Long x) { return {opaque(static_cast<int32_t>(x.raw >> 32))}; }
     constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
-    constexpr void add(Long& x, Value increment) const { x.raw += shifted(increment.raw, increment_shift); }
+    constexpr void add(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, increment_shift); }
     constexpr void displace(Long& x, Value penetration) const {
-      x.raw += static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(penetration.raw)) << penetration_shift);
+      x.raw += shifted_left(penetration.raw, penetration_shift);
     }
-    constexpr void push(Long& x, Value increment) const { x.raw += shifted(increment.raw, push_shift); }
+    constexpr void push(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift); }
     constexpr Value relative(Long difference) const {
       return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
     }
     constexpr Value penetration(Long along) const {
       const int64_t inside = along.raw - gap;
-      const auto upper = static_cast<int32_t>(inside >> 32), largest = INT32_MAX >> (32 - penetration_shift);
-      return {upper > largest    ? INT32_MAX
-              : upper < ~largest ? INT32_MIN
-                                 : static_cast<int32_t>(inside >> penetration_shift)};
+      if (fits(along)) return {static_cast<int32_t>(inside >> penetration_shift)};
+      return {inside < 0 ? INT32_MIN : INT32_MAX};
+    }
+    constexpr bool fits(Long along) const {
+      const auto upper = static_cast<uint32_t>((along.raw - gap) >> 32);
+      return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) <= 1;
     }
     // On the upper words alone: true whenever x2 - x1 > gap, and at times one last place early.
     constexpr bool beyond_stop(Long x2, Long x1) const {
@@ -170,7 +168,6 @@ struct Fixed32 {
       const int32_t apart = static_cast<int32_t>(x2.raw >> 32) - static_cast<int32_t>(x1.raw >> 32);
       return (apart ^ apart >> 31) >= static_cast<int32_t>(gap >> 32) - 1;
     }
-    static constexpr bool saturated(Value x) { return x.raw == INT32_MAX; }
     // In range while the top two bits of each Value agree.
     constexpr bool in_range(Long x1, Long x2, Long w1) const {
       return static_cast<int32_t>(top(x1) | top(x2) | top(w1) << (32 - displacement_shift)) >= 0;

@@ -22,6 +22,10 @@ inline int32_t veiled(int32_t x) {
   __asm__("" : "+r"(x));
   return x;
 }
+template <class State>
+inline void refreshed(State& x) {
+  __asm__("" : "+m"(x));
+}
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
 constexpr int32_t opaque(int32_t x) { return x; }
 #else
@@ -29,6 +33,12 @@ constexpr int32_t opaque(int32_t x) {
   return __builtin_constant_p(x) || __builtin_is_constant_evaluated() ? x : veiled(x);
 }
 #endif
+
+// From here on the compiler reads x from memory again, rather than keep copies of it on the stack meanwhile.
+template <class State>
+constexpr void reload(State& x) {
+  if (!__builtin_is_constant_evaluated()) refreshed(x);
+}
 
 namespace instruction {
 
@@ -58,6 +68,13 @@ constexpr int normalise(uint32_t& x) {
 }
 
 }  // namespace instruction
+
+// x 2^places for places from 1 to 63, in two words where that takes fewer instructions than a long shift.
+constexpr int64_t shifted_left(int32_t x, int places) {
+  if (places > 31) return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(x)) << places);
+  const uint32_t low = static_cast<uint32_t>(x) << places, high = static_cast<uint32_t>(x >> (32 - places));
+  return static_cast<int64_t>(uint64_t{high} << 32 | low);
+}
 
 namespace composed {
 

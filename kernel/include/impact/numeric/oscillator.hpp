@@ -57,7 +57,7 @@ struct IntegerOscillator {
   }
   constexpr void advance(const Plan& plan) {
     const int32_t bend = high_product(value_head(), plan.curvature);
-    slope -= static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(bend)) << (64 - plan.curvature_bits));
+    slope -= shifted_left(bend, 64 - plan.curvature_bits);
     value += slope;
   }
   static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }

@@ -96,7 +96,7 @@ struct RealFormat {
     static constexpr Value relative(Long difference) { return difference.value(); }
     constexpr Value penetration(Long along) const { return (along - gap).value(); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
-    static constexpr bool saturated(Value) { return false; }
+    static constexpr bool fits(Long) { return true; }
     constexpr bool beyond_stops(Long x2, Long x1) const {
       const Real apart = x2.sum - x1.sum;
       return (apart < 0 ? -apart : apart) >= gap.sum;

@@ -106,7 +106,12 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     plan.units.add(state_.w1, increment);
 
     if (!plan.units.in_range(state_.x1, state_.x2, state_.w1)) hold();
-    if (state_.contact.phase != Phase::apart || is_beyond_stop()) touch(increment, made);
+    if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
+      if constexpr (Format::calls_contact)
+        call_touch(increment, made);
+      else
+        touch(increment, made);
+    }
     (Features::after_step(plan, state_), ...);
   }
 
@@ -169,7 +174,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     return ahead;
   }
 
-  __attribute__((noinline)) constexpr void touch(Value increment, Long made) {
+  [[gnu::noinline]] constexpr void call_touch(Value increment, Long made) { touch(increment, made); }
+  [[gnu::always_inline]] constexpr void touch(Value increment, Long made) {
     const auto& units = plan.units;
     if (state_.contact.phase == Phase::apart) state_.at_left = (state_.x2 - state_.x1).is_negative();
     const bool left = plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
@@ -228,11 +234,9 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     const auto& units = plan.units;
     reload(state_);
     const auto& response = plan.contact.response;
-    const Value impulse = mirrored(main.impulse, left), moment = mirrored(main.moment, left);
-    units.push(state_.x1, response.x1 * moment);
-    units.push(state_.w1, response.w1 * impulse + response.w1_by_moment * moment);
-    units.push(state_.x2, response.x2 * -mirrored(ball.moment, left));
-    units.push(state_.w2, response.w2 * -mirrored(ball.impulse, left));
+    const Kick<Value> on_main = {mirrored(main.impulse, left), mirrored(main.moment, left)};
+    const Kick<Value> on_ball = {mirrored(ball.impulse, left), mirrored(ball.moment, left)};
+    response.answer(units, state_, on_main, on_ball);
   }
 
   // Rate of penetration, for the state as it stands.

@@ -86,6 +86,31 @@ template <class Gain>
 struct Response {
   Gain x1, w1, w1_by_moment, x2, w2;
   Gain penetration, rate, rate_by_moment;
+
+  template <class Units, class State, class Kick>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, Kick main, Kick ball) const {
+    units.push(state.x1, x1 * main.moment);
+    units.push(state.w1, w1 * main.impulse + w1_by_moment * main.moment);
+    units.push(state.x2, x2 * -ball.moment);
+    units.push(state.w2, w2 * -ball.impulse);
+  }
+};
+
+// The same to an impulse and a moment that count as what they do to the rate and to the penetration: the ball has its
+// share of them and the main mass the rest, and w1 a little more, since meanwhile spring and damper act as well.
+template <class Gain>
+struct SharedResponse {
+  Gain ball, w1, w1_by_moment;
+  Gain penetration, rate, rate_by_moment;
+
+  template <class Units, class State, class Kick>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, Kick kick, Kick) const {
+    const auto ball_impulse = ball * kick.impulse, ball_moment = ball * kick.moment;
+    units.kick(state.x1, kick.moment - ball_moment);
+    units.kick(state.w1, kick.impulse - ball_impulse + (w1 * kick.impulse + w1_by_moment * kick.moment));
+    units.kick(state.x2, -ball_moment);
+    units.kick(state.w2, -ball_impulse);
+  }
 };
 
 // Where a contact stands between steps. `released`: let go at zero force, still inside the stop.

@@ -33,7 +33,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   using Factor = decltype(Format::constant(0));
 
   struct Plan {
-    Response<Weight> response;
+    SharedResponse<Weight> response;
     Factor stiffness, part_stiffness;  // K, 2 K/5
     Weight damping, part_damping;      // K C, 2 K C/5
     Weight sixth_damping;              // K C/6, by what a kick does to a rate
@@ -42,12 +42,11 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const MomentResponse response(terms);
-    const double mobility = 1 / terms.ball_mass + response.gx;
-    const double of_force = terms.force_unit * terms.step * terms.step * mobility;
+    const double of_force = terms.force_unit * terms.step * terms.step * response.mobility(terms);
     const double K = of_force * constant::power_of_two(-terms.damping_exponent - unit.kick);
     const double C = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time / terms.step;
     const int from = ContactLaw::is_damped_per_impact ? 0 : unit.penetration;
-    return {response.template weights<Format>(1 / mobility, unit.kick, terms, flow, unit),
+    return {response.template shared<Format>(terms, flow, unit),
             Format::constant(K),
             Format::constant(0.4 * K),
             Format::weight(K * C, from, 0),

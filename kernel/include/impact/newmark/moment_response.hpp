@@ -34,19 +34,19 @@ struct MomentResponse {
             Format::gain(ball + F * g0, 0, unit.penetration),
             Format::gain(F * hg1, 0, unit.penetration)};
   }
-  // For an impulse that counts in F kg m 2^from.
+  // The change of penetration by a moment.
+  constexpr double mobility(const ContactTerms& terms) const { return 1 / terms.ball_mass + gx; }
+  // For kicks that count as what they do to the penetration.
   template <class Format>
-  constexpr Response<typename Format::Weight> weights(double F, int from, const ContactTerms& terms,
-                                                      const LinearFlow& flow, const UnitExponents& unit) const {
-    const double ball = F / terms.ball_mass;
-    return {Format::weight(F * gx, from, unit.push),
-            Format::weight(F * flow.e12 * g0, from, unit.push),
-            Format::weight(F * (flow.e12 * hg1 + flow.e11 * gx), from, unit.push),
-            Format::weight(ball, from, unit.push),
-            Format::weight(ball, from, unit.push),
-            Format::weight(ball + F * gx, from, unit.penetration),
-            Format::weight(ball + F * g0, from, unit.penetration),
-            Format::weight(F * hg1, from, unit.penetration)};
+  constexpr SharedResponse<typename Format::Weight> shared(const ContactTerms& terms, const LinearFlow& flow,
+                                                           const UnitExponents& unit) const {
+    const double F = 1 / mobility(terms), ball = F / terms.ball_mass;
+    return {Format::weight(ball, 0, 0),
+            Format::weight(F * (flow.e12 * g0 - gx), 0, 0),
+            Format::weight(F * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
+            Format::weight(1, unit.kick, unit.penetration),
+            Format::weight(ball + F * g0, unit.kick, unit.penetration),
+            Format::weight(F * hg1, unit.kick, unit.penetration)};
   }
 
  private:

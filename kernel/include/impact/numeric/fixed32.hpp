@@ -25,6 +25,8 @@ struct Fixed32 {
   using Value = Signed<31>;
   using Root = Unsigned<31>;
   using Oscillator = IntegerOscillator;
+  // A call of the contact costs less than the registers that a free step would have to save for it.
+  static constexpr bool calls_contact = true;
 
   struct Long {
     int64_t raw;
@@ -65,7 +67,7 @@ struct Fixed32 {
     }
   };
 
-  // A gain that rounds down where it shifts left: two instructions less.
+  // A gain that, where it shifts left, rounds down to the middle of two places: two instructions less.
   struct Weight : Gain {
     [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
       const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
@@ -73,7 +75,7 @@ struct Fixed32 {
           high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
       if (after > 0) return {(product + (1 << (after - 1))) >> after};
       if (after == 0) return {rounded_high_product(x.raw, weight.mantissa)};
-      return {static_cast<int32_t>(static_cast<uint32_t>(product) << 1)};
+      return {static_cast<int32_t>(static_cast<uint32_t>(product) << 1) + 1};
     }
   };
   static constexpr Weight weight(double factor, int from, int to) { return {gain(factor, from, to)}; }
@@ -147,6 +149,7 @@ struct Fixed32 {
       x.raw += shifted_left(penetration.raw, penetration_shift);
     }
     constexpr void push(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift); }
+    constexpr void kick(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
     constexpr Value relative(Long difference) const {
       return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
     }

@@ -66,6 +66,7 @@ struct RealFormat {
   using Long = State<Real>;
   using Tally = State<Real>;
   using Oscillator = OscillatorType;
+  static constexpr bool calls_contact = false;
 
   static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
   static constexpr Status status_of(const UnitExponents&, double) { return Status::ok; }
@@ -93,6 +94,7 @@ struct RealFormat {
     static constexpr void add(Long& x, Value increment) { x.add(increment); }
     static constexpr void displace(Long& x, Value penetration) { x.add(penetration); }
     static constexpr void push(Long& x, Value increment) { x.add(increment); }
+    static constexpr void kick(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
     constexpr Value penetration(Long along) const { return (along - gap).value(); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }

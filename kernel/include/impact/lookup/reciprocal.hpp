@@ -40,7 +40,7 @@ struct ReciprocalTable {
 
   // X = 2^48 / d.
   constexpr int32_t reciprocal(uint32_t d) const {
-    const Segment& segment = segments[(d >> 27) & 15];
+    const Segment& segment = *opaque(&segments[(d >> 27) & 15]);
     const auto t = static_cast<int32_t>((d >> 12) & 0x7fff);
     return (segment.constant + ((t * (segment.slope + ((t * segment.bend) >> 15))) >> 15)) >> 2;
   }

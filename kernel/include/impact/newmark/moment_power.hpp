@@ -95,8 +95,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const Value E = strength(plan, rate);
     const Value force = Format::value(shape * E);
     Value third_rise = Format::value(quarter(root * E * rate));  // of the force's change in half the step
-    if constexpr (ContactLaw::is_damped)
-      third_rise = third_rise + Format::value(sixth_damping(plan, g - force) * shape);
+    if constexpr (ContactLaw::is_damped) third_rise = third_rise + damped_sixth(plan, g - force, shape);
     const Value d = trial - travel(plan, Format::value(half(force)) + third_rise);
     if (!is_positive(d)) return leave(plan, trial, g, d);
     return stay(plan, trial, g, d, g - force - third_rise - third_rise - third_rise);
@@ -114,9 +113,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto E = positive_part(strength(plan, dd));
     const auto by_change = plan.stiffness * w;
     Value impulse = Format::value(n * E) - travel(plan, Format::value(by_change * dv));
-    Value moment = Format::value(half(impulse)) - Format::value(w * dd * E);
-    if constexpr (ContactLaw::is_damped)
-      moment = moment - Format::value(half(sixth_damping(plan, dv) * n));
+    Value moment = Format::value(half(impulse)) - Format::value(w * E * dd);
+    if constexpr (ContactLaw::is_damped) moment = moment - damped_sixth(plan, dv, half(n));
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
     const Value missed = trial - travel(plan, moment) - d;
@@ -182,11 +180,13 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     else
       return plan.damping;
   }
-  constexpr Value sixth_damping(const Plan& plan, Value change_of_rate) const {
+  // (1/6) K C dv d^(3/2)
+  template <class Shape>
+  constexpr Value damped_sixth(const Plan& plan, Value dv, Shape shape) const {
     if constexpr (ContactLaw::is_damped_per_impact)
-      return Format::value(this->own_damping * travel(plan, change_of_rate) * Format::short_constant(1.0 / 6));
+      return Format::value(this->own_damping * travel(plan, dv) * Format::short_constant(1.0 / 6) * shape);
     else
-      return plan.sixth_damping * change_of_rate;
+      return Format::product(plan.sixth_damping, dv, shape);
   }
   // (2/5) K C d^(5/2), what damping takes of a step that comes or goes.
   template <class Shape>

@@ -78,6 +78,13 @@ struct Fixed32 {
       return {static_cast<int32_t>(static_cast<uint32_t>(product) << 1) + 1};
     }
   };
+  // weight x y, with the weight's shift after both.
+  template <int bits>
+  static constexpr Value product(Weight weight, Value x, Unsigned<bits> y) {
+    const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
+    const int32_t weighted = high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
+    return moved({high_product(weighted, with_sign(y).raw)}, after + bits - 33);
+  }
   static constexpr Weight weight(double factor, int from, int to) { return {gain(factor, from, to)}; }
 
   static constexpr UnitExponents exponents(const UnitBounds& bounds) {

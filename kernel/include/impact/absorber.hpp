@@ -105,8 +105,9 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
     plan.units.add(state_.w1, increment);
 
-    if (!plan.units.in_range(state_.x1, state_.x2, state_.w1)) hold();
-    if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
+    if (!plan.units.in_range(state_.x1, state_.x2, state_.w1)) {
+      hold();
+    } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
       if constexpr (Format::calls_contact)
         call_touch(increment, made);
       else

@@ -9,6 +9,7 @@
 #include <impact/lookup/power_three_halves.hpp>
 #include <impact/lookup/reciprocal.hpp>
 #include <impact/lookup/square_root.hpp>
+#include <impact/numeric/fixed32.hpp>
 #include <random>
 #include <vector>
 
@@ -252,6 +253,28 @@ TEST(Lookup, Quotients) {
       EXPECT_EQ(quotient_q32(0, d), 0u);
       EXPECT_EQ(rough_quotient_q31(0, d), 0u);
     }
+}
+
+// Shares are the quotients' bits. A ratio loses less than a place of 2^29 in its product and less than another in the
+// halved reciprocal; it is held at 1.
+TEST(Lookup, Divisors) {
+  std::mt19937 random(3);
+  std::vector<uint32_t> numbers = edges();
+  for (int i = 0; i < 2000; ++i) numbers.push_back(static_cast<uint32_t>(random()) >> (i % 32));
+  for (const uint32_t own : numbers) {
+    if (own == 0 || own > INT32_MAX) continue;
+    const Fixed32::Divisor divisor = Fixed32::divisor({own});
+    for (const uint32_t raw : numbers) {
+      if (raw < own) {
+        ASSERT_EQ(divisor.share({raw}).raw, quotient_q32(raw, own)) << raw << " / " << own;
+      } else if (raw <= INT32_MAX) {
+        ASSERT_EQ(divisor.share({raw}).raw, UINT32_MAX);
+      }
+      const auto x = static_cast<int32_t>(raw);
+      const double ratio = std::fmax(-1, std::fmin(1, static_cast<double>(x) / own));
+      ASSERT_NEAR(divisor.ratio({x}).raw, ratio * 0x1p29, 2) << x << " / " << own;
+    }
+  }
 }
 
 }  // namespace

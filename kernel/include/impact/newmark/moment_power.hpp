@@ -10,13 +10,12 @@
 //     staying   n = p^3 + 2 p z^2 + z^4/(5p)           the mean of d^(3/2), so that n (d1 - d0) = (2/5) [d^(5/2)]
 //               w = (p + 2 z^2/(5p))/8                 E = K + K C (d1 - d0)
 //               J0 = n E - K w (v1 - v0)               J1 = J0/2 - w (d1 - d0) E - K C (v1 - v0) n/12
-//     entering  u = d1/(d1 - d0), the share of the step in contact; b = 1/5 - 4u/35
-//               J0 = K (2/5) s^3 u - K s u^2 b (v1 - v0) + L      J1 = J0/2 - K s^3 u b - L (1/2 - 2u/7)   L = K (2/5)
-//               C s^5
+//     entering  u = d1/(d1 - d0), the share of the step in contact; b = 1/2 - 2u/7; K' = (2/5) K; L = K' C s^5
+//               J0 = K' s^3 u - K' s u^2 b (v1 - v0) + L      J1 = J0/2 - b (K' s^3 u + L)
 //     leaving   the mirror image of entering, with r, d0 and -L
 //
-// d1 and v1 - v0 follow from the trial values less J1 and J0; they are predicted from a Taylor step (staying) or from
-// the trial (entering, leaving) and corrected once by the derivative of J0.
+// d1 and v1 - v0 follow from the trial values less J1 and J0. d1 is predicted by a Taylor step (staying, leaving) or is
+// the trial's (entering), v1 - v0 likewise, and J0 and J1 are corrected once by their derivatives for what d1 missed.
 
 #include <impact/contact/impact_damping.hpp>
 #include <impact/newmark/moment_response.hpp>
@@ -134,14 +133,10 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto su = plan.part_stiffness * s * u;
     const Value elastic = Format::value(su * d);
     const auto b = Format::constant(1.0 / 2) - later;
-    const Value lever = Format::value(elastic * b);
-    Value impulse = elastic - travel(plan, Format::value(su * b * (u * (g - elastic))));
-    Value moment = Format::value(half(impulse)) - lever;
-    if constexpr (ContactLaw::is_damped) {
-      const Value loss = part_damping(plan, s * d, trial);
-      impulse = impulse + loss;
-      moment = moment + Format::value(later * loss);
-    }
+    Value loss{};
+    if constexpr (ContactLaw::is_damped) loss = part_damping(plan, s * d, trial);
+    const Value impulse = elastic - travel(plan, Format::value(su * b * (u * (g - elastic)))) + loss;
+    const Value moment = Format::value(half(impulse)) - Format::value(b * (elastic + loss));
 
     const Value back = travel(plan, moment);
     Value correction = Format::value((su + su + half(su) - su * u) * back);

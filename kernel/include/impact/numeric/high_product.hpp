@@ -132,8 +132,7 @@ inline int32_t assembled_product(int32_t a, int32_t b) {
       "uxth %3, %3\n\t"
       "adds %1, %1, %3\n\t"
       "asrs %1, %1, #16\n\t"
-      "adds %0, %0, %1\n\t"
-      ".syntax divided"
+      "adds %0, %0, %1"
       : "=&l"(high), "=&l"(al), "=&l"(ah), "=&l"(bl), "=&l"(low)
       : "l"(a), "l"(b)
       : "cc");
@@ -159,8 +158,7 @@ inline uint32_t assembled_product(uint32_t a, uint32_t b) {
       "uxth %3, %3\n\t"
       "adds %1, %1, %3\n\t"
       "lsrs %1, %1, #16\n\t"
-      "adds %0, %0, %1\n\t"
-      ".syntax divided"
+      "adds %0, %0, %1"
       : "=&l"(high), "=&l"(al), "=&l"(ah), "=&l"(bl), "=&l"(low)
       : "l"(a), "l"(b)
       : "cc");

@@ -105,6 +105,8 @@ constexpr void set(Signed<bits>& sample, int32_t fraction) {
 template <class Law, class Newmark, class Numeric, class Drive>
 struct Configuration {
   static constexpr Label label = make_label<Law, Newmark, Numeric, Drive>();
+  static constexpr bool is_linear = Law::law == impact::Law::hooke_newton;
+  static constexpr bool is_fixed = sizeof(typename Numeric::Gain) > sizeof(typename Numeric::Value);
   template <int microseconds>
   struct Rig {
     static constexpr Scene scene = paper_scene<Law, Newmark, Drive>();

@@ -1,0 +1,96 @@
+#!/bin/sh
+# The longest way through a function of a linked image and all that it calls, in instructions and in estimated cycles:
+#   longest_path.sh TOOLS TARGET LABEL IMAGE FUNCTION
+# The instructions are an upper bound of what any input can make it take, and what instruction_counter.hpp counts: every
+# one from the first to the return, those of an IT block included. It takes every branch both ways, also ways that no
+# input can take one after the other. Fails on a loop, a recursion or a jump to where a register points: then it knows
+# no bound.
+# The cycles are an estimate, not a bound: the upper ends of the costs in Arm's Technical Reference Manuals, without wait
+# states of the flash. A Cortex-M7 is taken for a Cortex-M4 that issues one instruction at a time. None for RISC-V.
+set -eu
+"${1}objdump" -d -C --no-show-raw-insn "$4" | awk -v core="$2" -v label="$3" -v entry="<$5>:" '
+  /^[0-9a-f]+ <.*>:$/ { address = $1; sub(/^0+/, "", address); name = substr($0, index($0, "<")); begin = address
+    if (name == entry) start = address
+    before = ""; next }
+  !/^ *[0-9a-f]+:\t/ { next }
+  { address = $1; sub(/:$/, "", address); operation = $2; sub(/\.[nw]$/, "", operation)
+    operands = $0; sub(/^[^\t]*\t[^\t]*\t?/, "", operands) }
+  operation ~ /^\./ { before = ""; next }
+  { if (before != "" && !ends[before]) next_to[before] = address
+    before = address; code[address] = operation " " operands; function_of[address] = begin
+    target = ""
+    if (match(operands, /[0-9a-f]+ </)) target = substr(operands, RSTART, RLENGTH - 2) }
+  # Arm, and j of RISC-V
+  operation == "b" || operation == "j" { jump[address] = target; ends[address] = 1; next }
+  operation ~ /^(b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)|cbn?z)$/ { jump[address] = target; next }
+  operation ~ /^bl(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)?$/ && length(operation) != 3 {
+    call[address] = target; next }
+  (operation ~ /^bx/ && operands ~ /^lr/) || (operation ~ /^(pop|ldm)/ && operands ~ /pc}/) {
+    ends[address] = operation ~ /^(bx|pop|ldm|ldmia)$/  # with a condition, in an IT block, it may go on
+    next }
+  operation ~ /^(blx|tb[bh])/ || operands ~ /^pc,/ { unknown[address] = 1; next }
+  # RISC-V
+  operation == "ret" { ends[address] = 1; next }
+  operation == "jal" { call[address] = target; next }
+  operation ~ /^b/ && target != "" { jump[address] = target; next }
+  operation ~ /^(jr|jalr|tail)$/ { unknown[address] = 1; next }
+
+  function visit(node) {
+    if (node == "" || node in longest) return 0
+    if (!(node in code)) { print "# leaves the known code at " node; exit failed = 1 }
+    if (node in on_way) { print "# a loop at " node ": " code[node]; exit failed = 1 }
+    if (node in unknown) { print "# a jump to where a register points at " node; exit failed = 1 }
+    way[++depth] = node
+    on_way[node] = 1
+    return 1
+  }
+  # What a taken branch, a call and a return cost beyond the table below: filling the pipeline.
+  BEGIN {
+    if (core == "cortex-m0") { taken = 2; called = 3; returned = 3 }
+    else if (core == "cortex-m0plus") { taken = 1; called = 2; returned = 2 }
+    else { taken = 3; called = 3; returned = 3 }
+  }
+  function registers(list) {  # objdump writes no ranges but of d registers, of two words each
+    if (match(list, /{d[0-9]+-d[0-9]+}/)) {
+      list = substr(list, RSTART + 2)
+      return 2 * (substr(list, index(list, "-") + 2) - list + 1)
+    }
+    return (list ~ /{d/ ? 2 : 1) * split(list, some, ",") - (list ~ /^[^{]+,/)
+  }
+  function cycles(instruction) {
+    if (instruction ~ /^v?(ldm|stm|push|pop)/) return 1 + registers(substr(instruction, index(instruction, " ") + 1))
+    if (instruction ~ /^(ldrd|strd|v(ldr|str)[a-z.0-9]* d)/) return 3
+    if (instruction ~ /^v?(ldr|str)/) return 2
+    if (instruction ~ /^v(div|sqrt)/) return 14
+    if (instruction ~ /^v(ml|nml|fm|fnm)/) return 3
+    if (instruction ~ /^[us]div/) return 12
+    if (core == "cortex-m3" && instruction ~ /^[us]mull/) return 5
+    if (core == "cortex-m3" && instruction ~ /^[us]mlal/) return 7
+    if (core == "cortex-m3" && instruction ~ /^ml[as]/) return 2
+    return 1
+  }
+  function larger(a, b) { return a > b ? a : b }
+  END {
+    if (failed) exit 1
+    # A call into the middle of its own function is a far jump.
+    for (node in call) if (call[node] != begin_of(call[node]) && function_of[call[node]] == function_of[node]) {
+      jump[node] = call[node]
+      delete call[node]
+      delete next_to[node]
+    }
+    if (start == "") { print "# no function " entry; exit 1 }
+    visit(start)
+    while (depth > 0) {
+      node = way[depth]
+      if (visit(call[node]) || visit(next_to[node]) || visit(jump[node])) continue
+      longest[node] = 1 + longest[call[node]] + larger(longest[next_to[node]], longest[jump[node]])
+      slowest[node] = cycles(code[node]) + (call[node] == "" ? ends[node] && jump[node] == "" ? returned : 0 : called) \
+        + slowest[call[node]] + larger(slowest[next_to[node]], jump[node] == "" ? 0 : taken + slowest[jump[node]])
+      delete on_way[node]
+      --depth
+    }
+    print core "," label ",longest_path,," longest[start]
+    if (core !~ /^rv/) print core "," label ",longest_path_cycles,," slowest[start]
+  }
+  function begin_of(node) { return function_of[node] }
+'

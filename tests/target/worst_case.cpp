@@ -1,0 +1,217 @@
+// A search for a step that takes longer than those of the paper's scene: random states, set directly, with penetrations
+// and speeds from the last place to the bounds, on either side, apart, touching and let go, each followed for some
+// steps; for every budgeted configuration on the paper's scene, and on generated scenes, whose constants shift by
+// other places. Prints rows that within_budget.sh judges, and where the longest step was; fails when it has missed a
+// way from one phase of the contact to another, or a fault.
+
+#include <board/console.hpp>
+
+#include "configurations.hpp"
+#include "instruction_counter.hpp"
+
+namespace impact::target {
+namespace {
+
+constexpr uint32_t instructions_to_spend = 6000000;  // on one scene in one configuration
+constexpr int steps_from_a_state = 8;
+
+class Random {
+ public:
+  uint32_t bits() {  // Marsaglia's xorshift32
+    state_ ^= state_ << 13;
+    state_ ^= state_ >> 17;
+    state_ ^= state_ << 5;
+    return state_;
+  }
+  uint32_t below(uint32_t count) { return (bits() >> 8) % count; }
+  double fraction() { return static_cast<int32_t>(bits() >> 1) * constant::power_of_two(-31); }
+  // Of either sign, and any order of magnitude down to 2^-24 of the bound.
+  double scattered(double bound) {
+    const double size = bound * (1 - 0.5 * fraction()) * constant::power_of_two(-static_cast<int>(below(24)));
+    return below(2) != 0 ? size : -size;
+  }
+
+ private:
+  uint32_t state_ = 2463534242;
+};
+
+struct Longest {
+  uint32_t steps = 0, sum = 0, largest = 0;
+  Phase before{}, after{};  // around the longest step
+};
+struct Found {
+  Longest sound, faulty;        // steps that raise no fault, and that do
+  uint32_t ways[2][3][3] = {};  // steps by stop, phase before and phase after
+  uint32_t faults[4] = {};
+
+  void add(uint32_t instructions, uint32_t left, Phase from, Phase to, Fault fault) {
+    Longest& kind = fault == Fault::none ? sound : faulty;
+    ++kind.steps;
+    kind.sum += instructions;
+    if (instructions > kind.largest) kind.largest = instructions, kind.before = from, kind.after = to;
+    ++ways[left][static_cast<uint32_t>(from)][static_cast<uint32_t>(to)];
+    const auto reason = static_cast<uint32_t>(fault);
+    if (reason < 4) ++faults[reason];
+  }
+};
+
+// Up to twice the bounds, because formats hold up to twice as much before they raise a fault. False when the absorber
+// refuses the state.
+template <class Absorber>
+bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool can_be_released, Random& random) {
+  const auto& plan = Absorber::plan;
+  auto saved = absorber.save();
+  auto& state = saved.state;
+  const bool left = random.below(2) != 0;
+  const double apart = scene.clearance / 2 + random.scattered(2 * bounds.penetration);
+  const double x1 = (3 * random.fraction() - 1.5) * (bounds.displacement - apart);
+  state.x1 = plan.units.state_at(x1);
+  state.x2 = plan.units.state_at(left ? x1 - apart : x1 + apart);
+  state.w1 = plan.units.state(random.scattered(2 * bounds.speed) * plan.step);
+  state.w2 = plan.units.state(random.scattered(2 * bounds.speed) * plan.step);
+  state.contact = {};
+  state.at_left = left;
+  state.fault = Fault::none;
+  const auto inside = plan.units.penetration(mirrored(state.x2 - state.x1, left));
+  if (is_positive(inside) && random.below(3) != 0) {
+    state.contact.start(plan.contact, plan.units, inside, mirrored(plan.units.relative(state.w2 - state.w1), left));
+    if (can_be_released && random.below(3) == 0) state.contact.phase = Phase::released;
+  }
+  return absorber.restore(saved);
+}
+
+template <class Configuration, class Rig, class Absorber>
+void search(Found& found) {
+  struct Run {
+    Absorber absorber{};
+    uint32_t index = 0;
+  };
+  static Run run;
+  Random random;
+  const bool can_be_released = Configuration::is_linear;
+  for (uint32_t spent = 0; spent < instructions_to_spend;) {
+    spent += 1000;
+    if (!place(run.absorber, Rig::scene, Rig::bounds, can_be_released, random)) continue;
+    for (int i = 0; i < steps_from_a_state; ++i) {
+      const Phase before = run.absorber.state().contact.phase;
+      const uint32_t instructions = instructions_of(
+          [](void* argument) {
+            auto& [absorber, index] = *static_cast<Run*>(argument);
+            Configuration::advance(absorber, index);
+          },
+          &run);
+      spent += instructions;
+      const auto& state = run.absorber.state();
+      found.add(instructions, state.at_left, before, state.contact.phase, state.fault);
+      run.absorber.clear_fault();
+    }
+  }
+}
+
+void print_row(const char* label, const char* quantity, const Longest& found) {
+  if (found.steps == 0) return;
+  board::print(IMPACT_TARGET);
+  board::print(",");
+  board::print(label);
+  board::print(",");
+  board::print(quantity);
+  board::print(",");
+  board::print(found.sum / found.steps);
+  board::print(",");
+  board::print(found.largest);
+  board::print("\n");
+  constexpr const char* phases[] = {"apart", "touching", "released"};
+  board::print("# the longest from ");
+  board::print(phases[static_cast<uint32_t>(found.before)]);
+  board::print(" to ");
+  board::print(phases[static_cast<uint32_t>(found.after)]);
+  board::print(", of ");
+  board::print(found.steps);
+  board::print(" steps\n");
+}
+
+bool is_seen(uint32_t count, const char* what, uint32_t which) {
+  if (count != 0) return true;
+  board::print("# the search has missed ");
+  board::print(what);
+  board::print(" ");
+  board::print(which);
+  board::print("\n");
+  return false;
+}
+// At both stops, all ways between phases that the law knows: 0 apart, 1 touching, 2 released; in fixed point every
+// fault.
+bool has_every_way(const Found& found, bool can_be_released, bool can_fault) {
+  bool has = true;
+  for (const auto& ways : found.ways)
+    for (uint32_t from = 0; from < 3; ++from)
+      for (uint32_t to = 0; to < 3; ++to)
+        if ((from < 2 && to < 2) || (can_be_released && from != 0))
+          has = is_seen(ways[from][to], "the way between phases", 10 * from + to) && has;
+  for (uint32_t fault = 1; can_fault && fault < 4; ++fault) has = is_seen(found.faults[fault], "fault", fault) && has;
+  return has;
+}
+
+// A scene of random masses, stiffnesses and step; the same at every compilation.
+constexpr double spread(uint32_t& seed, double least, double most) {  // logarithmic
+  seed = seed * 1664525 + 1013904223;
+  const double octaves = constant::exponent_above(most / least) * static_cast<double>(seed >> 8) / (1 << 24);
+  const int whole = static_cast<int>(octaves);
+  const double value = least * constant::power_of_two(whole) * (1 + octaves - whole);
+  return value < most ? value : most;
+}
+template <uint32_t number>
+struct GeneratedRig {
+  static constexpr Scene make_scene() {
+    uint32_t seed = number * 2654435761u;
+    Scene scene;
+    scene.main_mass = spread(seed, 0.2, 5);
+    scene.ball_mass = scene.main_mass * spread(seed, 0.05, 1);
+    scene.main_stiffness = spread(seed, 10, 10000);
+    scene.main_damping = spread(seed, 0.001, 1);
+    scene.clearance = spread(seed, 0.001, 0.1);
+    scene.contact_stiffness = spread(seed, 3000, 3e5);
+    scene.contact_damping = scene.contact_stiffness * spread(seed, 0.01, 1);
+    scene.stops = number % 4 == 0 ? Stops::left : number % 4 == 1 ? Stops::right : Stops::both;
+    return scene;
+  }
+  static constexpr double make_step() {
+    uint32_t seed = number * 40503u + 1;
+    return spread(seed, 2e-5, 1e-3);
+  }
+  static constexpr Scene scene = make_scene();
+  static constexpr Bounds bounds{};
+  static constexpr double step = make_step();
+};
+
+template <uint32_t... numbers>
+void search_scenes(Found& found) {
+  using Searched = Configuration<HuntCrossley, Moment, Fixed32, Sine>;
+  (search<Searched, GeneratedRig<numbers>, Absorber<GeneratedRig<numbers>, HuntCrossley, Moment, Sine, Fixed32>>(found),
+   ...);
+}
+
+}  // namespace
+}  // namespace impact::target
+
+int main() {
+  using namespace impact::target;
+  bool has_all = true;
+  for_each(Budgeted{}, [&has_all](auto configuration) {
+    using Configuration = decltype(configuration);
+    Found found;
+    search<Configuration, typename Configuration::template Rig<1000>, typename Configuration::template Absorber<1000>>(
+        found);
+    search<Configuration, typename Configuration::template Rig<100>, typename Configuration::template Absorber<100>>(
+        found);
+    print_row(Configuration::label.text, "search", found.sound);
+    print_row(Configuration::label.text, "search_fault", found.faulty);
+    has_all = has_every_way(found, Configuration::is_linear, Configuration::is_fixed) && has_all;
+  });
+  Found found;
+  search_scenes<1, 2, 3, 4, 5, 6, 7, 8, 9, 10>(found);
+  print_row("hunt-crossley,moment,fixed32,sine", "search_scenes", found.sound);
+  print_row("hunt-crossley,moment,fixed32,sine", "search_scenes_fault", found.faulty);
+  has_all = has_every_way(found, false, true) && has_all;
+  return has_all ? 0 : 1;
+}

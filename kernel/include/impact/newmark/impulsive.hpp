@@ -19,10 +19,15 @@
 //
 //     at most J^2/(2 mu) - J Vi <= 0 for every J from 0 to 2 mu Vi, 1/mu = 1/m + 1/M:
 //
-// an impact creates no energy, whatever t is and however wrong e or the depth may be. The impulse counts in 2 mu, so
-// that it is Vi less its loss, and rounding cannot put it above.
+// an impact creates no energy, whatever t is and however wrong e or the depth may be; one of restitution 1 loses up to
+// (w0 t h)^4/12 of the main mass's share. The impulse counts in 2 mu:
 //
-// Settling. An acceleration A towards the stop presses the ball against it when the contact, which lasts about twice
+//     J = 2 mu (Vi - loss V0)    V0 = Vi - A depth/D >= 0
+//
+// so that rounding cannot put it above. V0 is the rate at first touch, A the acceleration towards the stop by spring
+// and drive: it makes the ball faster on its way to the centroid, and gives that speed back on the way out.
+//
+// Settling. A presses the ball against it when the contact, which lasts about twice
 // the time to its centroid, is long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the ball would
 // end a step inside the stop and approach it still, the impulse takes V away, t = d/V as if V had come from rest,
 // within the same limits, and the ball is put on its stop: no buzzing, no sinking in. One impact a step: a ball that

@@ -17,14 +17,16 @@ using Names = std::array<std::pair<std::string_view, Enumerator>, size>;
 
 constexpr Names<Law, 3> laws = {
     {{"hooke-newton", Law::hooke_newton}, {"hertz", Law::hertz}, {"hunt-crossley", Law::hunt_crossley}}};
-constexpr Names<Stepper, 8> steppers = {{{"auto", Stepper::automatic},
-                                         {"average", Stepper::average},
-                                         {"linear", Stepper::linear},
-                                         {"fox-goodwin", Stepper::fox_goodwin},
-                                         {"central", Stepper::central},
-                                         {"moment", Stepper::moment},
-                                         {"energy", Stepper::energy},
-                                         {"impulsive", Stepper::impulsive}}};
+constexpr Names<Stepper, 10> steppers = {{{"auto", Stepper::automatic},
+                                          {"average", Stepper::average},
+                                          {"linear", Stepper::linear},
+                                          {"fox-goodwin", Stepper::fox_goodwin},
+                                          {"central", Stepper::central},
+                                          {"moment", Stepper::moment},
+                                          {"moment-4", Stepper::moment_4},
+                                          {"moment-8", Stepper::moment_8},
+                                          {"energy", Stepper::energy},
+                                          {"impulsive", Stepper::impulsive}}};
 constexpr Names<Numeric, 4> numerics = {{{"float32", Numeric::float32},
                                          {"float32-plain", Numeric::float32_plain},
                                          {"fixed32", Numeric::fixed32},
@@ -69,6 +71,10 @@ Stepper chosen(const Request& request, const Bounds& bounds) {
   switch (choice_for(resolution(request, bounds), request.step)) {
     case Choice::moment:
       return Stepper::moment;
+    case Choice::four_sub_steps:
+      return Stepper::moment_4;
+    case Choice::eight_sub_steps:
+      return Stepper::moment_8;
     case Choice::impulsive:
       return Stepper::impulsive;
     case Choice::energy:
@@ -124,10 +130,20 @@ Bounds measured_bounds(Request request) {
 }
 
 Range steps_of(Stepper stepper, const Resolution& contact) {
-  return stepper == Stepper::moment      ? Moment::steps(contact)
-         : stepper == Stepper::energy    ? EnergyConsistent::steps(contact)
-         : stepper == Stepper::impulsive ? Impulsive::steps(contact)
-                                         : any_step;
+  switch (stepper) {
+    case Stepper::moment:
+      return Moment::steps(contact);
+    case Stepper::moment_4:
+      return SubsteppedMoment<4>::steps(contact);
+    case Stepper::moment_8:
+      return SubsteppedMoment<8>::steps(contact);
+    case Stepper::energy:
+      return EnergyConsistent::steps(contact);
+    case Stepper::impulsive:
+      return Impulsive::steps(contact);
+    default:
+      return any_step;
+  }
 }
 
 Refusal refusal_for(Status status, const Request& request, const Bounds& bounds) {
@@ -193,8 +209,12 @@ std::string description(const Request& request, const Bounds& bounds) {
   std::string line = std::string(name_of(request.stepper)) + ", " + text(steps) + " steps per contact at " +
                      text(2 * bounds.speed) + " m/s, " + text(contact.main_phase) +
                      " rad of the main mass's vibration during it";
-  if (request.stepper == Stepper::moment)
-    line += ", restitution within " + text(Moment::restitution_error(contact, request.step)) + " of the law's";
+  const int parts = request.stepper == Stepper::moment     ? 1
+                    : request.stepper == Stepper::moment_4 ? 4
+                    : request.stepper == Stepper::moment_8 ? 8
+                                                           : 0;
+  if (parts > 0)
+    line += ", restitution within " + text(Moment::restitution_error(contact, request.step / parts)) + " of the law's";
   return line;
 }
 

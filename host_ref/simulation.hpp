@@ -11,7 +11,7 @@
 
 namespace impact::host {
 
-enum class Stepper { average, linear, fox_goodwin, central, moment, energy, impulsive, automatic };
+enum class Stepper { average, linear, fox_goodwin, central, moment, moment_4, moment_8, energy, impulsive, automatic };
 enum class Numeric { float32, float32_plain, fixed32, float64 };
 enum class DriveKind { none, sine, sampled };
 
@@ -60,9 +60,9 @@ struct Outcome {
 };
 Outcome make_simulation(const Request& request);
 
-std::optional<Law> law_named(std::string_view name);  // hooke-newton, hertz, hunt-crossley
-std::optional<Stepper> stepper_named(
-    std::string_view name);  // auto, average, linear, fox-goodwin, central, moment, energy, impulsive
+std::optional<Law> law_named(std::string_view name);          // hooke-newton, hertz, hunt-crossley
+std::optional<Stepper> stepper_named(std::string_view name);  // auto, average, linear, fox-goodwin, central, moment,
+                                                              // moment-4, moment-8, energy, impulsive
 std::optional<Numeric> numeric_named(std::string_view name);  // float32, float32-plain, fixed32, float64
 std::string_view name_of(Law law);
 std::string_view name_of(Stepper stepper);

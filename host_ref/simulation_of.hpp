@@ -149,6 +149,10 @@ Planned plan_with_stepper(const Request& request, const Bounds& bounds) {
       return plan_with_drive<Format, ContactLaw, FoxGoodwin>(request, bounds);
     case Stepper::central:
       return plan_with_drive<Format, ContactLaw, CentralDifference>(request, bounds);
+    case Stepper::moment_4:
+      return plan_with_drive<Format, ContactLaw, SubsteppedMoment<4>>(request, bounds);
+    case Stepper::moment_8:
+      return plan_with_drive<Format, ContactLaw, SubsteppedMoment<8>>(request, bounds);
     case Stepper::energy:
       return plan_with_drive<Format, ContactLaw, EnergyConsistent>(request, bounds);
     case Stepper::impulsive:

@@ -104,12 +104,15 @@ TEST(Choice, IsMomentFromEightStepsOn) {
   }
 }
 
-TEST(Choice, IsImpulsiveBelowWhileTheMainMassHardlyMoves) {
+TEST(Choice, IsImpulsiveBelowWhileTheMainMassHardlyMovesElseSubStepped) {
   Resolution r = resolution(pair_of(Law::hunt_crossley, 0.7));
   r.main_phase = 0.05;
   EXPECT_EQ(choice_for(r, r.detail), Choice::impulsive);
   r.main_phase = 0.0501;
-  EXPECT_EQ(choice_for(r, r.detail), Choice::energy);
+  EXPECT_EQ(choice_for(r, just_below * r.detail / 2), Choice::four_sub_steps);
+  EXPECT_EQ(choice_for(r, just_above * r.detail / 2), Choice::eight_sub_steps);
+  EXPECT_EQ(choice_for(r, just_below * r.detail), Choice::eight_sub_steps);
+  EXPECT_EQ(choice_for(r, just_above * r.detail), Choice::energy);
 }
 
 // 2e-5 of the energy at 8 steps is what a restitution of 1 - 1e-5 loses.
@@ -131,17 +134,24 @@ struct Rig {
 struct SlowRig : Rig {
   static constexpr double step = 5e-3;
 };
+struct SlowestRig : Rig {
+  static constexpr double step = 3e-2;
+};
 static_assert(std::is_same_v<Chosen<Rig, HuntCrossley>, Moment>);
-static_assert(std::is_same_v<Chosen<SlowRig, HuntCrossley>, EnergyConsistent>);
+static_assert(std::is_same_v<Chosen<SlowRig, HuntCrossley>, SubsteppedMoment<4>>);
+static_assert(std::is_same_v<Chosen<SlowestRig, HuntCrossley>, EnergyConsistent>);
 
 // The refusal names a step; that one is accepted, and the next is not.
 TEST(Choice, ARefusedStepperNamesTheStepThatWouldDo) {
   for (const Contact& contact : contacts)
-    for (const Stepper stepper : {Stepper::moment, Stepper::energy}) {
+    for (const Stepper stepper : {Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::energy}) {
       Request request = pair_of(contact.law, contact.e, contact.tension);
       request.stepper = stepper;
       const Resolution r = resolution(request);
-      const Range steps = stepper == Stepper::moment ? Moment::steps(r) : EnergyConsistent::steps(r);
+      const Range steps = stepper == Stepper::moment     ? Moment::steps(r)
+                          : stepper == Stepper::moment_4 ? SubsteppedMoment<4>::steps(r)
+                          : stepper == Stepper::moment_8 ? SubsteppedMoment<8>::steps(r)
+                                                         : EnergyConsistent::steps(r);
       if (steps.most >= longest_step(request.scene, Moment::longest_phase)) continue;
       request.step = just_above * steps.most;
       const Outcome refused = make_simulation(request);
@@ -155,26 +165,48 @@ TEST(Choice, ARefusedStepperNamesTheStepThatWouldDo) {
     }
 }
 
+// No step makes an impulse of a contact that lasts a quarter of a radian of the main mass's vibration.
+TEST(Choice, ImpulsiveIsRefusedForALongContact) {
+  Request request = pair_of(Law::hertz, 1);
+  request.stepper = Stepper::impulsive;
+  request.step = 1e-3;
+  const double time = resolution(request).contact_time;
+  const auto stiffness_for = [time](double phase) { return phase * phase / (time * time); };  // of 1 kg
+  request.scene.main_stiffness = just_above * stiffness_for(Impulsive::longest_main_phase);
+  const Outcome refused = make_simulation(request);
+  EXPECT_EQ(refused.simulation, nullptr);
+  EXPECT_EQ(refused.refusal.field, "newmark");
+  EXPECT_EQ(refused.refusal.value, "impulsive");
+  request.scene.main_stiffness = just_below * just_below * stiffness_for(Impulsive::longest_main_phase);
+  EXPECT_NE(make_simulation(request).simulation, nullptr);
+}
+
 // No energy gained, but by Hooke-Newton without damping, from the fewest steps on. From eight on within a hundredth of
 // the law's restitution, and everywhere within what the stepper states.
+// With sub-steps, at as many of them.
 TEST(Choice, MomentKeepsWhatItStates) {
+  struct Parts {
+    Stepper stepper;
+    int count;
+  };
   for (const Contact& contact : contacts)
-    for (const double steps : {5.0, 5.7, 6.5, 8.0, 10.0, 13.0, 20.0, 40.0}) {
-      Request request = pair_of(contact.law, contact.e, contact.tension);
-      request.stepper = Stepper::moment;
-      const Resolution r = resolution(request);
-      request.step = just_below * r.detail / steps;
-      const Rebounds found = rebounds(request);
-      const double error = std::max(found.most - contact.e, contact.e - found.least);
-      const double stated = Moment::restitution_error(r, request.step) + 1e-12;
-      EXPECT_LE(error, stated) << name_of(contact) << " at " << steps;
-      if (steps >= 8) {
-        EXPECT_LE(error, 0.01 * contact.e) << name_of(contact) << " at " << steps;
+    for (const auto& [stepper, parts] : {Parts{Stepper::moment, 1}, {Stepper::moment_4, 4}, {Stepper::moment_8, 8}})
+      for (const double steps : {5.0, 5.7, 6.5, 8.0, 10.0, 13.0, 20.0, 40.0}) {
+        Request request = pair_of(contact.law, contact.e, contact.tension);
+        request.stepper = stepper;
+        const Resolution r = resolution(request);
+        request.step = just_below * parts * r.detail / steps;
+        const Rebounds found = rebounds(request);
+        const double error = std::max(found.most - contact.e, contact.e - found.least);
+        const double stated = Moment::restitution_error(r, request.step / parts) + 1e-12;
+        const std::string which = name_of(contact) + " at " + std::to_string(steps) + " of " + std::to_string(parts);
+        EXPECT_LE(error, stated) << which;
+        if (steps >= 8) {
+          EXPECT_LE(error, 0.01 * contact.e) << which;
+        }
+        const double of_spring = contact.law == Law::hooke_newton ? 1e-5 * std::pow(8 / steps, 6) : 0;
+        EXPECT_LE(found.most * found.most, 1 + std::max(of_spring - (1 - contact.e * contact.e), 0.0) + 1e-12) << which;
       }
-      const double gain_of_spring = contact.law == Law::hooke_newton ? 1e-5 * std::pow(8 / steps, 6) : 0;
-      EXPECT_LE(found.most * found.most, 1 + std::max(gain_of_spring - (1 - contact.e * contact.e), 0.0) + 1e-12)
-          << name_of(contact) << " at " << steps;
-    }
 }
 
 }  // namespace

@@ -14,9 +14,11 @@
 // oscillator for a sampled drive, no ledger and no log unless asked for.
 //
 //     contact law   HookeNewton, Hertz, HuntCrossley
-//     stepper       Moment, EnergyConsistent, Impulsive, AverageAcceleration, LinearAcceleration, FoxGoodwin,
-//     CentralDifference drive         NoDrive, Sine, Sampled format        Fixed32, Float32, Float32Plain, Float64
-//     (host) features      EnergyLedger, ImpactLog
+//     stepper       Moment, SubsteppedMoment<n>, EnergyConsistent, Impulsive, AverageAcceleration, LinearAcceleration,
+//                   FoxGoodwin, CentralDifference, or as the scene and the step ask: Chosen, see choice.hpp
+//     drive         NoDrive, Sine, Sampled
+//     format        Fixed32, Float32, Float32Plain, Float64 (host)
+//     features      EnergyLedger, ImpactLog
 //
 // A step is: both masses fly freely to its end (newmark/linear_flow.hpp); where the ball then stands inside a stop, the
 // contact finds the force's impulse and moment, and both masses answer to them.
@@ -34,6 +36,7 @@
 #include <impact/newmark/impulsive.hpp>
 #include <impact/newmark/moment.hpp>
 #include <impact/newmark/pointwise.hpp>
+#include <impact/newmark/substepped.hpp>
 #include <impact/numeric/fixed32.hpp>
 #include <impact/numeric/real.hpp>
 #include <impact/plan.hpp>
@@ -211,12 +214,18 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     } else {
       const auto kick =
           state_.contact.resolve(plan.contact, units, trial, trial_rate, before, -mirrored(increment, left));
-      push(kick, kick, left);
+      push(kick, ball_of(kick), left);
       if constexpr (Contact::slips) units.displace(state_.x2, -mirrored(state_.contact.slip, left));
       if constexpr (sizeof...(Features) > 0) {
         const auto& response = plan.contact.response;
-        const Value rate = trial_rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
-        const Value penetration = trial - response.penetration * kick.moment;
+        Value rate{}, penetration{};
+        if constexpr (Contact::sums) {
+          rate = state_.contact.step_rate;
+          penetration = state_.contact.penetration;
+        } else {
+          rate = trial_rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
+          penetration = trial - response.penetration * kick.moment;
+        }
         const bool begins = contact_before.phase == Phase::apart;
         const Value rate_before = (trial - before) + (trial - before) - trial_rate;
         const ContactStep<Value> step = {

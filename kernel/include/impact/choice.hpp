@@ -5,7 +5,8 @@
 //
 //     N >= 8                     Moment             fourth order
 //     N < 8, w0 tc <= 0.05       Impulsive          the law's own restitution, at an instant
-//     N < 8, otherwise           EnergyConsistent   passive at any stiffness
+//     1 <= N < 8, otherwise      SubsteppedMoment   with 4 sub-steps from N = 2 on, else 8
+//     N < 1, otherwise           EnergyConsistent   passive at any stiffness
 //     Hooke-Newton, hardly damped: what it loses does not cover what Moment may gain
 //                                EnergyConsistent   passive
 //
@@ -17,22 +18,24 @@
 #include <impact/newmark/energy.hpp>
 #include <impact/newmark/impulsive.hpp>
 #include <impact/newmark/moment.hpp>
+#include <impact/newmark/substepped.hpp>
 #include <impact/scene.hpp>
 
 namespace impact {
 
-enum class Choice { moment, energy, impulsive };
+enum class Choice { moment, four_sub_steps, eight_sub_steps, energy, impulsive };
 
 constexpr Choice choice_for(const Resolution& contact, double step) {
   constexpr double shortest_phase = 0.05;
   const double share = Moment::precise_steps * step / contact.detail;
-  if (share <= 1) {
-    // An undamped Hooke-Newton contact gains 1e-5 of the impact's energy at 8 steps, with the sixth power of the step;
-    // twice that for safety.
-    const double e = contact.restitution, loss = 1 - e * e, gain = 2e-5 * share * share * share * share * share * share;
-    return contact.law != Law::hooke_newton || loss >= gain ? Choice::moment : Choice::energy;
-  }
-  return contact.main_phase <= shortest_phase ? Choice::impulsive : Choice::energy;
+  if (share > 1 && contact.main_phase <= shortest_phase) return Choice::impulsive;
+  const int parts = share <= 1 ? 1 : share <= 4 ? 4 : 8;
+  // An undamped Hooke-Newton contact gains 1e-5 of the impact's energy at 8 sub-steps, with the sixth power of the
+  // step; twice that for safety.
+  const double e = contact.restitution, loss = 1 - e * e, part = share / parts;
+  const double gain = contact.law == Law::hooke_newton ? 2e-5 * part * part * part * part * part * part : 0;
+  if (part > 1 || loss < gain) return Choice::energy;
+  return parts == 1 ? Choice::moment : parts == 4 ? Choice::four_sub_steps : Choice::eight_sub_steps;
 }
 
 namespace detail {
@@ -41,6 +44,14 @@ struct StepperOf;
 template <>
 struct StepperOf<Choice::moment> {
   using Type = Moment;
+};
+template <>
+struct StepperOf<Choice::four_sub_steps> {
+  using Type = SubsteppedMoment<4>;
+};
+template <>
+struct StepperOf<Choice::eight_sub_steps> {
+  using Type = SubsteppedMoment<8>;
 };
 template <>
 struct StepperOf<Choice::impulsive> {

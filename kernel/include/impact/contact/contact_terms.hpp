@@ -56,7 +56,7 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
 
 // For a treatment that evaluates the law at penetrations up to the bound: the units of its forces and pushes.
 struct ResolvedForces {
-  static constexpr bool splits = false;
+  static constexpr bool splits = false, sums = false;
 
   static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
     using constant::power_of_two;
@@ -127,5 +127,14 @@ struct SplitKick : Kick<Value> {
   Kick<Value> ball;
   Value rate;
 };
+
+template <class Value>
+constexpr const Kick<Value>& ball_of(const Kick<Value>& kick) {
+  return kick;
+}
+template <class Value>
+constexpr const Kick<Value>& ball_of(const SplitKick<Value>& kick) {
+  return kick.ball;
+}
 
 }  // namespace impact

@@ -112,12 +112,12 @@ struct SubsteppedMoment {
                                        Value before, Value) {
       const bool begins = this->phase == Phase::apart;
       Value at = begins ? before : this->penetration;
-      const Value rate = begins ? (trial - before) + (trial - before) - trial_rate : step_rate;
-      const Value sag = trial - at - rate, bend = trial_rate - rate;
+      const Value rate_before = begins ? (trial - before) + (trial - before) - trial_rate : step_rate;
+      const Value sag = trial - at - rate_before, bend = trial_rate - rate_before;
       const Value second = plan.square * (sag + sag + sag - bend), third = plan.cube * (bend - sag - sag);
       const Value third3 = third + third + third, third6 = third3 + third3;
       // The cubic, its rate and its curvature by their differences from one sub-step to the next.
-      Value free = at, free_rate = plan.part * rate, curvature = second + second;
+      Value free = at, free_rate = plan.part * rate_before, curvature = second + second;
       Value rise = free_rate + second + third, rise_of_rise = curvature + third6, rate_rise = curvature + third3;
       Value x{}, u{}, y{}, w{};  // what the kicks have done to the main mass (x, u) and to the ball (y, w)
       for (int i = 1; i <= n; ++i) {
@@ -148,7 +148,7 @@ struct SubsteppedMoment {
         at = this->penetration;
       }
       step_rate = trial_rate - plan.whole * (u + w);
-      return {{u, x}, {w, y}, rate};
+      return {{u, x}, {w, y}, rate_before};
     }
   };
 };

@@ -27,12 +27,11 @@
 // so that rounding cannot put it above. V0 is the rate at first touch, A the acceleration towards the stop by spring
 // and drive: it makes the ball faster on its way to the centroid, and gives that speed back on the way out.
 //
-// Settling. A presses the ball against it when the contact, which lasts about twice
-// the time to its centroid, is long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the ball would
-// end a step inside the stop and approach it still, the impulse takes V away, t = d/V as if V had come from rest,
-// within the same limits, and the ball is put on its stop: no buzzing, no sinking in. One impact a step: a ball that
-// crosses the clearance in less goes beyond the other stop by less than it flies in a step, and is turned back in the
-// next.
+// Settling. A presses the ball against its stop when the contact, which lasts about twice the time to its centroid, is
+// long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the ball would end a step inside the stop and
+// approach it still, the impulse takes V away, t = d/V as if V had come from rest, within the same limits, and the ball
+// is put on its stop: no buzzing, no sinking in. One impact a step: a ball that crosses the clearance in less goes
+// beyond the other stop by less than it flies in a step, and is turned back in the next.
 
 #include <impact/contact/contact_terms.hpp>
 #include <impact/contact/rebound.hpp>

@@ -25,8 +25,8 @@ set -eu
   operation ~ /^(b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)|cbn?z)$/ { jump[address] = target; next }
   operation ~ /^bl(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)?$/ && length(operation) != 3 {
     call[address] = target; next }
-  (operation ~ /^bx/ && operands ~ /^lr/) || (operation ~ /^(pop|ldm)/ && operands ~ /pc}/) {
-    ends[address] = operation ~ /^(bx|pop|ldm|ldmia)$/  # with a condition, in an IT block, it may go on
+  (operation ~ /^bx/ && operands ~ /^lr/) || operands ~ /pc}|^pc, \[sp\], #4$/ {
+    ends[address] = operation ~ /^(bx|pop|ldm|ldmia|ldr)$/  # with a condition, in an IT block, it may go on
     next }
   operation ~ /^(blx|tb[bh])/ || operands ~ /^pc,/ { unknown[address] = 1; next }
   # RISC-V

@@ -137,9 +137,10 @@ struct Impulsive {
     static constexpr double reduced_mass(const ContactTerms& terms) {
       return 1 / (1 / terms.ball_mass + 1 / terms.main_mass);
     }
-    // x / y, y > 0
+    // x / y for |x| < y, and 0 where the ball has come by less.
     static constexpr Value over(Value x, Value y) {
       const bool is_negative = !is_positive(x);
+      if (!is_positive(y) || !is_positive(y - mirrored(x, is_negative))) return Value{};
       return mirrored(Format::value(Format::quotient(positive_part(mirrored(x, is_negative)), positive_part(y))),
                       is_negative);
     }

@@ -39,7 +39,7 @@ Curve bare_curve(const Request& request) {
 int write_trajectory(const Settings& settings) {
   const Request& request = settings.request;
   const auto simulation = simulation_of(request);
-  if (request.stepper == Stepper::automatic) std::cerr << "impact-sim: " << simulation->description() << "\n";
+  if (!simulation->description().empty()) std::cerr << "impact-sim: " << simulation->description() << "\n";
 
   const long steps = step_count(request);
   const int digits = significant_digits(request.numeric);

@@ -94,6 +94,11 @@ TEST_F(ImpactSim, SaysWhatThePlanChoseOnStandardErrorOnly) {
   EXPECT_THAT(result.out, StartsWith(header + "\n"));
 }
 
+TEST_F(ImpactSim, WarnsOfAClassicalSchemeWithFewStepsPerContact) {
+  EXPECT_THAT(run("--newmark average --duration 0.01 --contact-stiffness 1e10").err, HasSubstr("may gain energy"));
+  EXPECT_THAT(run("--newmark average --duration 0.01").err, IsEmpty());
+}
+
 // The widest mantissa that a format's neighbours need.
 TEST_F(ImpactSim, WritesTheDigitsOfTheFormat) {
   const auto digits = [&](const char* numeric) {

@@ -170,7 +170,8 @@ Refusal refusal_for(Status status, const Request& request, const Bounds& bounds)
     case Status::drive_amplitude:
       return refusal("drive-amplitude", scene.drive_amplitude, force_range);
     case Status::drive_pulsation:
-      return refusal("drive-pulsation", scene.drive_pulsation, {0, 1e6});
+      return {"drive-pulsation", text(scene.drive_pulsation),
+              "0, or " + text(slowest_drive(request.step)) + " to " + text(drive_pulsation_range.most)};
     case Status::initial_displacement:
       return refusal(initial_displacement_range.holds(scene.x1) ? "x2" : "x1",
                      initial_displacement_range.holds(scene.x1) ? scene.x2 : scene.x1, initial_displacement_range);

@@ -38,14 +38,20 @@ class KernelSimulation final : public Simulation {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, EnergyLedger, ImpactLog>;
 
   KernelSimulation(const Request& request, const Bounds& bounds, const typename Kernel::PlanType& plan)
-      : request_(request), sample_unit_(Format::sample_unit(bounds.force)), kernel_(plan) {}
+      : request_(request),
+        largest_force_(bounds.force),
+        sample_unit_(Format::sample_unit(bounds.force)),
+        kernel_(plan) {}
 
   void step(double force) override {
     if constexpr (Kernel::Contact::splits) v2_before_ = kernel_.reading().v2;
-    if constexpr (Drive::is_sampled)
-      kernel_.step(Format::sample(force / sample_unit_));
-    else
+    if constexpr (Drive::is_sampled) {
+      // Fixed32's fractions cannot say so themselves.
+      if (!(std::abs(force) <= largest_force_)) is_sample_beyond_ = true;
+      kernel_.step(Format::sample(sample_unit_ > 0 ? force / sample_unit_ : 0));
+    } else {
       kernel_.step();
+    }
     ++steps_;
   }
 
@@ -88,7 +94,10 @@ class KernelSimulation final : public Simulation {
   const char* fault() const override {
     switch (kernel_.fault()) {
       case Fault::none:
-        return nullptr;
+        if (!is_sample_beyond_) return nullptr;
+        [[fallthrough]];
+      case Fault::sample:
+        return "a drive sample beyond its bound";
       case Fault::displacement:
         return "a displacement beyond its bound";
       case Fault::speed:
@@ -112,7 +121,8 @@ class KernelSimulation final : public Simulation {
   }
 
   Request request_;
-  double sample_unit_;
+  double largest_force_, sample_unit_;
+  bool is_sample_beyond_ = false;
   Kernel kernel_;
   long steps_ = 0;
   double v2_before_ = kernel_.reading().v2;

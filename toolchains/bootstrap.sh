@@ -26,7 +26,7 @@ qemu-system-riscv32 qemu-system-misc
 END
   case $1 in
     report) echo gnuplot gnuplot-nox && echo /usr/lib/arm-none-eabi/newlib/libm.a libnewlib-arm-none-eabi ;;
-    test) printf "%s\n" "clang++ clang" "clang-tidy clang-tidy" "cppcheck cppcheck" "gnuplot gnuplot-nox" ;;
+    test) printf "%s\n" "clang++ clang" "/usr/share/doc/libclang-rt-14-dev libclang-rt-14-dev" "clang-tidy clang-tidy" "cppcheck cppcheck" "gnuplot gnuplot-nox" ;;
   esac
 }
 

@@ -249,6 +249,28 @@ TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
   }
 }
 
+// Each kind of fault: its reason on standard error, the data up to it in the file.
+TEST_F(ImpactSim, EveryFaultSaysWhatItIs) {
+  std::string forces;
+  for (int n = 0; n < 1000; ++n) forces += n < 500 ? "1\n" : "5\n";
+  write(file("forces"), forces);
+  const struct {
+    const char *arguments, *reason;
+  } faults[] = {{"--numeric fixed32 --bound-displacement 0.012", "a displacement beyond its bound"},
+                {"--numeric fixed32 --bound-speed 0.1", "a speed beyond its bound"},
+                {"--numeric fixed32 --bound-penetration 0.001", "a penetration beyond its bound"},
+                {"--numeric fixed32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
+                {"--numeric float32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
+                {"--numeric float32-plain --drive-file forces --bound-force 2", "a drive sample beyond its bound"}};
+  for (const auto& [arguments, reason] : faults) {
+    const Result result = run(std::string("--newmark moment --output data.csv ") + arguments);
+    EXPECT_EQ(result.code, 3) << arguments;
+    EXPECT_THAT(result.err, HasSubstr("fault at t = ")) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(reason)) << arguments;
+    EXPECT_GT(lines_of(read(file("data.csv"))).size(), 100u) << arguments;
+  }
+}
+
 TEST_F(ImpactSim, AFaultStandsInItsRowOfASweep) {
   write(file("scenes.csv"), "bound-displacement\n0.1\n0.012\n");
   const Result result = run("--sweep scenes.csv --newmark moment --numeric fixed32 --output rows.csv");

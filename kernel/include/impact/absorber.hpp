@@ -45,13 +45,24 @@
 
 namespace impact {
 
-// Why a state is no longer to be trusted. Sticky: the first fault stays until clear_fault() or reset(). The state has
-// been held at its bound and is finite.
+// Why a state is no longer to be trusted. Sticky: the first fault stays until clear_fault() or reset(). The kernel goes
+// on in any case, from a state that has been held at the end of its range: it is always finite, and no step takes
+// longer for it.
+//
+//     Fixed32            holds what passes Bounds, at a power of two less than twice the bound (a speed at more than
+//                        that where one step's acceleration passes the bound)
+//     floating point     holds displacements, and displacements per step, at 2^20 m whatever Bounds say; a number that
+//                        the contact's formulas could not hold becomes 0
+//
+// A hold lets go of the contact under way; recorded features leave such a step out. A sample counts in newtons in
+// floating point: beyond Bounds::force it is held there, and instead of one that is not a number the one before it goes
+// on. In Fixed32 it is a fraction of that bound, all of whose bits are good.
 enum class Fault : uint16_t {
   none,
-  displacement,  // a mass went beyond Bounds::displacement
-  speed,         // beyond Bounds::speed
-  penetration,   // beyond Bounds::penetration
+  displacement,  // of a mass
+  speed,         // of a mass
+  penetration,   // Fixed32 only
+  sample,        // of a sampled drive, floating point only
 };
 
 template <class Rig, class ContactLaw, class Stepper, class Drive, class Format_, class... Features>
@@ -84,13 +95,11 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     state_.x2 = plan.x2;
     state_.w2 = plan.w2;
     state_.drive = decltype(state_.drive)::start(plan.drive);
-    const Value right = plan.units.penetration(state_.x2 - state_.x1),
-                left = plan.units.penetration(state_.x1 - state_.x2);
-    if (plan.right_stop && is_positive(right)) {
-      state_.contact.start(plan.contact, plan.units, right, relative_rate(false));
-    } else if (plan.left_stop && is_positive(left)) {
-      state_.at_left = 1;
-      state_.contact.start(plan.contact, plan.units, left, relative_rate(true));
+    const bool left = is_at_left();
+    const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, left));
+    if (is_positive(inside)) {
+      state_.at_left = left;
+      state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
     }
     (Features::start(plan, state_), ...);
   }
@@ -98,6 +107,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   // Advances by one step. A sampled drive takes the sample at the step's end: newtons in a floating-point format, a
   // fraction of Bounds::force in Q1.31 in Fixed32; the sample before the first is 0.
   constexpr void step(Value sample = Value{}) {
+    if constexpr (Drive::is_sampled)
+      if (!state_.drive.accepts(plan.drive, sample)) hold_sample(sample);
     Long made = state_.w1;
     if constexpr (Drive::is_sampled) plan.units.add(made, state_.drive.kick(plan.drive, sample));
     state_.x1.advance(made);
@@ -128,7 +139,9 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
 
   // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same
   // on every little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's
-  // version, the scene, the bounds, the step or a type differ.
+  // version, the scene, the bounds, the step or a type differ, or when no step can have left the state: displacements,
+  // drive or kind of contact are out of range. (What a contact remembers of its forces is not judged: it cannot do
+  // more than raise a fault.)
   static constexpr uint32_t state_version = 1;
   struct Saved {
     uint32_t version, plan_identity;
@@ -136,7 +149,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   };
   constexpr Saved save() const { return {state_version, plan.identity, state_}; }
   constexpr bool restore(const Saved& saved) {
-    if (saved.version != state_version || saved.plan_identity != plan.identity) return false;
+    if (saved.version != state_version || saved.plan_identity != plan.identity || !is_sound(saved.state)) return false;
     state_ = saved.state;
     return true;
   }
@@ -151,6 +164,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     if (is_bound && state_.contact.phase != Phase::apart) return false;
     hand_over(plan, next, state_);
     plan = next;
+    hold_in_range();
     ((static_cast<typename Features::template State<Format>&>(state_) = {}, Features::start(plan, state_)), ...);
     return true;
   }
@@ -181,7 +195,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   [[gnu::noinline]] constexpr void call_touch(Value increment, Long made) { touch(increment, made); }
   [[gnu::always_inline]] constexpr void touch(Value increment, Long made) {
     const auto& units = plan.units;
-    if (state_.contact.phase == Phase::apart) state_.at_left = (state_.x2 - state_.x1).is_negative();
+    if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
     const bool left = plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
     if constexpr (Contact::carries) {
       const Value carried = mirrored(state_.contact.force, left);
@@ -192,7 +206,6 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     const Value trial = units.penetration(along);
     if (state_.contact.phase == Phase::apart && !is_positive(trial)) return;
     if (!units.fits(along)) raise(Fault::penetration);
-    if (!units.in_range(state_.w2)) hold_ball();
     const Value trial_rate = relative_rate(left);
     const Value travel = mirrored(units.relative(state_.w2 - made), left);
     Value before = trial - travel;
@@ -205,6 +218,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
           state_.contact.resolve(plan.contact, units, trial, trial_rate, travel, -mirrored(increment, left), main_rate);
       push(kick, kick.ball, left);
       if (state_.contact.rests) state_.x2 = units.stop(state_.x1, left);
+      if (hold_in_range()) return;
       if constexpr (sizeof...(Features) > 0) {
         const Value after = kick.rate - kick.ball.impulse - kick.ball.impulse;
         const Kick<Value> force = {kick.ball.impulse, Format::value(half(kick.ball.impulse))};
@@ -216,6 +230,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
           state_.contact.resolve(plan.contact, units, trial, trial_rate, before, -mirrored(increment, left));
       push(kick, ball_of(kick), left);
       if constexpr (Contact::slips) units.displace(state_.x2, -mirrored(state_.contact.slip, left));
+      if (hold_in_range()) return;
       if constexpr (sizeof...(Features) > 0) {
         const auto& response = plan.contact.response;
         Value rate{}, penetration{};
@@ -259,14 +274,38 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     return plan.left_stop ? plan.units.beyond_stop(state_.x1, state_.x2) : plan.units.beyond_stop(state_.x2, state_.x1);
   }
 
-  __attribute__((noinline)) constexpr void hold_ball() {
-    if (plan.units.hold_displacement(state_.w2)) raise(Fault::speed);
+  // The stop that the ball would be in: of two the one on its side.
+  constexpr bool is_at_left() const {
+    return plan.left_stop && (!plan.right_stop || (state_.x2 - state_.x1).is_negative());
   }
-  // A state beyond its bounds is put back on them.
+
+  constexpr bool is_sound(const State& state) const {
+    const auto& units = plan.units;
+    bool is_sound = units.in_range(state.x1, state.x2, state.w1, state.w2) && units.is_sound(state.x1) &&
+                    units.is_sound(state.x2) && units.is_sound(state.w1) && units.is_sound(state.w2) &&
+                    state.contact.phase <= Phase::released && state.at_left <= 1 && state.fault <= Fault::sample;
+    if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
+    if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
+    if constexpr (ContactLaw::is_damped_per_impact) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
+    return is_sound;
+  }
+
+  // What contact or a change of plan has left beyond its range.
+  constexpr bool hold_in_range() {
+    if (plan.units.in_range(state_.x1, state_.x2, state_.w1, state_.w2)) return false;
+    hold();
+    return true;
+  }
   __attribute__((noinline)) constexpr void hold() {
     const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);
     plan.units.hold_displacement(state_.w1);
+    plan.units.hold_displacement(state_.w2);
+    state_.contact = Contact{};
     raise(is_far || is_ball_far ? Fault::displacement : Fault::speed);
+  }
+  __attribute__((noinline)) constexpr void hold_sample(Value& sample) {
+    sample = state_.drive.held(plan.drive, sample);
+    raise(Fault::sample);
   }
 
   constexpr void raise(Fault fault) {

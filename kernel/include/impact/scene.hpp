@@ -48,8 +48,8 @@ struct Scene {
 };
 
 // The largest values that the scene reaches, in SI units. Fixed32 chooses every format from them; beyond them it
-// saturates and raises a fault; the tighter they are, the finer it counts. Floating point does without them. The
-// defaults hold the paper's scene under every law.
+// saturates and raises a fault; the tighter they are, the finer it counts. Floating point does without them, but for
+// the force of a sampled drive. The defaults hold the paper's scene under every law.
 struct Bounds {
   double displacement = 0.1;  // of either mass, m
   double speed = 2.0;         // of either mass, m/s

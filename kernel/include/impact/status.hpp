@@ -49,6 +49,10 @@ constexpr Range force_range{0, 1e9};                    // N
 constexpr Range initial_displacement_range{-1e3, 1e3};  // m
 constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s
 constexpr Range bound_range{1e-9, 1e6};                 // m and m/s
+constexpr Range drive_pulsation_range{0, 1e6};          // rad/s; above 0 at least:
+
+// A slower drive turns by less than 2^-24 rad a step, of which an oscillator's curvature keeps fewer than 15 bits.
+constexpr double slowest_drive(double step) { return 0x1p-24 / step; }
 
 // The longest step, s: 0.1, three radians of the drive, and `phase` radians of the main mass's own vibration, whose
 // damping must not decay faster than in one step either.
@@ -71,12 +75,13 @@ constexpr Status status_of(const Scene& scene, double step, double phase) {
   if (!contact_damping_range.holds(scene.contact_damping)) return Status::contact_damping;
   if (!restitution_range.holds(scene.restitution)) return Status::restitution;
   if (!force_range.holds(scene.drive_amplitude)) return Status::drive_amplitude;
-  if (!(scene.drive_pulsation >= 0 && scene.drive_pulsation <= 1e6)) return Status::drive_pulsation;
+  if (!drive_pulsation_range.holds(scene.drive_pulsation)) return Status::drive_pulsation;
   if (!initial_displacement_range.holds(scene.x1) || !initial_displacement_range.holds(scene.x2))
     return Status::initial_displacement;
   if (!initial_velocity_range.holds(scene.v1) || !initial_velocity_range.holds(scene.v2))
     return Status::initial_velocity;
   if (!(step >= 1e-9 && step <= longest_step(scene, phase))) return Status::step;
+  if (scene.drive_pulsation > 0 && scene.drive_pulsation < slowest_drive(step)) return Status::drive_pulsation;
   return Status::ok;
 }
 

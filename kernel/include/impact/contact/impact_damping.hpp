@@ -1,6 +1,7 @@
 #pragma once
 // The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact
-// from its own speed.
+// from its own speed. A contact that begins slowly and is then driven in faster, by 2/(1 - e) times and more, leaves
+// the range that 1 + c1/k1 v has in Fixed32: there c1/k1 v is held, between half that range and the whole.
 
 #include <impact/contact/contact_terms.hpp>
 #include <impact/numeric/formula.hpp>
@@ -19,11 +20,11 @@ struct ImpactDamping {};
 
 template <class Format>
 struct ImpactDamping<Format, true> {
-  typename Format::Gain own_damping;  // of the contact under way
+  typename Format::HeldGain own_damping;  // of the contact under way
 
   // An impact without speed is one without damping.
   constexpr void begin(typename Format::Gain share, typename Format::Value rate) {
-    own_damping = is_positive(rate) ? Format::gain_over(share, rate) : typename Format::Gain{};
+    own_damping = {is_positive(rate) ? Format::gain_over(share, rate) : typename Format::Gain{}};
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // The drive as one sample a step from the caller (an ADC reading), held linear between samples: exact for the exact
-// flow. A sample is newtons in a floating-point format, and a fraction of Bounds::force in Q1.31 in fixed point.
+// flow. A sample is newtons in a floating-point format, and a fraction of Bounds::force in Q1.31 in fixed point, of
+// which every value is good. In newtons it must be a number within Bounds::force.
 
 #include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/units.hpp>
@@ -14,6 +15,7 @@ struct Sampled {
   template <class Format>
   struct Plan {
     typename Format::Gain kick, increment_before, increment_now, rate;
+    typename Format::Value largest;
   };
 
   template <class Format>
@@ -23,7 +25,8 @@ struct Sampled {
     const double before = flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0;
     const double now = flow.e12 * flow.c1 - (flow.e22 + flow.damping()) * flow.b1 + flow.b0;
     return {Format::gain(N * flow.b1, 0, unit.increment), Format::gain(N * before, 0, unit.increment),
-            Format::gain(N * now, 0, unit.increment), Format::gain(N * flow.b0 / flow.e12, 0, unit.penetration)};
+            Format::gain(N * now, 0, unit.increment), Format::gain(N * flow.b0 / flow.e12, 0, unit.penetration),
+            Format::largest_sample(bounds.force)};
   }
 
   template <class Format>
@@ -42,6 +45,13 @@ struct Sampled {
     typename Format::Value sample;  // at the start of the step
 
     static constexpr State start(const Plan<Format>&) { return {}; }
+    constexpr bool accepts(const Plan<Format>& plan, typename Format::Value next) const {
+      return Format::is_within(next, plan.largest);
+    }
+    // What stands for a sample that is not accepted: the bound, or for no number the sample before.
+    constexpr typename Format::Value held(const Plan<Format>& plan, typename Format::Value next) const {
+      return Format::held_within(next, plan.largest, sample);
+    }
     // What the sample at the end of the step adds at once to the displacement.
     constexpr typename Format::Value kick(const Plan<Format>& plan, typename Format::Value next) const {
       return plan.kick * next;

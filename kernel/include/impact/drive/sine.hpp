@@ -43,11 +43,11 @@ struct Sine {
     Plan<Format> plan{};
     plan.oscillator = Format::Oscillator::make_plan(s, turn);
     const int value = Format::oscillator_exponent(plan.oscillator);
-    plan.increment = Format::gain(1, value, unit.increment);
     // P = by_value s + by_slope (s - s_before): resolve P along s = S sin(psi) and across it.
     // The force, sin(w t), likewise.
     const double S2 = s.sine * s.sine + s.cosine * s.cosine;
     if (S2 > 0) {
+      plan.increment = Format::gain(1, value, unit.increment);
       const double along = (P.sine * s.sine + P.cosine * s.cosine) / S2;
       const double across = (P.cosine * s.sine - P.sine * s.cosine) / S2;
       const double by_slope = across / sine, by_value = along - by_slope * (1 - cosine);

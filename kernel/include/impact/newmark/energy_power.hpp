@@ -92,7 +92,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   static constexpr Value ratio(Value a, Value b) {
     return Format::value(Format::quotient(positive_part(a), positive_part(b)));
   }
-  constexpr Gain damping(const Plan& plan) const {
+  constexpr auto damping(const Plan& plan) const {
     if constexpr (ContactLaw::is_damped_per_impact)
       return this->own_damping;
     else

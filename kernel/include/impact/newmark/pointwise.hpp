@@ -107,7 +107,7 @@ struct Pointwise {
     }
 
    private:
-    constexpr Gain damping(const Plan& plan) const {
+    constexpr auto damping(const Plan& plan) const {
       if constexpr (ContactLaw::is_damped_per_impact)
         return this->own_damping;
       else

@@ -17,12 +17,12 @@ constexpr double power_of_two(int exponent) {
   return result;
 }
 
-// The smallest e with 2^e >= x, for x > 0.
+// The smallest e with 2^e >= x; from -1074 (for x <= 0 too) to 1024 (for infinity), and 0 for a NaN.
 constexpr int exponent_above(double x) {
   int e = 0;
   double power = 1;
-  for (; power < x; power *= 2) ++e;
-  for (; power / 2 >= x; power /= 2) --e;
+  for (; power < x && e < 1024; power *= 2) ++e;
+  for (; power / 2 >= x && e <= 0 && e > -1074; power /= 2) --e;
   return e;
 }
 

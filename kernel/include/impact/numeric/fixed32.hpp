@@ -56,14 +56,22 @@ struct Fixed32 {
       const bool is_power_of_two = gain.mantissa == (1 << 30);
       const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
       if (places > 0) {
-        const int32_t product = is_power_of_two ? x.raw : high_product(x.raw, gain.mantissa);
-        return {(product + (1 << (places - 1))) >> places};
+        if (is_power_of_two) return {((x.raw >> (places - 1)) + 1) >> 1};
+        return {(high_product(x.raw, gain.mantissa) + (1 << (places - 1))) >> places};
       }
       // To the left before the product as far as it cannot overflow, to keep the product's low bits.
       const int after = places < -2 ? 2 : -places;
       const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (-places - after));
       const int32_t product = is_power_of_two ? ahead : rounded_high_product(ahead, gain.mantissa);
       return {static_cast<int32_t>(static_cast<uint32_t>(product) << after)};
+    }
+  };
+
+  // A gain of numbers that it may carry out of range: they are held where the largest mantissa would not.
+  struct HeldGain : Gain {
+    friend constexpr Value operator*(HeldGain gain, Value x) {
+      const int32_t most = gain.shift < -1 ? INT32_MAX >> (-1 - gain.shift) : INT32_MAX;
+      return static_cast<const Gain&>(gain) * Value{x.raw > most ? most : x.raw < -most ? -most : x.raw};
     }
   };
 
@@ -99,6 +107,7 @@ struct Fixed32 {
     };
     e.displacement = exponent(2 * bounds.displacement);
     e.increment = exponent(bounds.increment);
+    if (e.displacement <= e.increment) e.displacement = e.increment + 1;
     e.push = exponent(bounds.push);
     e.kick = e.push - 1;
     e.penetration = exponent(bounds.penetration);
@@ -106,16 +115,21 @@ struct Fixed32 {
     return e;
   }
 
-  // No quantity that is added to a position may count in more than a position's unit.
+  // What is added to a state in range, at most half of its own unit, must not wrap it before it is looked at again: a
+  // displacement and a drive's kick to a position, three increments at a change of plan to a displacement, and in a
+  // contact two pushes to a displacement or one and a slip to a position.
   static constexpr Status status_of(const UnitExponents& e, double gap) {
-    const auto fits = [&e](int exponent) { return exponent <= e.position; };
+    const auto fits = [&e](int exponent, int spare) { return exponent <= e.position - spare; };
     if (gap > constant::power_of_two(e.position - 1)) return Status::displacement_bound;
-    if (!fits(e.displacement)) return Status::speed_bound;
-    if (!fits(e.penetration) || !fits(e.push)) return Status::penetration_bound;
-    if (!fits(e.increment)) return Status::displacement_bound;
+    if (!fits(e.displacement, 1)) return Status::speed_bound;
+    if (!fits(e.penetration, 1) || !fits(e.push, 2)) return Status::penetration_bound;
+    if (!fits(e.increment, 2)) return Status::displacement_bound;
     if (e.force < 0 || e.force > 20) return Status::speed_bound;
     return Status::ok;
   }
+
+  // Whether forces that change a quantity by as much as their unit are more than nothing.
+  static constexpr bool resolves(double change, int exponent) { return change > constant::power_of_two(exponent - 31); }
 
   struct Units {
     int64_t gap;
@@ -134,7 +148,8 @@ struct Fixed32 {
     }
 
     constexpr Long state(double x) const {
-      return {static_cast<int64_t>(x * constant::power_of_two(63 - position_exponent))};
+      const double raw = x * constant::power_of_two(63 - position_exponent), most = 0x1p62;
+      return {static_cast<int64_t>(constant::larger(-most, constant::smaller(raw, most)))};
     }
     // Positions carry half a last place of their upper word, so that taking the upper word rounds to nearest.
     static constexpr int64_t half_place = int64_t{1} << 31;
@@ -178,11 +193,18 @@ struct Fixed32 {
       const int32_t apart = static_cast<int32_t>(x2.raw >> 32) - static_cast<int32_t>(x1.raw >> 32);
       return (apart ^ apart >> 31) >= static_cast<int32_t>(gap >> 32) - 1;
     }
-    // In range while the top two bits of each Value agree.
+    // In range while the top two bits of each Value agree, which one step's increment cannot carry w1 past.
     constexpr bool in_range(Long x1, Long x2, Long w1) const {
       return static_cast<int32_t>(top(x1) | top(x2) | top(w1) << (32 - displacement_shift)) >= 0;
     }
-    constexpr bool in_range(Long w) const { return static_cast<int32_t>(top(w) << (32 - displacement_shift)) >= 0; }
+    // The same, however far out they are.
+    constexpr bool in_range(Long x1, Long x2, Long w1, Long w2) const {
+      const uint64_t half = uint64_t{1} << (displacement_shift + 30);
+      const uint64_t beyond = (static_cast<uint64_t>(w1.raw) + half) | (static_cast<uint64_t>(w2.raw) + half);
+      return static_cast<int32_t>(top(x1) | top(x2)) >= 0 && beyond >> (displacement_shift + 31) == 0;
+    }
+    static constexpr bool is_sound(Long) { return true; }
+    constexpr bool holds_start(Long x1, Long x2, Long w1, Long w2) const { return in_range(x1, x2, w1, w2); }
     static constexpr uint32_t top(Long x) {
       const auto upper = static_cast<uint32_t>(x.raw >> 32);
       return upper ^ upper << 1;
@@ -210,6 +232,8 @@ struct Fixed32 {
   static constexpr Gain gain(double factor, int from, int to) {
     const double scaled = factor * constant::power_of_two(from - to);
     if (scaled == 0) return {0, 0};
+    // No number that it multiplies stays in range: a stepper far outside its own.
+    if (!(constant::magnitude(scaled) < 0x1p31)) return {scaled < 0 ? -INT32_MAX : INT32_MAX, -32};
     int e = constant::exponent_above(constant::magnitude(scaled));
     int64_t mantissa = constant::nearest(scaled * constant::power_of_two(31 - e));
     if (mantissa > INT32_MAX) {
@@ -234,12 +258,19 @@ struct Fixed32 {
     return {places > 0 ? x.raw >> places : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -places)};
   }
   static constexpr double sample_unit(double largest) { return largest; }
+  static constexpr Value largest_sample(double) { return {INT32_MAX}; }
+  static constexpr bool is_within(Value, Value) { return true; }
+  static constexpr Value held_within(Value x, Value, Value) { return x; }
+  static constexpr bool is_sound(Gain gain) { return gain.shift >= -32 && gain.shift < 31; }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
   static constexpr int32_t native(Value reading) { return reading.raw; }
-  // A fraction as a Value, held at the ends of its range.
+  // A fraction as a Value, held at the ends of its range; 0 for no number.
   static constexpr Value sample(double fraction) {
-    return {fraction >= 1 ? INT32_MAX : fraction <= -1 ? -INT32_MAX : static_cast<int32_t>(fraction * 2147483647.0)};
+    return {fraction >= 1    ? INT32_MAX
+            : fraction <= -1 ? -INT32_MAX
+            : fraction > -1  ? static_cast<int32_t>(fraction * 2147483647.0)
+                             : 0};
   }
   template <int bits>
   static constexpr Value value(Signed<bits> x) {
@@ -248,6 +279,11 @@ struct Fixed32 {
   template <int bits>
   static constexpr Value value(Unsigned<bits> x) {
     return with_bits<31>(with_sign(x));
+  }
+  // To nearest, for sums over many steps.
+  template <int a, int b>
+  static constexpr Value rounded_product(Signed<a> x, Signed<b> y) {
+    return value(Signed<a + b - 32>{rounded_high_product(x.raw, y.raw)});
   }
   // numerator <= denominator
   template <int a, int b>
@@ -289,13 +325,16 @@ struct Fixed32 {
   // A root t of a decreasing function, moved by its value over its steepness.
   static constexpr Unsigned<32> corrected(Unsigned<32> t, Value value, Unsigned<31> steepness) {
     const bool later = value.raw > 0;
-    const Unsigned<31> size = {static_cast<uint32_t>(later ? value.raw : -value.raw)};
+    const auto raw = static_cast<uint32_t>(value.raw);
+    const Unsigned<31> size = {later ? raw : 0 - raw};
     const uint32_t step = quotient(size, steepness).raw;
     if (later) return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
     return {t.raw < step ? 0 : t.raw - step};
   }
   static constexpr Value unity() { return {INT32_MAX}; }
-  static constexpr Value four_times_up_to_one(Value x) { return {x.raw < 1 << 29 ? 4 * x.raw : INT32_MAX}; }
+  static constexpr Value four_times_up_to_one(Value x) {
+    return {x.raw < 1 << 29 ? static_cast<int32_t>(static_cast<uint32_t>(x.raw) << 2) : INT32_MAX};
+  }
   static constexpr Unsigned<32> root_of_product(Unsigned<30> x) {
     return {square_root_q32(x.raw < UINT32_C(1) << 30 ? x.raw << 2 : ~UINT32_C(0))};
   }
@@ -316,8 +355,8 @@ struct Fixed32 {
 
 template <int bits>
 constexpr Signed<bits> mirrored(Signed<bits> x, bool left) {
-  const int32_t sign = -static_cast<int32_t>(left);
-  return {(x.raw ^ sign) - sign};
+  const uint32_t sign = 0u - static_cast<uint32_t>(left);
+  return {static_cast<int32_t>((static_cast<uint32_t>(x.raw) ^ sign) - sign)};
 }
 
 }  // namespace impact

@@ -6,7 +6,8 @@
 //     Unsigned<32>: [0, 1) in steps of 2^-32 (UQ0.32)
 //
 // A product and a shift to fewer fraction bits round down: an error in (-1, 0] last places. Nothing saturates here:
-// whoever writes a formula shows that its values fit.
+// whoever writes a formula shows that its values fit. Where a state beyond its bounds makes them not fit, they are
+// defined all the same, modulo 2^32, and what comes of them is held in range: see Fault.
 
 #include <stdint.h>
 
@@ -58,12 +59,16 @@ constexpr Unsigned<bits> without_sign(Signed<bits> x) {
 template <int a, int b>
 constexpr auto operator+(Signed<a> x, Signed<b> y) {
   constexpr int bits = a < b ? a : b;
-  return Signed<bits>{with_bits<bits>(x).raw + with_bits<bits>(y).raw};
+  const auto left = static_cast<uint32_t>(with_bits<bits>(x).raw),
+             right = static_cast<uint32_t>(with_bits<bits>(y).raw);
+  return Signed<bits>{static_cast<int32_t>(left + right)};
 }
 template <int a, int b>
 constexpr auto operator-(Signed<a> x, Signed<b> y) {
   constexpr int bits = a < b ? a : b;
-  return Signed<bits>{with_bits<bits>(x).raw - with_bits<bits>(y).raw};
+  const auto left = static_cast<uint32_t>(with_bits<bits>(x).raw),
+             right = static_cast<uint32_t>(with_bits<bits>(y).raw);
+  return Signed<bits>{static_cast<int32_t>(left - right)};
 }
 template <int a, int b>
 constexpr auto operator+(Unsigned<a> x, Unsigned<b> y) {
@@ -89,7 +94,7 @@ constexpr auto operator-(Unsigned<a> x, Signed<b> y) {
 }
 template <int bits>
 constexpr Signed<bits> operator-(Signed<bits> x) {
-  return {-x.raw};
+  return {static_cast<int32_t>(0 - static_cast<uint32_t>(x.raw))};
 }
 
 template <int a, int b>

@@ -55,10 +55,19 @@ struct IntegerOscillator {
     };
     return {shifted(value_head, 32), shifted(slope_head, 32 - plan.slope_bits)};
   }
+  // Above 2 radians a step the curvature's part alone can leave 64 bits; the sum comes back, modulo 2^64.
   constexpr void advance(const Plan& plan) {
     const int32_t bend = high_product(value_head(), plan.curvature);
-    slope -= shifted_left(bend, 64 - plan.curvature_bits);
-    value += slope;
+    const uint64_t change = static_cast<uint64_t>(shifted_left(bend, 64 - plan.curvature_bits));
+    const uint64_t next = static_cast<uint64_t>(slope) - change;
+    slope = static_cast<int64_t>(next);
+    value = static_cast<int64_t>(static_cast<uint64_t>(value) + next);
+  }
+  // The plan leaves half the range free; rounding at a change of plan may take a little of it.
+  constexpr bool is_sound(const Plan& plan) const {
+    constexpr int64_t most = int64_t{5} << 60;
+    const int64_t steepest = most >> plan.slope_bits;
+    return value <= most && value >= -most && slope <= steepest && slope >= -steepest;
   }
   static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }
   constexpr int32_t value_head() const { return opaque(static_cast<int32_t>(value >> 32)); }
@@ -87,6 +96,7 @@ struct RealOscillator {
     slope -= plan.curvature * value;
     value += slope;
   }
+  constexpr bool is_sound(const Plan&) const { return value - value == 0 && slope - slope == 0; }  // finite
   static constexpr int slope_bits(const Plan&) { return 0; }
   constexpr Real value_head() const { return value; }
   constexpr Real slope_head(const Plan&) const { return slope; }

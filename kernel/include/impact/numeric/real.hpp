@@ -5,6 +5,10 @@
 // A format offers: Value, what a step computes with; Long, what it carries from step to step; Gain, a constant of the
 // plan that multiplies a Value; Units, the powers of two that Values count in. Floating point keeps metres, metres per
 // step and newtons: its units are all 1, and the functions that elsewhere move points and signs do nothing.
+//
+// Its range is +-2^20 m, and as much per step, the most that Bounds can state: what passes it is held there, and what
+// is no number becomes 0. Of a free step only x1 need be looked at: x2 grows by a w2 that only contact changes, and w1
+// lacks but the spring's share of x1 and the drive's, both finite.
 
 #include <stddef.h>
 
@@ -57,12 +61,21 @@ struct CompensatedState {
   constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
 };
 
+// The bits of a number's magnitude, which are in the order of the magnitudes, with infinity and then NaN above all.
+inline uint32_t magnitude_bits(float x) { return bits_of(x) << 1; }
+inline uint64_t magnitude_bits(double x) {
+  uint64_t bits;
+  __builtin_memcpy(&bits, &x, sizeof bits);
+  return bits << 1;
+}
+
 template <class RealType, template <class> class State, class OscillatorType, class RootPolicy>
 struct RealFormat {
   using Real = RealType;
   using Value = Real;
   using Root = Real;
   using Gain = Real;
+  using HeldGain = Real;
   using Long = State<Real>;
   using Tally = State<Real>;
   using Oscillator = OscillatorType;
@@ -70,6 +83,7 @@ struct RealFormat {
 
   static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
   static constexpr Status status_of(const UnitExponents&, double) { return Status::ok; }
+  static constexpr bool resolves(double, int) { return true; }
 
   struct Units {
     Long gap;  // m
@@ -103,15 +117,30 @@ struct RealFormat {
       const Real apart = x2.sum - x1.sum;
       return (apart < 0 ? -apart : apart) >= gap.sum;
     }
-    static constexpr bool in_range(Long, Long, Long) { return true; }
-    static constexpr bool in_range(Long) { return true; }
     static constexpr Value held(Value x, Value) { return x; }
     constexpr Long stop(Long main, bool left) const {
       main.advance(mirrored(gap, left));
       return main;
     }
-    static constexpr bool hold_position(Long&) { return false; }
-    static constexpr bool hold_displacement(Long&) { return false; }
+    static constexpr bool in_range(Long x1, Long, Long) { return is_below_limit(x1.sum); }
+    static constexpr bool in_range(Long x1, Long x2, Long w1, Long w2) {
+      return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(w1.sum) && is_below_limit(w2.sum);
+    }
+    static constexpr bool is_below_limit(Real x) {
+      return magnitude_bits(x) < magnitude_bits(static_cast<Real>(1048576));
+    }
+    static constexpr bool hold_position(Long& x) {
+      if (is_below_limit(x.sum)) return false;
+      constexpr auto most = static_cast<Real>(1048575.9375);  // the float before
+      const Real beyond = x.sum;
+      x = {};
+      x.sum = beyond > 0 ? most : beyond < 0 ? -most : 0;
+      return true;
+    }
+    static constexpr bool hold_displacement(Long& w) { return hold_position(w); }
+    // For a state from elsewhere, whose parts may be anything.
+    static constexpr bool is_sound(Long x) { return is_below_limit(x.value()); }
+    static constexpr bool holds_start(Long, Long, Long, Long) { return true; }
     static constexpr Value one() { return 1; }
     static constexpr Value elastic(Value x) { return x; }
   };
@@ -122,13 +151,22 @@ struct RealFormat {
   static constexpr Real constant(double x) { return static_cast<Real>(x); }
   static constexpr Real short_constant(double x) { return static_cast<Real>(x); }
   static constexpr Gain gain(double factor, int from, int to) {
-    return static_cast<Real>(factor * constant::power_of_two(from - to));
+    const double scaled = factor * constant::power_of_two(from - to), most = static_cast<double>(largest_gain);
+    return static_cast<Real>(constant::larger(-most, constant::smaller(scaled, most)));
   }
   // gain * x; nothing where a constant gain is 0, which a compiler multiplies out for the sake of -0 and NaN.
   static constexpr Value term(Gain gain, Value x) { return gain == 0 ? 0 : gain * x; }
+  static constexpr Gain largest_gain =
+      sizeof(Real) == sizeof(float) ? static_cast<Real>(0x1p100) : static_cast<Real>(0x1p900);
   static constexpr Gain gain_over(Gain gain, Value divisor) { return gain / divisor; }
   static constexpr Value moved(Value x, int) { return x; }
   static constexpr double sample_unit(double) { return 1; }
+  static constexpr Value largest_sample(double bound) { return static_cast<Real>(bound); }
+  static constexpr bool is_within(Value x, Value bound) { return magnitude_bits(x) <= magnitude_bits(bound); }
+  static constexpr Value held_within(Value x, Value bound, Value if_no_number) {
+    return x > bound ? bound : x < -bound ? -bound : if_no_number;
+  }
+  static constexpr bool is_sound(Gain gain) { return magnitude_bits(gain) < magnitude_bits(largest_gain); }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent - 31; }
   static constexpr int oscillator_exponent(const typename RealOscillator<Real>::Plan&) { return 0; }
   static constexpr Value reading(Real native) { return native; }
@@ -136,6 +174,7 @@ struct RealFormat {
   static constexpr auto native(Value reading) { return static_cast<decltype(Oscillator{}.value_head())>(reading); }
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
+  static constexpr Value rounded_product(Real x, Real y) { return x * y; }
   static constexpr Real unity() { return 1; }
   static constexpr Real four_times_up_to_one(Real x) { return 4 * x < 1 ? 4 * x : 1; }
   static constexpr Real root_of_product(Real x) { return root(x); }

@@ -1,0 +1,69 @@
+#pragma once
+// What a fuzzer's bytes stand for: numbers of every size, and the ones that break things.
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmath>
+#include <cstring>
+#include <impact/status.hpp>
+#include <limits>
+
+namespace impact::fuzz {
+
+class Bytes {
+ public:
+  Bytes(const uint8_t* data, size_t size) : data_(data), size_(size) {}
+
+  bool is_empty() const { return size_ == 0; }
+  uint8_t byte() {
+    if (size_ == 0) return 0;
+    --size_;
+    return *data_++;
+  }
+  // Any bits at all; zeros beyond the end.
+  template <class Plain>
+  Plain bits() {
+    Plain value{};
+    const size_t count = size_ < sizeof value ? size_ : sizeof value;
+    if (count > 0) std::memcpy(reinterpret_cast<char*>(&value), data_, count);
+    data_ += count;
+    size_ -= count;
+    return value;
+  }
+  size_t below(size_t count) { return byte() % count; }
+
+  // Mostly within the range, evenly by order of magnitude; at times its ends, beyond, or no number.
+  double number(Range range) {
+    const double least = range.least > 1e-12 ? range.least : 1e-12;
+    const uint8_t kind = byte();
+    if (kind >= 32) {
+      const double share = bits<uint16_t>() / 65535.0, size = least * std::pow(range.most / least, share);
+      return range.least < 0 && kind % 2 == 1 ? -size : size;
+    }
+    switch (kind % 8) {
+      case 0:
+        return range.least;
+      case 1:
+        return range.most;
+      case 2:
+        return 0;
+      case 3:
+        return 1;
+      case 4:
+        return std::numeric_limits<double>::infinity();
+      case 5:
+        return std::numeric_limits<double>::quiet_NaN();
+      case 6:
+        return bits<double>();
+      default:
+        return bits<float>();
+    }
+  }
+
+ private:
+  const uint8_t* data_;
+  size_t size_;
+};
+
+}  // namespace impact::fuzz

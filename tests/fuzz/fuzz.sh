@@ -1,0 +1,25 @@
+#!/bin/sh
+# Builds a fuzzer with Clang and runs it for IMPACT_FUZZ_SECONDS (15), first over the inputs that once found something:
+#   fuzz.sh PROJECT FOLDER kernel FORMAT
+#   fuzz.sh PROJECT FOLDER tool LIBRARY...
+# FOLDER keeps the fuzzer and what it has learnt; a finding is left there as crash-*, to be given to the fuzzer again.
+set -eu
+project=$1 folder=$2 kind=$3 && shift 3
+command -v clang++ >/dev/null || { echo "clang++ is not installed" && exit 77; }
+mkdir -p "$folder/corpus"
+cd "$folder"
+echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' > none.cpp
+sanitize=-fsanitize=fuzzer,address,undefined,float-divide-by-zero
+clang++ $sanitize none.cpp -o none 2>none.log || { echo "clang++ has no libFuzzer (libclang-rt-*-dev)" && exit 77; }
+case $kind in
+  kernel) sources="" flags="-DIMPACT_NUMERIC=impact::$1" libraries="" ;;
+  tool)
+    sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) flags="" libraries="$* -lpthread" ;;
+esac
+# $sources and $libraries are lists.
+clang++ -std=c++17 -O1 -g -ffp-contract=off $sanitize -fno-sanitize-recover=all $flags -I "$project" \
+  -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
+./fuzzer "$project/tests/fuzz/found/$kind"/* >found.log 2>&1 || { cat found.log && exit 1; }
+./fuzzer -max_total_time="${IMPACT_FUZZ_SECONDS:-15}" -seed=1 -timeout=10 -max_len=300 -len_control=0 -print_funcs=0 \
+  -dict="$project/tests/fuzz/options.dict" corpus >run.log 2>&1 || { tail -50 run.log && exit 1; }
+tail -1 run.log

@@ -1,0 +1,159 @@
+// Any scene, bounds and step, under every law, in one number format (IMPACT_NUMERIC): planned or refused, and where
+// planned stepped with any drive, from saved states of any bytes, through changes of plan. Whatever comes, states stay
+// finite and in range, the first fault sticks, and no sanitizer has anything to say.
+
+#include <cstdio>
+#include <cstdlib>
+#include <impact/absorber.hpp>
+
+#include "bytes.hpp"
+
+namespace impact::fuzz {
+namespace {
+
+using Numeric = IMPACT_NUMERIC;
+
+void expect(bool condition, const char* what) {
+  if (condition) return;
+  std::fprintf(stderr, "kernel_fuzz: not so: %s\n", what);
+  std::abort();
+}
+
+// The last number drawn decides most about a scene, so that a change of one byte changes one thing.
+Scene scene_from(Bytes& bytes) {
+  Scene scene;
+  const uint16_t changed = bytes.bits<uint16_t>();
+  const auto draw = [&](int bit, double& number, Range range) {
+    if (changed >> bit & 1) number = bytes.number(range);
+  };
+  draw(0, scene.main_mass, mass_range);
+  draw(1, scene.main_stiffness, main_stiffness_range);
+  draw(2, scene.main_damping, main_damping_range);
+  draw(3, scene.ball_mass, mass_range);
+  draw(4, scene.clearance, clearance_range);
+  draw(5, scene.contact_stiffness, contact_stiffness_range);
+  draw(6, scene.contact_damping, contact_damping_range);
+  draw(7, scene.drive_amplitude, force_range);
+  draw(8, scene.drive_pulsation, {0, 1e6});
+  draw(9, scene.x1, initial_displacement_range);
+  draw(10, scene.v1, initial_velocity_range);
+  draw(11, scene.x2, initial_displacement_range);
+  draw(12, scene.v2, initial_velocity_range);
+  draw(13, scene.restitution, restitution_range);
+  const uint8_t kinds = bytes.byte();
+  scene.stops = static_cast<Stops>(kinds % 3);
+  scene.tension = kinds & 128 ? Tension::allow : Tension::clamp;
+  return scene;
+}
+
+Bounds bounds_from(Bytes& bytes) {
+  Bounds bounds;
+  const uint8_t changed = bytes.byte();
+  if (changed & 1) bounds.displacement = bytes.number(bound_range);
+  if (changed & 2) bounds.speed = bytes.number(bound_range);
+  if (changed & 4) bounds.penetration = bytes.number(bound_range);
+  if (changed & 8) bounds.force = bytes.number(force_range);
+  return bounds;
+}
+
+template <class Absorber>
+void check(const Absorber& absorber) {
+  const auto now = absorber.reading();
+  expect(std::isfinite(now.x1) && std::isfinite(now.v1) && std::isfinite(now.x2) && std::isfinite(now.v2),
+         "the state is finite");
+  if (absorber.fault() == Fault::none && std::is_same_v<Numeric, Fixed32>) {
+    const auto& state = absorber.state();
+    expect(absorber.plan.units.in_range(state.x1, state.x2, state.w1, state.w2), "the state is in range");
+  }
+}
+
+template <class Absorber>
+void run(Absorber& absorber, Bytes& bytes, int steps) {
+  Fault first = absorber.fault();
+  typename Numeric::Value sample{};
+  for (int n = 0; n < steps; ++n) {
+    if (!bytes.is_empty()) {
+      const uint8_t kind = bytes.byte();
+      if (kind < 64)
+        sample = bytes.bits<typename Numeric::Value>();
+      else
+        sample = Numeric::sample(kind - 160);
+    }
+    absorber.step(sample);
+    check(absorber);
+    if (first != Fault::none) expect(absorber.fault() == first, "the first fault sticks");
+    first = absorber.fault();
+  }
+}
+
+template <class Law, class Stepper, class Drive, class... Features>
+void kernel(Bytes& bytes) {
+  using Kernel = Absorber<AtRunTime, Law, Stepper, Drive, Numeric, Features...>;
+  using Plan = typename Kernel::PlanType;
+  const Scene scene = scene_from(bytes);
+  const Bounds bounds = bounds_from(bytes);
+  const double step = bytes.number({1e-7, 0.1});
+  const Plan plan = Plan::make(scene, bounds, step);
+  if (plan.status != Status::ok) return;
+  Kernel absorber(plan);
+  check(absorber);
+  const uint8_t what = bytes.byte();
+  if (what & 1) {
+    typename Kernel::Saved saved = absorber.save();
+    saved.state = bytes.bits<typename Kernel::State>();
+    if (absorber.restore(saved)) check(absorber);
+  }
+  if (what & 2) {
+    Scene other = scene_from(bytes);
+    other.clearance = scene.clearance;
+    other.stops = scene.stops;
+    const Plan next = Plan::make(other, bounds, step);
+    for (int n = 0; n < 20; ++n) {
+      absorber.step();
+      absorber.retune(n % 2 == 0 ? next : plan);
+      check(absorber);
+    }
+  }
+  run(absorber, bytes, 1000);
+  absorber.clear_fault();
+  run(absorber, bytes, 20);
+  absorber.reset();
+  expect(absorber.fault() == Fault::none, "a reset clears the fault");
+  check(absorber);
+}
+
+template <class Law>
+void with_law(Bytes& bytes) {
+  switch (bytes.below(4)) {
+    case 0:
+      return kernel<Law, Moment, Sampled>(bytes);
+    case 1:
+      return kernel<Law, Moment, Sine, EnergyLedger, ImpactLog>(bytes);
+    case 2:
+      return kernel<Law, EnergyConsistent, Sine>(bytes);
+    default:
+      return kernel<Law, AverageAcceleration, Sampled>(bytes);
+  }
+}
+
+}  // namespace
+}  // namespace impact::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  using namespace impact;
+  fuzz::Bytes bytes(data, size);
+  switch (bytes.below(4)) {
+    case 0:
+      fuzz::with_law<HookeNewton>(bytes);
+      break;
+    case 1:
+      fuzz::with_law<Hertz>(bytes);
+      break;
+    case 2:
+      fuzz::with_law<HuntCrossley>(bytes);
+      break;
+    default:
+      fuzz::with_law<HuntCrossleyPerImpact>(bytes);
+  }
+  return 0;
+}

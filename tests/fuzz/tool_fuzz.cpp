@@ -1,0 +1,84 @@
+// The tool's command line, sweep files and drive files from any bytes: parsed or refused with BadInput, and where
+// parsed run for a few steps.
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <host_ref/tool/options.hpp>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/run.hpp>
+#include <host_ref/tool/sweep.hpp>
+#include <string>
+
+#include "bytes.hpp"
+
+namespace impact::host {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path& folder() {
+  static const fs::path made = [] {
+    std::string name = (fs::temp_directory_path() / "tool_fuzz.XXXXXX").string();
+    return fs::path(mkdtemp(name.data()));
+  }();
+  return made;
+}
+
+std::string file_of(const char* name, const std::string& text) {
+  const fs::path path = folder() / name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path.string();
+}
+
+// One argument a line. Files it may name, some without end, are read elsewhere.
+void command_line(const std::string& text) {
+  if (text.find("drive-file") != std::string::npos) return;
+  std::vector<std::string> lines = {"impact-sim"};
+  for (size_t start = 0; start < text.size();) {
+    const size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  std::vector<const char*> texts;
+  for (const std::string& line : lines) texts.push_back(line.c_str());
+  const Settings settings = settings_from(arguments_from(static_cast<int>(texts.size()), texts.data()));
+  if (!settings.sweep.empty() || step_count(settings.request) > 10000) return;
+  run(*simulation_of(settings.request), settings.request, [](long) {});
+}
+
+void drive_file(const std::string& text) {
+  const Settings settings = settings_from({{"drive-file", file_of("drive", text)}, {"step", "1e-3"}});
+  run(*simulation_of(settings.request), settings.request, [](long) {});
+}
+
+// Step and duration are given, so that a line that names them is refused and no run is long.
+void sweep_file(const std::string& text) {
+  const std::string rows = (folder() / "rows").string();
+  fs::remove(rows);
+  const std::vector<Argument> arguments = {
+      {"step", "1e-3"}, {"duration", "0.01"}, {"sweep", file_of("sweep", text)}, {"output", rows}};
+  run_sweep(settings_from(arguments), arguments);
+}
+
+}  // namespace
+}  // namespace impact::host
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  using namespace impact::host;
+  if (size == 0) return 0;
+  const std::string text(reinterpret_cast<const char*>(data + 1), size - 1);
+  try {
+    if (data[0] % 3 == 0)
+      command_line(text);
+    else if (data[0] % 3 == 1)
+      drive_file(text);
+    else
+      sweep_file(text);
+  } catch (const BadInput&) {
+  } catch (const OutputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,285 @@
+// Every fault in every format that has it: raised, sticky, survived. Numbers from outside that are none, states from
+// elsewhere that no step leaves, and plans that cannot be.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <impact/absorber.hpp>
+#include <limits>
+#include <type_traits>
+
+namespace impact {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), no_number = std::nan("");
+
+template <class Kernel>
+bool is_finite(const Kernel& absorber) {
+  const auto now = absorber.reading();
+  return std::isfinite(now.x1) && std::isfinite(now.v1) && std::isfinite(now.x2) && std::isfinite(now.v2);
+}
+
+template <class Kernel>
+Kernel made(const Scene& scene, const Bounds& bounds, double step) {
+  const auto plan = Kernel::PlanType::make(scene, bounds, step);
+  EXPECT_EQ(plan.status, Status::ok);
+  return Kernel(plan);
+}
+
+// Steps to the fault, and on: the state stays finite, and what the fault says.
+template <class Kernel>
+void expect_fault(Kernel absorber, Fault expected, typename Kernel::Value sample = {}) {
+  for (int n = 0; n < 100000 && absorber.fault() == Fault::none; ++n) {
+    absorber.step(sample);
+    ASSERT_TRUE(is_finite(absorber)) << n;
+  }
+  ASSERT_EQ(absorber.fault(), expected);
+  for (int n = 0; n < 100000; ++n) {
+    absorber.step(sample);
+    ASSERT_TRUE(is_finite(absorber)) << n;
+    ASSERT_EQ(absorber.fault(), expected);
+  }
+  absorber.clear_fault();
+  EXPECT_EQ(absorber.fault(), Fault::none);
+  EXPECT_TRUE(is_finite(absorber));
+  absorber.step(sample);
+  absorber.reset();
+  EXPECT_EQ(absorber.fault(), Fault::none);
+}
+
+template <class Format>
+struct Faults : testing::Test {};
+using Formats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
+TYPED_TEST_SUITE(Faults, Formats);
+
+constexpr Scene resonant(double force) {
+  Scene scene;
+  scene.main_damping = 0;
+  scene.drive_amplitude = force;
+  scene.drive_pulsation = 31.6227766016838;
+  scene.contact_damping = 20;
+  scene.clearance = 0.2;
+  scene.stops = Stops::right;
+  scene.x2 = -0.09;  // out of the stop's reach
+  return scene;
+}
+
+// At resonance the amplitude grows by F0/(2 M w0) = F0/63 m/s: past 0.25 m in 1.6 s under 10 N, past 2^20 m in a
+// hundred steps under 1e9 N on a mass of 1e-6 kg.
+TYPED_TEST(Faults, ADisplacementOutOfRange) {
+  Scene scene = resonant(10);
+  double step = 1e-3;
+  if (!std::is_same_v<TypeParam, Fixed32>) {
+    scene.main_stiffness = 0;
+    scene.main_mass = 1e-6;
+    scene.drive_amplitude = 1e9;
+    scene.contact_stiffness = 1e-3;
+    scene.contact_damping = 1e-4;
+  }
+  expect_fault(made<Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>>(scene, {0.1, 10, 0.03, 10}, step),
+               Fault::displacement);
+  expect_fault(made<Absorber<AtRunTime, Hertz, EnergyConsistent, Sine, TypeParam>>(scene, {0.1, 10, 0.03, 10}, step),
+               Fault::displacement);
+  expect_fault(
+      made<Absorber<AtRunTime, HookeNewton, AverageAcceleration, Sine, TypeParam>>(scene, {0.1, 10, 0.03, 10}, step),
+      Fault::displacement);
+}
+
+// Fixed32: the same resonance with room for displacements. Floating point: only a contact that the stepper cannot
+// resolve gets there, here with 1e15 N and more on a ball of 1e-9 kg.
+TYPED_TEST(Faults, ASpeedOutOfRange) {
+  Scene scene = resonant(10);
+  if (std::is_same_v<TypeParam, Fixed32>) {
+    expect_fault(made<Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>>(scene, {0.2, 1, 0.03, 10}, 1e-3),
+                 Fault::speed);
+  } else {
+    scene.contact_stiffness = 1e18;
+    scene.ball_mass = 1e-9;
+    scene.x2 = 0.11;
+    expect_fault(made<Absorber<AtRunTime, Hertz, CentralDifference, Sine, TypeParam>>(scene, {1, 1, 0.03, 10}, 1e-3),
+                 Fault::speed);
+  }
+}
+
+// Held at the bound, or where no number came at the sample before: as if those had been the samples.
+TYPED_TEST(Faults, ASampleOutOfRange) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>;
+  const Kernel fresh = made<Kernel>(Scene{}, {0.1, 2, 0.03, 10}, 1e-3);
+  if constexpr (std::is_same_v<TypeParam, Fixed32>) {
+    // A fraction of the bound: all of its bits are good.
+    const auto moved = [&fresh](int32_t raw) {
+      Kernel absorber = fresh;
+      for (int n = 0; n < 10; ++n) absorber.step({raw});
+      EXPECT_EQ(absorber.fault(), Fault::none);
+      return absorber.reading().x1;
+    };
+    for (const int32_t raw : {INT32_MIN, INT32_MIN + 1, -1, 0, INT32_MAX})
+      EXPECT_NEAR(moved(raw), raw / 0x1p31 * moved(INT32_MAX), 1e-10) << raw;
+    EXPECT_EQ(Fixed32::sample(no_number).raw, 0);
+    EXPECT_EQ(Fixed32::sample(infinity).raw, INT32_MAX);
+    EXPECT_EQ(Fixed32::sample(-infinity).raw, -INT32_MAX);
+  } else {
+    const struct {
+      double sample, held;
+    } cases[] = {{no_number, 4}, {-no_number, 4}, {infinity, 10}, {-infinity, -10}, {10.001, 10}, {-1e30, -10}};
+    for (const auto& [sample, held] : cases) {
+      Kernel good = fresh, bad = fresh;
+      good.step(4);
+      bad.step(4);
+      bad.step(10);
+      bad.step(-10);
+      good.step(10);
+      good.step(-10);
+      good.step(4);
+      bad.step(4);
+      ASSERT_EQ(bad.fault(), Fault::none);
+      bad.step(static_cast<typename TypeParam::Value>(sample));
+      good.step(static_cast<typename TypeParam::Value>(held));
+      EXPECT_EQ(bad.fault(), Fault::sample) << sample;
+      for (int n = 0; n < 100; ++n) {
+        EXPECT_EQ(good.reading().x1, bad.reading().x1) << sample;
+        good.step(1);
+        bad.step(1);
+      }
+      EXPECT_EQ(bad.fault(), Fault::sample);
+      expect_fault(fresh, Fault::sample, static_cast<typename TypeParam::Value>(sample));
+    }
+  }
+}
+
+template <class Format, class Change>
+bool restores(Change change) {
+  using Kernel = Absorber<AtRunTime, HuntCrossleyPerImpact, Moment, Sine, Format>;
+  Scene scene;
+  scene.restitution = 0.7;
+  Kernel absorber = made<Kernel>(scene, {0.1, 2, 0.03, 10}, 1e-3);
+  for (int n = 0; n < 200; ++n) absorber.step();
+  auto saved = absorber.save();
+  change(saved.state);
+  const bool taken = absorber.restore(saved);
+  for (int n = 0; n < 1000; ++n) {
+    absorber.step();
+    EXPECT_TRUE(is_finite(absorber));
+  }
+  return taken;
+}
+
+TYPED_TEST(Faults, AStateThatNoStepLeavesIsRefused) {
+  const auto out_of_range = [](auto& x) {
+    if constexpr (std::is_same_v<TypeParam, Fixed32>)
+      x.raw = INT64_MIN;
+    else
+      x.sum = static_cast<typename TypeParam::Value>(no_number);
+  };
+  EXPECT_TRUE(restores<TypeParam>([](auto&) {}));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.x1); }));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.x2); }));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.w1); }));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.w2); }));
+  EXPECT_FALSE(restores<TypeParam>([](auto& state) { state.at_left = 2; }));
+  EXPECT_FALSE(restores<TypeParam>([](auto& state) { state.fault = static_cast<Fault>(99); }));
+  EXPECT_FALSE(restores<TypeParam>([](auto& state) { state.contact.phase = static_cast<Phase>(3); }));
+  EXPECT_FALSE(restores<TypeParam>([](auto& state) {
+    if constexpr (std::is_integral_v<decltype(state.drive.oscillator.value)>)
+      state.drive.oscillator.value = INT64_MIN;
+    else
+      state.drive.oscillator.value = std::numeric_limits<typename TypeParam::Value>::infinity();
+  }));
+}
+
+// What a contact remembers is not judged: whatever it is, the state stays finite.
+TYPED_TEST(Faults, AContactThatRemembersNonsenseIsSurvived) {
+  restores<TypeParam>([](auto& state) {
+    state.contact.phase = Phase::touching;
+    if constexpr (std::is_same_v<TypeParam, Fixed32>)
+      state.contact.penetration = {INT32_MIN}, state.contact.change = {INT32_MAX}, state.contact.root = {~UINT32_C(0)};
+    else
+      state.contact.penetration = state.contact.root = static_cast<typename TypeParam::Value>(no_number);
+  });
+}
+
+TYPED_TEST(Faults, APlanThatCannotBeIsRefused) {
+  using Plan = typename Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>::PlanType;
+  double Scene::*const numbers[] = {&Scene::main_mass,
+                                    &Scene::main_stiffness,
+                                    &Scene::main_damping,
+                                    &Scene::ball_mass,
+                                    &Scene::clearance,
+                                    &Scene::drive_amplitude,
+                                    &Scene::drive_pulsation,
+                                    &Scene::x1,
+                                    &Scene::contact_stiffness,
+                                    &Scene::contact_damping,
+                                    &Scene::restitution,
+                                    &Scene::v1,
+                                    &Scene::x2,
+                                    &Scene::v2};
+  for (const double bad : {no_number, infinity, -infinity, -1e300}) {
+    for (double Scene::*const number : numbers) {
+      Scene scene;
+      scene.*number = bad;
+      EXPECT_NE(Plan::make(scene, Bounds{}, 1e-3).status, Status::ok);
+    }
+    EXPECT_NE(Plan::make(Scene{}, {bad, 2, 0.03, 10}, 1e-3).status, Status::ok);
+    EXPECT_NE(Plan::make(Scene{}, {0.1, bad, 0.03, 10}, 1e-3).status, Status::ok);
+    EXPECT_NE(Plan::make(Scene{}, {0.1, 2, bad, 10}, 1e-3).status, Status::ok);
+    EXPECT_NE(Plan::make(Scene{}, {0.1, 2, 0.03, bad}, 1e-3).status, Status::ok);
+    EXPECT_NE(Plan::make(Scene{}, Bounds{}, bad).status, Status::ok);
+  }
+  Scene slow;  // slower than its oscillator can turn
+  slow.drive_pulsation = 1e-300;
+  EXPECT_EQ(Plan::make(slow, Bounds{}, 1e-3).status, Status::drive_pulsation);
+  Scene small;  // below the smallest normal number
+  small.contact_damping = 1e-310;
+  EXPECT_EQ(Plan::make(small, Bounds{}, 1e-3).status, Status::ok);
+}
+
+// One stop, without clearance: a ball that leaves it is free, to the last place.
+TYPED_TEST(Faults, AStopThatIsNotThereDoesNotAct) {
+  for (const Stops stops : {Stops::left, Stops::right}) {
+    Scene scene;
+    scene.clearance = 0;
+    scene.contact_damping = 20;
+    scene.stops = stops;
+    scene.main_stiffness = scene.main_damping = 0;
+    scene.v2 = stops == Stops::right ? -1e-9 : 1e-9;
+    auto absorber = made<Absorber<AtRunTime, HookeNewton, Moment, NoDrive, TypeParam>>(scene, {0.1, 2, 0.03, 10}, 1e-3);
+    for (int n = 0; n < 1000; ++n) absorber.step();
+    EXPECT_EQ(absorber.reading().x1, 0);
+  }
+}
+
+TEST(Exponents, EndForEveryNumber) {
+  EXPECT_EQ(constant::exponent_above(infinity), 1024);
+  EXPECT_EQ(constant::exponent_above(0x1p1023), 1023);
+  EXPECT_EQ(constant::exponent_above(std::nextafter(0x1p1023, infinity)), 1024);
+  EXPECT_EQ(constant::exponent_above(0), -1074);
+  EXPECT_EQ(constant::exponent_above(0x1p-1074), -1074);
+  EXPECT_EQ(constant::exponent_above(1), 0);
+  EXPECT_EQ(constant::exponent_above(0.75), 0);
+  EXPECT_EQ(constant::exponent_above(0.5), -1);
+  EXPECT_EQ(constant::exponent_above(1.5), 1);
+  EXPECT_EQ(constant::exponent_above(no_number), 0);
+}
+
+// A contact that begins at a thousandth of the speed at which it is then driven in: its damping, set at the impact,
+// leaves Fixed32's range and is held there, where it still opposes the motion.
+TEST(DampingPerImpact, IsHeldInFixedPoint) {
+  const Fixed32::Gain damping = Fixed32::gain_over(Fixed32::gain(1.5 * 0.3, 0, 2), {1 << 20});
+  const Fixed32::HeldGain held = {damping};
+  int32_t before = INT32_MIN;
+  for (int64_t rate = -INT32_MAX; rate <= INT32_MAX; rate += 65537) {
+    const int32_t product = (held * Fixed32::Value{static_cast<int32_t>(rate)}).raw;
+    EXPECT_GE(product, before);
+    before = product;
+    const double exact = 1.5 * 0.3 / 4 * static_cast<double>(rate) / (1 << 20) * 0x1p31;
+    if (std::abs(exact) < 0x1p30) {
+      EXPECT_NEAR(product, exact, 1e-4 * std::abs(exact) + 2);
+    } else {
+      EXPECT_GE(rate < 0 ? -static_cast<double>(product) : product, 0x1p30 * 0.99);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impact

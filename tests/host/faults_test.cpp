@@ -11,7 +11,8 @@
 namespace impact {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), no_number = std::nan("");
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 no_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class Kernel>
 bool is_finite(const Kernel& absorber) {

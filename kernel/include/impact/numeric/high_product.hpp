@@ -83,7 +83,7 @@ constexpr int normalise(uint32_t& x) {
 // x 2^places for places from 1 to 63, in two words where that takes fewer instructions than a long shift.
 constexpr int64_t shifted_left(int32_t x, int places) {
   if (places > 31) return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(x)) << places);
-  const uint32_t low = static_cast<uint32_t>(x) << places, high = static_cast<uint32_t>(x >> (32 - places));
+  const uint32_t low = static_cast<uint32_t>(x) << places, high = static_cast<uint32_t>((x >> 1) >> (31 - places));
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
 

@@ -116,25 +116,26 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2);
   const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);
-  const Plan plan = {status,
-                     h,
-                     units,
-                     Format::gain(flow.stiffness(), exponents.position, exponents.increment),
-                     Format::gain(flow.damping(), exponents.displacement, exponents.increment),
-                     Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration),
-                     Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration),
-                     Drive::template make_plan<Format>(scene, bounds, h, flow, exponents),
-                     Treatment::make_plan(terms, flow, exponents),
-                     terms.force_unit,
-                     Drive::template force_unit<Format>(scene, bounds),
-                     scene.stops != Stops::right,
-                     scene.stops != Stops::left,
-                     units.state_at(scene.x1),
-                     units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0)),
-                     units.state_at(scene.x2),
-                     units.state(scene.v2 * h),
-                     identity_of(scene, bounds, h),
-                     Handover<Format, Drive>::make(scene, bounds, h, flow, exponents)};
+  const Plan plan = {
+      status,
+      h,
+      units,
+      Format::gain(flow.stiffness(), exponents.position, exponents.increment),
+      Format::gain(scene.main_damping > 0 ? flow.damping() : 0, exponents.displacement, exponents.increment),
+      Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration),
+      Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration),
+      Drive::template make_plan<Format>(scene, bounds, h, flow, exponents),
+      Treatment::make_plan(terms, flow, exponents),
+      terms.force_unit,
+      Drive::template force_unit<Format>(scene, bounds),
+      scene.stops != Stops::right,
+      scene.stops != Stops::left,
+      units.state_at(scene.x1),
+      units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0)),
+      units.state_at(scene.x2),
+      units.state(scene.v2 * h),
+      identity_of(scene, bounds, h),
+      Handover<Format, Drive>::make(scene, bounds, h, flow, exponents)};
   if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(Status::displacement_bound);
   if (!units.holds_start(plan.x1, plan.x2, plan.w1, plan.w2)) return refused(Status::speed_bound);
   return plan;

@@ -166,16 +166,23 @@ inline uint32_t assembled_product(uint32_t a, uint32_t b) {
 }
 #endif
 
+// What is known comes first: while GCC tries whether an initialisation is a constant one it does not know that it
+// evaluates a constant, and would initialise at run time.
+template <class Word>
+constexpr bool is_constant(Word a, Word b) {
+  return (__builtin_constant_p(a) && __builtin_constant_p(b)) || __builtin_is_constant_evaluated();
+}
+
 constexpr int32_t high_product(int32_t a, int32_t b) {
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
-  if (!__builtin_is_constant_evaluated()) return assembled_product(a, b);
+  if (!is_constant(a, b)) return assembled_product(a, b);
 #endif
   const SignedProduct ab = product(a, b);
   return ab.high + (ab.middle >> 16);
 }
 constexpr uint32_t high_product(uint32_t a, uint32_t b) {
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
-  if (!__builtin_is_constant_evaluated()) return assembled_product(a, b);
+  if (!is_constant(a, b)) return assembled_product(a, b);
 #endif
   const UnsignedProduct ab = product(a, b);
   return ab.high + (ab.middle >> 16);

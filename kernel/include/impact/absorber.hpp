@@ -209,7 +209,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     const Value trial_rate = relative_rate(left);
     const Value travel = mirrored(units.relative(state_.w2 - made), left);
     Value before = trial - travel;
-    if (is_positive(before)) before = Value{};
+    if (state_.contact.phase == Phase::apart && is_positive(before)) before = Value{};
 
     const Contact contact_before = state_.contact;
     if constexpr (Contact::splits) {
@@ -243,13 +243,17 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
         }
         const bool begins = contact_before.phase == Phase::apart;
         const Value rate_before = (trial - before) + (trial - before) - trial_rate;
-        const ContactStep<Value> step = {
-            Contact::moments(plan.contact, contact_before, state_.contact, kick),
-            state_.contact.phase == Phase::touching ? ContactLaw::template stored<Format>(units, penetration) : Value{},
-            rate_before,
-            rate,
-            begins,
-            !begins};
+        Value stored{};
+        if constexpr (Contact::slips)
+          stored = state_.contact.stored(plan.contact, units);
+        else if (state_.contact.phase == Phase::touching)
+          stored = ContactLaw::template stored<Format>(units, penetration);
+        const ContactStep<Value> step = {Contact::moments(plan.contact, contact_before, state_.contact, kick),
+                                         stored,
+                                         rate_before,
+                                         rate,
+                                         begins,
+                                         !begins};
         (Features::after_contact(plan, state_, step), ...);
       }
     }

@@ -23,14 +23,17 @@
 
 #include <impact/contact/impact_damping.hpp>
 #include <impact/newmark/energy_response.hpp>
+#include <impact/newmark/energy_solver.hpp>
 
 namespace impact {
 
 template <class Format, class ContactLaw>
-struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;
+  using Root = typename Format::Root;
+  using Wide = typename Format::Wide;
 
   struct Plan {
     Response<Gain> response;
@@ -38,9 +41,39 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Gain give;     // G for n
     Gain share;    // C G / 4: u / 4 for n
     int passes;
+    bool is_resolved;
+    Wide stiff_give, force_of_back, stored_share;  // G and 1/B for the solver, and a stored energy's unit
   };
+
+  // The deepest that an impact at the largest speed goes, without damping.
+  static constexpr double peak_of(const ContactTerms& terms) {
+    const double mobility = 1 / terms.ball_mass + 1 / terms.main_mass, v = terms.largest_rate;
+    return constant::power(1.25 * v * v / (mobility * terms.stiffness), 0.4);
+  }
+  // Whether a contact's steps are short beside it, even at the largest speed: the contraction of Newton's method and u
+  // at the peak of an elastic impact.
+  static constexpr bool is_resolved(const ContactTerms& terms) {
+    const double mobility = 1 / terms.ball_mass + 1 / terms.main_mass, h = terms.step, v = terms.largest_rate;
+    const double peak = peak_of(terms);
+    const double slope = terms.stiffness * h * h * mobility / 2 * constant::square_root(peak);
+    const double a = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time * v;
+    return 1.5 * slope <= 0.125 && slope * peak * a <= 0.5 * v * h;
+  }
+  // No force can do more in a step than to send the ball back at its own speed, and no penetration be more than an
+  // impact's or a few steps' way.
+  static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
+    if (is_resolved(terms)) return ResolvedForces::bound_forces(terms, largest);
+    const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
+    largest.penetration = constant::smaller(largest.penetration, constant::larger(1.2 * peak_of(terms), 4 * rate));
+    const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
+    const double force = 2.1 * rate / (h * h * mobility);
+    largest.force_factor = force / (terms.stiffness * terms.to_the_power(unit));
+    largest.push = constant::larger(2.2 * rate, 8 * largest.increment);
+  }
+
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const ConstantForceResponse answer(terms, flow);
+    if (!is_resolved(terms)) return make_stiff_plan(terms, answer, unit);
     const double d = terms.largest_penetration, C = terms.damping_time / terms.step;
     const double give = terms.force_unit * constant::power_of_two(-unit.force) * answer.penetration();
     // Contraction of Newton's method at the largest penetration.
@@ -48,20 +81,44 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
                          (1.5 * (1 + terms.damping_time * terms.largest_rate) + C * d);
     int passes = 1;
     for (double error = slope; passes < most_passes && error > 1e-16; error *= error) ++passes;
-    return {answer.gains<Format>(terms.force_unit, unit), damping_gain<Format, ContactLaw>(terms, unit),
-            Format::gain(give, 0, unit.penetration), Format::gain(give * C, 0, 2), passes};
+    return {answer.gains<Format>(terms.force_unit, unit),
+            damping_gain<Format, ContactLaw>(terms, unit),
+            Format::gain(give, 0, unit.penetration),
+            Format::gain(give * C, 0, 2),
+            passes,
+            true,
+            {},
+            {},
+            {}};
+  }
+  static constexpr Plan make_stiff_plan(ContactTerms terms, const ConstantForceResponse& answer,
+                                        const UnitExponents& unit) {
+    using constant::power_of_two;
+    terms.damping_exponent = 0;
+    const double give = terms.force_unit * power_of_two(-unit.force) * answer.penetration();
+    return {
+        answer.gains<Format>(terms.force_unit, unit),
+        damping_gain<Format, ContactLaw>(terms, unit),
+        {},
+        {},
+        0,
+        false,
+        Format::wide(give * power_of_two(-unit.penetration)),
+        Format::wide(power_of_two(unit.penetration) / (terms.force_unit * answer.penetration())),
+        Format::wide(0.4 * terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) / terms.force_unit)};
   }
 
   static constexpr int most_passes = 8;
-  static constexpr bool carries = false, slips = ContactLaw::is_damped;
+  static constexpr bool carries = false, slips = true;
 
-  Value penetration, root;  // at the start of the step, while touching
-  Value slip;               // of the last step
+  Value penetration;
+  Root root;   // at the start of the step, while touching
+  Value slip;  // of the last step
   Phase phase;
 
   constexpr void start(const Plan& plan, const Units&, Value at, Value at_rate) {
     penetration = at;
-    root = Format::value(Format::root(at));
+    root = Format::root(at);
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
   }
@@ -75,16 +132,54 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, trial_rate);
       penetration = before;
     }
+    if (!plan.is_resolved) return resolve_stiff(plan, trial, trial_rate, before);
     Value force{};
     const bool stays = is_positive(trial) && stay(plan, units, trial, force);
     if (!stays) leave(plan, units, trial, force);
     penetration = trial - plan.response.penetration * force - slip;
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
-    root = phase == Phase::touching ? Format::value(Format::root(penetration)) : Value{};
+    if (phase == Phase::touching) root = Format::root(penetration);
     return {force, force};
   }
 
+  constexpr Value stored(const Plan& plan, const Units& units) const {
+    if (phase != Phase::touching) return Value{};
+    if (plan.is_resolved) return ContactLaw::template stored<Format>(units, penetration);
+    const Wide s = Format::wide_root_of(root), d = s * s;
+    return Format::narrow(plan.stored_share * d * d * s);
+  }
+
  private:
+  __attribute__((noinline)) constexpr Kick<Value> resolve_stiff(const Plan& plan, Value trial, Value trial_rate,
+                                                                Value before) {
+    slip = Value{};
+    // Inside by a rounding, on the way out.
+    if (phase == Phase::apart && !is_positive(-before) && !is_positive(trial_rate)) return {};
+    EnergySolver<Format, ContactLaw::is_damped> step{plan.stiff_give, Format::wide_gain(damping(plan)), {}, {}, {}};
+    if (phase == Phase::touching) {
+      step.r = Format::wide_root_of(root);
+      step.d0 = step.r * step.r;
+    } else {
+      step.d0 = Format::wide_value(before);
+    }
+    step.D = Format::wide_value(trial - before);
+    const auto end = step.solve();
+    const Value force = Format::narrow(end.back * plan.force_of_back);
+    const Value last = trial - plan.response.penetration * force;
+    root = Format::narrow_root(end.root);
+    if (is_positive(end.root)) {
+      penetration = Format::narrow(end.root * end.root);
+      slip = last - penetration;
+      phase = Phase::touching;
+    } else {
+      slip = Format::narrow(end.slip);
+      penetration = last - slip;
+      phase = Phase::apart;
+    }
+    return {force, force};
+  }
+  constexpr Value start_root() const { return Format::value(root); }
+
   static constexpr Value times(Value a, Value b) { return Format::value(a * b); }
   static constexpr Value part(double share, Value x) { return Format::value(Format::constant(share) * x); }
   static constexpr Value quarter(Value x) { return Format::value(half(half(x))); }
@@ -108,7 +203,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       const Value ss = times(s, s), t = ratio(ss, ss - penetration), tss = part(2.0 / 5, times(ss, t));
       return {times(tss, s), part(1.0 / 2, tss) + doubled(tss) - times(tss, t)};
     }
-    const Value p = Format::value(half(s)) + Format::value(half(root)), z = p - root;
+    const Value p = Format::value(half(s)) + Format::value(half(start_root())), z = p - start_root();
     const Value pp = times(p, p), zz = times(z, z), q = ratio(zz, p);
     return {
         times(p, pp + doubled(zz)) + part(1.0 / 5, times(zz, q)),
@@ -156,7 +251,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
   constexpr void leave(const Plan& plan, const Units& units, Value trial, Value& force) {
-    const Value r3 = part(2.0 / 5, times(root, penetration));
+    const Value r3 = part(2.0 / 5, times(start_root(), penetration));
     const Value give = plan.give * r3;
     Value m = penetration - trial;
     if constexpr (ContactLaw::is_damped) m = m - doubled(doubled(plan.share * times(r3, penetration)));

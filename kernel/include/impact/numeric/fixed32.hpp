@@ -14,6 +14,7 @@
 #include <impact/lookup/reciprocal.hpp>
 #include <impact/lookup/square_root.hpp>
 #include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/floating.hpp>
 #include <impact/numeric/fraction.hpp>
 #include <impact/numeric/oscillator.hpp>
 #include <impact/numeric/units.hpp>
@@ -124,7 +125,7 @@ struct Fixed32 {
     if (!fits(e.displacement, 1)) return Status::speed_bound;
     if (!fits(e.penetration, 1) || !fits(e.push, 2)) return Status::penetration_bound;
     if (!fits(e.increment, 2)) return Status::displacement_bound;
-    if (e.force < 0 || e.force > 20) return Status::speed_bound;
+    if (e.force > 20) return Status::speed_bound;
     return Status::ok;
   }
 
@@ -224,7 +225,10 @@ struct Fixed32 {
     }
     // 1, and a purely elastic force, in the unit of forces.
     constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
-    constexpr Value elastic(Value x) const { return {x.raw >> force_bits}; }
+    constexpr Value elastic(Value x) const {
+      return {force_bits >= 0 ? x.raw >> force_bits
+                              : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -force_bits)};
+    }
   };
 
   static constexpr Unsigned<32> constant(double x) { return {static_cast<uint32_t>(x * 4294967296.0 + 0.5)}; }
@@ -330,6 +334,19 @@ struct Fixed32 {
     const uint32_t step = quotient(size, steepness).raw;
     if (later) return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
     return {t.raw < step ? 0 : t.raw - step};
+  }
+  // Numbers of a range that no unit holds.
+  using Wide = Floating;
+  static constexpr Wide wide(double x) { return Floating::of(x); }
+  static constexpr Wide wide_value(Value x) { return Floating::of(x.raw, 0); }
+  static constexpr Wide wide_root_of(Root x) { return Floating::of(static_cast<int32_t>(x.raw), 0); }
+  static constexpr Wide wide_gain(Gain gain) { return Floating::of(gain.mantissa, -1 - gain.shift); }
+  static constexpr Value narrow(Wide x) { return {x.fraction()}; }
+  static constexpr Root narrow_root(Wide x) { return {static_cast<uint32_t>(x.fraction())}; }
+  static constexpr Wide wide_root(Wide x) { return square_root(x); }
+  // Below x by more than what an iteration leaves, and a Root.
+  static constexpr Wide rounded_down(Wide x) {
+    return Floating::of((x * Floating::of(1 - constant::power_of_two(-24))).fraction(), 0);
   }
   static constexpr Value unity() { return {INT32_MAX}; }
   static constexpr Value four_times_up_to_one(Value x) {

@@ -16,6 +16,7 @@
 #include <impact/lookup/square_root.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/oscillator.hpp>
+#include <impact/numeric/root_above.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/status.hpp>
 
@@ -175,6 +176,19 @@ struct RealFormat {
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
   static constexpr Value rounded_product(Real x, Real y) { return x * y; }
+  // Numbers of a range that no unit holds are Values as well.
+  using Wide = Real;
+  static constexpr Wide wide(double x) { return static_cast<Real>(x); }
+  static constexpr Wide wide_value(Value x) { return x; }
+  static constexpr Wide wide_root_of(Root x) { return x; }
+  static constexpr Wide wide_gain(Gain gain) { return gain; }
+  static constexpr Value narrow(Wide x) { return x; }
+  static constexpr Root narrow_root(Wide x) { return x; }
+  static constexpr Wide wide_root(Wide x) { return root(x); }
+  // Below x by more than what an iteration leaves.
+  static constexpr Wide rounded_down(Wide x) {
+    return x * static_cast<Real>(1 - constant::power_of_two(sizeof(Real) == 4 ? -20 : -49));
+  }
   static constexpr Real unity() { return 1; }
   static constexpr Real four_times_up_to_one(Real x) { return 4 * x < 1 ? 4 * x : 1; }
   static constexpr Real root_of_product(Real x) { return root(x); }

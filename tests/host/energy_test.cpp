@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <impact/absorber.hpp>
+#include <random>
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/simulation.hpp"
@@ -58,32 +60,40 @@ Impact with_restitution(Law law, double e) {
   return impact;
 }
 
-// With its slip the step keeps Hunt-Crossley's first integral. What is left is the slip's series: k is short by u^7/9
-// and more, u being about ln((1 + a)/(1 - e a))/(2 N), a the reduced speed; below 1e-3 of the restitution from 2.5
-// steps on down to e = 0.5.
-TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawFromTwoAndAHalfSteps) {
-  for (double e : {0.5, 0.7, 0.95})
-    for (double steps : {2.5, 3.0, 5.0, 10.0}) {
-      const Rebounds found =
-          rebounds(Law::hunt_crossley, Numeric::float64, with_restitution(Law::hunt_crossley, e), steps);
-      EXPECT_GT(found.least, e - 1e-3) << e << " at " << steps;
-      EXPECT_LT(found.most, e + 1e-3) << e << " at " << steps;
-    }
+constexpr double steps_per_contact[] = {0.003, 0.1, 0.7, 1.3, 2.5, 5, 10, 40};
+
+// With its slip the step keeps Hunt-Crossley's first integral, at any number of steps. What is left is what the slip's
+// ratio is short of the true one: 6e-4 at most, see newmark/energy_slip.hpp.
+TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
+  for (Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
+    for (double e : {0.05, 0.1, 0.2, 0.5, 0.7, 0.95})
+      for (double steps : steps_per_contact) {
+        const Rebounds found = rebounds(Law::hunt_crossley, numeric, with_restitution(Law::hunt_crossley, e), steps);
+        EXPECT_GT(found.least, e - 1e-3) << name_of(numeric) << ' ' << e << " at " << steps;
+        EXPECT_LT(found.most, e + 1e-3) << name_of(numeric) << ' ' << e << " at " << steps;
+      }
 }
 
-// At 20 steps u < 0.05, and u^7/9 is below 1e-10.
+// At 20 steps u < 0.05, and the slip's ratio is right to u^4 (0.02 u^4 of it is missing), the slip u^2/3 of it all.
 TEST(EnergyConsistent, HuntCrossleyIsExactInResolvedContact) {
   const Rebounds found = rebounds(Law::hunt_crossley, Numeric::float64, with_restitution(Law::hunt_crossley, 0.7), 20);
-  EXPECT_NEAR(found.least, 0.7, 1e-10);
-  EXPECT_NEAR(found.most, 0.7, 1e-10);
+  EXPECT_NEAR(found.least, 0.7, 1e-9);
+  EXPECT_NEAR(found.most, 0.7, 1e-9);
 }
 
-// The elastic work is the change of stored energy: what is left is rounding, a few ulps a step.
-TEST(EnergyConsistent, HertzReboundsElastically) {
-  for (double steps : {2.5, 3.0, 5.0, 10.0, 40.0}) {
+// The elastic work is the change of stored energy: what is left is rounding, and what the solver takes to stay on the
+// side of loss, 2^-20 of a root in float, 2^-24 in fixed point, 2^-49 in double, some five times that of the energy a
+// step.
+TEST(EnergyConsistent, HertzReboundsElasticallyAtAnyStiffness) {
+  for (double steps : steps_per_contact) {
     const Rebounds found = rebounds(Law::hertz, Numeric::float64, with_restitution(Law::hertz, 1), steps);
-    EXPECT_NEAR(found.least, 1, 1e-12) << steps;
-    EXPECT_NEAR(found.most, 1, 1e-12) << steps;
+    EXPECT_GT(found.least, 1 - 1e-12) << steps;
+    EXPECT_LT(found.most, 1 + 5e-13) << steps;
+    for (Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32}) {
+      const Rebounds rounded = rebounds(Law::hertz, numeric, with_restitution(Law::hertz, 1), steps);
+      EXPECT_GT(rounded.least, 1 - 5e-5) << name_of(numeric) << ' ' << steps;
+      EXPECT_LT(rounded.most, 1 + 5e-6) << name_of(numeric) << ' ' << steps;
+    }
   }
 }
 
@@ -96,18 +106,84 @@ TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
   }
 }
 
-// In 32 bits rounding adds to that: a place of a Value, 2^-31 of the bounds, or of a float, 2^-24, in each of the
-// step's some thirty operations, at random from step to step: 1e-5 of the energy is 5e-6 of the speed.
-TEST(EnergyConsistent, GainsNothingIn32Bits) {
-  for (Numeric numeric : {Numeric::float32, Numeric::fixed32})
-    for (Law law : {Law::hertz, Law::hunt_crossley})
-      for (double steps : {2.5, 5.0, 10.0, 40.0}) {
-        const double e = law == Law::hertz ? 1 : 0.7;
-        const Rebounds found = rebounds(law, numeric, with_restitution(law, e), steps);
-        EXPECT_LE(found.most, 1 + 5e-6) << name_of(law) << ' ' << name_of(numeric) << ' ' << steps;
-        EXPECT_NEAR(found.most, e, 1e-3) << name_of(law) << ' ' << name_of(numeric) << ' ' << steps;
-        EXPECT_NEAR(found.least, e, 1e-3) << name_of(law) << ' ' << name_of(numeric) << ' ' << steps;
-      }
+// The solver alone, in double and over every proportion of G, C, d0 and D that a step can meet: the end that it finds
+// solves the step's equation d1 + b + k q = dt in its fixed number of passes, to the 2^-49 of a root by which it stays
+// on the side of loss (times the equation's steepness, 5 at most) and rounding.
+template <bool is_damped>
+void expect_solved(uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto anything = [&] { return std::pow(10, 16 * unit(random) - 8); };
+  int stays = 0;
+  for (int i = 0; i < 200000; ++i) {
+    EnergySolver<Float64, is_damped> step{1, is_damped ? anything() : 0, 0, 0, anything()};
+    if (unit(random) < 0.6) {
+      step.r = anything();
+      step.d0 = step.r * step.r;
+      if (unit(random) < 0.5) step.D = step.d0 * (4 * unit(random) - 1);
+    } else {
+      step.d0 = -step.D * unit(random);
+    }
+    const double A = step.C * step.D, dt = step.d0 + step.D;
+    if (A > 50 || A <= -1) continue;  // 50 is a restitution of 0.02
+    const auto end = step.solve();
+    if (end.root <= 0) continue;
+    ++stays;
+    const double d = end.root * end.root, r = step.r;
+    const double q = 0.4 * (r > 0 ? d * end.root + r * r * end.root + r * r * r * r / (end.root + r)
+                                  : d * d * end.root / (d - step.d0));
+    const double slip = is_damped ? q * SlipFunction<Float64>::at(step.C * q).k : 0;
+    const double back = is_damped ? q * (1 + A) / (1 + step.C * q) : q;
+    EXPECT_NEAR(d + back + slip, dt, 1e-11 * dt) << r << ' ' << step.d0 << ' ' << step.D << ' ' << step.C;
+  }
+  EXPECT_GT(stays, 10000);
+}
+TEST(EnergySolver, EndsInItsPassesWhateverTheStiffness) {
+  expect_solved<false>(1);
+  expect_solved<true>(2);
+}
+
+TEST(EnergySolver, StartsFromABoundAboveTheRoot) {
+  for (double x = 1e-30; x < 1e30; x *= 1.0173) {
+    const double third = std::cbrt(x), fifth = std::pow(x, 0.2);
+    const auto narrow = static_cast<float>(x);
+    const Floating wide = Floating::of(x);
+    const auto value = [](Floating y) { return std::ldexp(y.mantissa, y.exponent - 31); };
+    for (double above :
+         {root_above<3>(x) / third, double{root_above<3>(narrow)} / third, value(root_above<3>(wide)) / third,
+          root_above<5>(x) / fifth, double{root_above<5>(narrow)} / fifth, value(root_above<5>(wide)) / fifth}) {
+      EXPECT_GE(above, 1 - 1e-6) << x;
+      EXPECT_LE(above, 1.13) << x;
+    }
+  }
+}
+
+// Against double, with the bounds that numeric/floating.hpp states.
+TEST(Floating, KeepsItsBounds) {
+  const auto value = [](Floating x) { return std::ldexp(x.mantissa, x.exponent - 31); };
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> exponent(-60, 60), sign(-1, 1);
+  for (int i = 0; i < 200000; ++i) {
+    const auto any = [&] { return Floating::of(std::copysign(std::exp2(exponent(random)), sign(random))); };
+    const Floating x = any(), y = any();
+    const double a = value(x), b = value(y), place = 0x1p-28;
+    EXPECT_NEAR(value(x * y), a * b, place * std::abs(a * b));
+    EXPECT_NEAR(value(x / y), a / b, place * std::abs(a / b));
+    EXPECT_NEAR(value(x + y), a + b, place * 2 * std::max(std::abs(a), std::abs(b)));
+    EXPECT_NEAR(value(x - y), a - b, place * 2 * std::max(std::abs(a), std::abs(b)));
+    EXPECT_NEAR(value(square_root(is_positive(x) ? x : -x)), std::sqrt(std::abs(a)), 0x1p-27 * std::sqrt(std::abs(a)));
+    EXPECT_EQ(x < y, a < b);
+  }
+  const Floating nothing, one = Floating::of(1.0), least = {1 << 30, -30};
+  EXPECT_EQ((nothing * one).mantissa, 0);
+  EXPECT_EQ((nothing + one).mantissa, one.mantissa);
+  EXPECT_EQ((one - one).mantissa, 0);
+  EXPECT_EQ(square_root(nothing).mantissa, 0);
+  EXPECT_EQ((nothing / one).mantissa, 0);
+  EXPECT_EQ(nothing.fraction(), 0);
+  EXPECT_EQ(one.fraction(), INT32_MAX);
+  EXPECT_EQ((-one).fraction(), -INT32_MAX);
+  EXPECT_EQ(least.fraction(), 1);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@
 namespace impact {
 
 template <class Format, class ContactLaw>
-struct EnergyPower : ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;

@@ -31,10 +31,8 @@ struct EnergyConsistent {
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
-  // The solver of the power laws converges from 2 steps on.
-  static constexpr Range steps(const Resolution& contact) {
-    return contact.law == Law::hooke_newton ? any_step : Range{0, contact.detail / 2};
-  }
+  // Every law's equation is solved at any stiffness.
+  static constexpr Range steps(const Resolution&) { return any_step; }
 
   template <class Format, class ContactLaw>
   using Contact = typename detail::EnergyContact<ContactLaw::law>::template Type<Format, ContactLaw>;

@@ -108,7 +108,7 @@ TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
 
 // The solver alone, in double and over every proportion of G, C, d0 and D that a step can meet: the end that it finds
 // solves the step's equation d1 + b + k q = dt in its fixed number of passes, to the 2^-49 of a root by which it stays
-// on the side of loss (times the equation's steepness, 5 at most) and rounding.
+// on the side of loss times how much faster the equation's left side grows than the root: 3 * 16384 on the slip's line.
 template <bool is_damped>
 void expect_solved(uint32_t seed) {
   std::mt19937 random(seed);
@@ -134,7 +134,7 @@ void expect_solved(uint32_t seed) {
                                   : d * d * end.root / (d - step.d0));
     const double slip = is_damped ? q * SlipFunction<Float64>::at(step.C * q).k : 0;
     const double back = is_damped ? q * (1 + A) / (1 + step.C * q) : q;
-    EXPECT_NEAR(d + back + slip, dt, 1e-11 * dt) << r << ' ' << step.d0 << ' ' << step.D << ' ' << step.C;
+    EXPECT_NEAR(d + back + slip, dt, 1e-10 * dt) << r << ' ' << step.d0 << ' ' << step.D << ' ' << step.C;
   }
   EXPECT_GT(stays, 10000);
 }

@@ -13,6 +13,9 @@
 // per contact. Here k = u/3 + u^3/5 + u^5/7: within 1.3 % for u <= 0.6, which is 2.5 steps a contact at restitution
 // 1/2.
 //
+// This is for contact that the plan knows to be resolved (is_resolved); any other goes to energy_solver.hpp, which an
+// image whose contact is resolved does not hold.
+//
 // While contact stays or begins, residual(s) = s^2 + G f(s) + slip(s) - trial = 0 is increasing and convex where the
 // contact pushes: Newton's method from s = sqrt(trial) comes down on the root monotonically, in the plan's number of
 // passes. An iterate below 0 says that the ball leaves; then t = d0/(d0 - d1), the share of the step in contact, solves

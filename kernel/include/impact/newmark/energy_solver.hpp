@@ -26,7 +26,7 @@
 //
 //     Q t^2 (1 + K + k) - (D + C Q d0) t = d0
 //
-// from the root without K + k, which for Hertz is all.
+// by Newton's method from the root without K + k, which for Hertz is all.
 //
 // Neither a rounding nor a missing pass can make energy: the caller gives the ball whatever slip the equation leaves
 // over for the s and b that it takes, the work done is b's and the energy stored is s's, and s is rounded to the side

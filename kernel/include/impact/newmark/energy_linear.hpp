@@ -18,8 +18,7 @@ struct EnergyLinear : ResolvedForces {
   struct Plan {
     Response<Gain> response;
     Gain damping;         // C
-    Gain inside;          // 1/(1 + G (1/2 + C))
-    Gain entering;        // 1/(1 + G (1/2 + C)), of penetrations
+    Gain solved;          // 1/(1 + G (1/2 + C))
     Gain loss;            // 1 + G C over that
     Gain half_stiffness;  // G/2
     Gain pull;            // G C
@@ -31,7 +30,6 @@ struct EnergyLinear : ResolvedForces {
     const double solved = 1 / (1 + G * (0.5 + C));
     return {answer.gains<Format>(terms.force_unit, unit),
             Format::gain(C, unit.penetration, terms.damping_exponent),
-            Format::gain(solved, 0, 0),
             Format::gain(solved, 0, 0),
             Format::gain((1 + G * C) * solved, 0, 0),
             Format::gain(G / 2, 0, 0),
@@ -63,7 +61,7 @@ struct EnergyLinear : ResolvedForces {
 
  private:
   [[gnu::always_inline]] constexpr Value inside(const Plan& plan, const Units& units, Value trial) const {
-    const Value force = plan.inside * (units.elastic(Format::value(half(penetration)) + Format::value(half(trial))) +
+    const Value force = plan.solved * (units.elastic(Format::value(half(penetration)) + Format::value(half(trial))) +
                                        plan.damping * (trial - penetration));
     return is_positive(trial - plan.response.penetration * force) ? force : leaving(plan, units, trial);
   }
@@ -80,8 +78,8 @@ struct EnergyLinear : ResolvedForces {
 
   // (1 + G (1/2 + C)) d1^2 + ((1 + G C) (-d0) - trial) d1 = trial (-d0).
   constexpr Value entering(const Plan& plan, const Units& units, Value trial, Value before) const {
-    const Value b = Format::value(half(-(plan.loss * before) - plan.entering * trial));
-    const Value d = positive_root<Format>(b, without_sign(plan.entering * trial) * without_sign(-before));
+    const Value b = Format::value(half(-(plan.loss * before) - plan.solved * trial));
+    const Value d = positive_root<Format>(b, without_sign(plan.solved * trial) * without_sign(-before));
     const auto share = Format::quotient(positive_part(d), positive_part(d - before));
     return units.elastic(Format::value(half(d * share))) + plan.damping * d;
   }

@@ -304,7 +304,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);
     plan.units.hold_displacement(state_.w1);
     plan.units.hold_displacement(state_.w2);
-    state_.contact = Contact{};
+    state_.contact.phase = Phase::apart;  // and no more: to clear it all is a call of memset on a Cortex-M0
+    if constexpr (Contact::carries) state_.contact.force = Value{};
     raise(is_far || is_ball_far ? Fault::displacement : Fault::speed);
   }
   __attribute__((noinline)) constexpr void hold_sample(Value& sample) {

@@ -1,7 +1,8 @@
 // accuracy OUTPUT.csv: the error over 1 s of the paper's scene, |x1| every 10 ms, of every stepper and number format of
 // the kernel and of the baselines, parted into the method's (the same run in double) and rounding's
 // (error_measures.hpp). Time is the fastest of five runs; the kernel's is taken through its run-time interface, energy
-// ledger and impact log included. contact_share is the share of steps with contact at either end, from the reference.
+// ledger and impact log included. -vsqrt: with the processor's own square root. contact_share is the share of steps
+// with contact at either end, from the reference.
 
 #include <algorithm>
 #include <chrono>
@@ -9,10 +10,12 @@
 #include <host_ref/reference.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/textbook_methods.hpp>
+#include <host_ref/simulation_of.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/text.hpp>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace impact::report {
@@ -99,6 +102,10 @@ class StepLength {
     for (const Stepper stepper : {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
                                   Stepper::moment, Stepper::energy, Stepper::impulsive})
       write_kernel(stepper);
+    if constexpr (law != Law::hooke_newton) {
+      write_hardware_root<BasicFloat32<HardwareRoot>>("float32-vsqrt");
+      write_hardware_root<BasicFloat32Plain<HardwareRoot>>("float32-plain-vsqrt");
+    }
     write_baseline<TextbookNewmark, LibraryPower>("textbook-newmark");
     write_baseline<TextbookRk4, LibraryPower>("textbook-rk4");
     if constexpr (law != Law::hooke_newton) {
@@ -116,17 +123,24 @@ class StepLength {
 
   void write_kernel(Stepper stepper) {
     const Run exact = kernel_run(stepper, Numeric::float64);
-    for (const Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}) {
-      const Run run = kernel_run(stepper, numeric);
-      if (run.samples.empty()) continue;
-      write_row(output_, law, name_of(stepper), name_of(numeric), Rig::step,
-                error_parts(reference_.samples, exact.samples, run.samples), run.nanoseconds_per_step,
-                reference_.contact_share(Rig::step));
-    }
+    for (const Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64})
+      write_run(name_of(stepper), name_of(numeric), exact, kernel_run(stepper, numeric));
+  }
+  template <class Format>
+  void write_hardware_root(std::string_view numeric) {
+    using ContactLaw = std::conditional_t<law == Law::hertz, Hertz, HuntCrossley>;
+    const Run run = kernel_run(request_for(Stepper::moment, Numeric::float32), [](const Request& request) {
+      return plan_for<Format, ContactLaw, Moment, Sine>(request, Bounds{}).simulation;
+    });
+    write_run(name_of(Stepper::moment), numeric, kernel_run(Stepper::moment, Numeric::float64), run);
+  }
+  void write_run(std::string_view stepper, std::string_view numeric, const Run& exact, const Run& run) {
+    if (run.samples.empty() || exact.samples.empty()) return;
+    write_row(output_, law, stepper, numeric, Rig::step, error_parts(reference_.samples, exact.samples, run.samples),
+              run.nanoseconds_per_step, reference_.contact_share(Rig::step));
   }
 
-  // Without samples where the kernel refuses the request or raises a fault.
-  static Run kernel_run(Stepper stepper, Numeric numeric) {
+  static Request request_for(Stepper stepper, Numeric numeric) {
     Request request;
     request.law = law;
     request.stepper = stepper;
@@ -134,11 +148,20 @@ class StepLength {
     request.scene = Rig::scene;
     request.step = Rig::step;
     request.duration = duration;
-    if (!make_simulation(request).simulation) return {};
+    return request;
+  }
+  static Run kernel_run(Stepper stepper, Numeric numeric) {
+    return kernel_run(request_for(stepper, numeric),
+                      [](const Request& request) { return make_simulation(request).simulation; });
+  }
+
+  // Without samples where `make` refuses the request or the run raises a fault.
+  template <class Make>
+  static Run kernel_run(const Request& request, Make make) {
+    if (!make(request)) return {};
     bool is_sound = true;
     const Run run = timed_run(
-        steps_per_interval, [&request] { return make_simulation(request).simulation; },
-        [](const auto& simulation) { simulation->step(0); },
+        steps_per_interval, [&] { return make(request); }, [](const auto& simulation) { simulation->step(0); },
         [&is_sound](const auto& simulation) {
           is_sound = is_sound && !simulation->fault();
           return simulation->sample().x1;

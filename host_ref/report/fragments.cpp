@@ -84,9 +84,10 @@ std::string advantage(const Table& points) {
     const char* target;
     std::vector<std::string> formats;  // of the kernel
   };
-  const Contest contests[] = {{"cortex-m4f", {"float32", "float32-plain"}},
-                              {"cortex-m3", {"fixed32"}},
-                              {"host", {"float32", "float32-plain", "fixed32", "float64"}}};
+  const Contest contests[] = {
+      {"cortex-m4f", {"float32", "float32-plain", "float32-vsqrt", "float32-plain-vsqrt"}},
+      {"cortex-m3", {"fixed32"}},
+      {"host", {"float32", "float32-plain", "fixed32", "float64", "float32-vsqrt", "float32-plain-vsqrt"}}};
   std::string text = head({"target", "law", "error, m", "kernel, per simulated second", "best baseline", "ratio"});
   std::string lost, at_a_micron;
   const auto add = [](std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; };

@@ -31,8 +31,9 @@ do for [i = 1:words(methods)] {
   }
   if (is_present) { command = command . sprintf(', keyentry with lines linewidth 2.4 dashtype %s linecolor rgb "%s" title "%s"', word(dashes, i), word(colours, i), m) }
 }
-do for [j = 1:words(numerics) - (host ? 0 : 1)] {
-  command = command . sprintf(', keyentry with points pointtype %s linecolor rgb "black" title "%s"', word(markers, j), word(numerics, j))
+do for [j = 1:words(numerics)] {
+  f = word(numerics, j)
+  if (has('[^,]*', f)) { command = command . sprintf(', keyentry with points pointtype %s linecolor rgb "black" title "%s"', word(markers, j), f) }
 }
 set logscale xy
 set yrange [1e-10:1e-1]

@@ -89,7 +89,9 @@ std::optional<Rebounds> rebounds(const FreePair& free, Stepper stepper, Numeric 
       ratio = (now.v1 - now.v2) / free.speed;
       is_apart = now.penetration < 0 && now.contact_force == 0 && ratio > 0;
     }
-    if (!is_apart || !std::isfinite(ratio) || simulation->fault()) result.is_sound = false;
+    if (!(std::abs(ratio) < blown_up)) ratio = blown_up;
+    if (simulation->fault()) result.has_fault = true;
+    if (!is_apart) result.is_apart = false;
     if (ratio > result.largest) {
       result.largest = ratio;
       result.phase_of_largest = phase;

@@ -19,15 +19,23 @@ struct FreePair {
   double main_mass = 1, ball_mass = 0.3;
   double clearance = 0.02;  // m
   double step = 1e-4;       // h, s
-  Stops stops = Stops::both;
+  Stops stops = Stops::right;
 };
 
-struct Rebounds {
-  double least = 1e300, largest = -1e300;  // rebound speed over approach speed
-  double phase_of_largest = 0;
-  bool is_sound = true;  // every run: no fault, finite, apart in the end
+// Rebound speed over approach speed, which is taken as `blown_up` where it is more or no number at all; negative where
+// the ball goes on into the stop.
+constexpr double blown_up = 1e9;
 
-  double energy_gain() const { return largest * largest - 1; }  // of the energy of relative motion
+struct Rebounds {
+  double least = blown_up, largest = -blown_up;
+  double phase_of_largest = 0;
+  bool has_fault = false, is_apart = true;  // in any run; in the end of every run
+
+  // Over the energy of relative motion before.
+  double energy_gain() const {
+    const double size = largest > -least ? largest : -least;
+    return size * size - 1;
+  }
 };
 
 Impact impact_of(const FreePair& free);

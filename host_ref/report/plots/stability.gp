@@ -25,7 +25,7 @@ gains(x) = is_shown(0) && column(9) > 1e-3
 step(is_wanted) = is_wanted ? column(4) : 1e-9  # or out of sight
 width = 10**0.125; height = 10**0.25
 
-do for [law in laws] { do for [stepper in methods] { do for [numeric in 'float64 fixed32'] {
+do for [law in laws] { do for [stepper in 'auto ' . methods] { do for [numeric in 'float64 fixed32'] {
   if (system(sprintf('grep -c "^%s,%s,%s," "%s"', law, stepper, numeric, file)) + 0 > 0) {
     set output sprintf('%s/stability_%s_%s_%s.svg', folder, law, stepper, numeric)
     set title stepper . ', ' . numeric noenhanced offset 0,-0.6

@@ -1,0 +1,186 @@
+// Scenes at the edge of what a plan accepts, by every law, format and passive stepper: a ball started inside a stop,
+// both stops touched within a step, one stop only, and exact resonance without damping. None may raise a fault or leave
+// with more energy than it was given.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "host_ref/closed_form.hpp"
+#include "host_ref/simulation.hpp"
+
+namespace impact::host {
+namespace {
+
+struct Kind {
+  Law law;
+  Stepper stepper;
+  Numeric numeric;
+};
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << name_of(kind.law) << " " << name_of(kind.stepper) << " " << name_of(kind.numeric);
+}
+
+class ExtremeScene : public testing::TestWithParam<Kind> {
+ protected:
+  // A free pair of 1 kg and 0.3 kg with c1 for e = 0.68 at this speed.
+  static Request free_pair(double contact_stiffness, double speed, double step) {
+    Impact impact;
+    impact.law = GetParam().law;
+    impact.contact_stiffness = contact_stiffness;
+    impact.speed = speed;
+    Request request;
+    request.law = GetParam().law;
+    request.stepper = GetParam().stepper;
+    request.numeric = GetParam().numeric;
+    request.drive = DriveKind::none;
+    request.step = step;
+    request.scene.main_stiffness = request.scene.main_damping = 0;
+    request.scene.contact_stiffness = contact_stiffness;
+    request.scene.contact_damping = request.law == Law::hertz ? 0 : contact_damping(impact, 0.68).value();
+    return request;
+  }
+  // None where the plan refuses it; counted, so that a test says something.
+  std::unique_ptr<Simulation> made(const Request& request) {
+    Outcome outcome = make_simulation(request);
+    if (outcome.simulation) ++accepted_;
+    return std::move(outcome.simulation);
+  }
+  // Of one impact: 1e-5 in 32 bits, 1e-12 in double (stability_test.cpp).
+  static double share() { return GetParam().numeric == Numeric::float64 ? 1e-12 : 1e-5; }
+
+  int accepted_ = 0;
+};
+
+constexpr double reduced_mass = 0.3 / 1.3;
+
+double energy_of_relative_motion(const Sample& at) { return reduced_mass * (at.v2 - at.v1) * (at.v2 - at.v1) / 2; }
+
+// A step takes the penetration to half of a place of the position, of 5/2 of the stored energy over the depth.
+TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
+  for (const double stiffness : {1e3, 1e8, 1e12}) {
+    for (const double depth : {1e-4, 1e-3, 1e-2}) {
+      for (const double step : {1e-5, 1e-3}) {
+        const bool is_linear = GetParam().law == Law::hooke_newton;
+        const double stored = is_linear ? stiffness * depth * depth / 2 : 0.4 * stiffness * std::pow(depth, 2.5);
+        const double speed = std::sqrt(2 * stored / reduced_mass);
+        if (speed > 500) continue;  // initial states go to 1000 m/s
+        Request request = free_pair(stiffness, speed, step);
+        const double time =
+            contact_time({request.law, stiffness, request.scene.contact_damping, reduced_mass, speed}).value();
+        const long steps = std::lround(4 * time / step) + 20;
+        request.scene.stops = Stops::right;
+        request.scene.x2 = request.scene.clearance / 2 + depth;
+        request.bounds =
+            Bounds{0.02 + 2 * speed * step * static_cast<double>(steps), 2 * speed, 2 * depth + speed * step, 1};
+        const auto simulation = made(request);
+        if (!simulation) continue;
+        for (long n = 0; n < steps; ++n) simulation->step(0);
+        const double place = (GetParam().numeric == Numeric::float32_plain ? 0x1p-25 : 0x1p-47) * 0.02;
+        const double allowed = share() + 2.5 * std::max(1.0, time / step) * place / depth;
+        const Sample now = simulation->sample();
+        EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << depth << " " << step;
+        EXPECT_LE(energy_of_relative_motion(now), stored * (1 + allowed)) << stiffness << " " << depth << " " << step;
+        EXPECT_LE(now.penetration, 1e-6 * depth + place) << stiffness << " " << depth << " " << step;
+      }
+    }
+  }
+  EXPECT_GE(accepted_, 2);
+}
+
+// The ball could cross the cavity up to a thousand times within a step.
+TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
+  constexpr double speed = 1, step = 1e-3;
+  for (const double stiffness : {1e8, 1e12}) {
+    for (const double clearance : {0.0, 1e-6, 1e-4, 5e-4}) {
+      Request request = free_pair(stiffness, speed, step);
+      request.scene.clearance = clearance;
+      request.scene.v2 = speed;
+      request.bounds = Bounds{1, 2 * speed, 0.01, 1};
+      const auto simulation = made(request);
+      if (!simulation) continue;
+      const double first = reduced_mass * speed * speed / 2;
+      double largest = 0;
+      for (int n = 0; n < 500; ++n) {
+        simulation->step(0);
+        const double energy = energy_of_relative_motion(simulation->sample());
+        EXPECT_TRUE(std::isfinite(energy));
+        largest = std::max(largest, energy);
+      }
+      EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << clearance;
+      // An impact a step.
+      EXPECT_LE(largest, first * (1 + 500 * share())) << stiffness << " " << clearance;
+    }
+  }
+  EXPECT_GE(accepted_, GetParam().stepper == Stepper::energy ? 0 : 2);
+}
+
+// To the left as to the right. Fixed32 rounds down and so not alike on both sides: within its share of the energy.
+TEST_P(ExtremeScene, LeftStopIsTheRightOnesMirror) {
+  for (const double stiffness : {3e4, 1e8, 1e12}) {
+    constexpr double speed = 0.8, step = 1e-4;
+    double rebound[2] = {};
+    for (const bool is_left : {false, true}) {
+      Request request = free_pair(stiffness, speed, step);
+      request.scene.stops = is_left ? Stops::left : Stops::right;
+      request.scene.v2 = is_left ? -speed : speed;
+      request.bounds = Bounds{0.2, 2 * speed, 0.02, 1};
+      const auto simulation = made(request);
+      if (!simulation) continue;
+      for (int n = 0; n < 1000; ++n) simulation->step(0);
+      EXPECT_EQ(simulation->fault(), nullptr);
+      const Sample now = simulation->sample();
+      rebound[is_left] = is_left ? now.v2 - now.v1 : now.v1 - now.v2;
+    }
+    EXPECT_NEAR(rebound[0], rebound[1], share() * speed) << stiffness;
+  }
+  EXPECT_GE(accepted_, 2);
+}
+
+// Driven at its own pulsation without damping. Whatever contact does, the drive's power is at most F0 |v1|, so that
+// sqrt(E) grows by F0 t/sqrt(2 M) at most. The energy without the contact's spring is a part of E.
+TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
+  for (const double stiffness : {32600.0, 1e8, 1e12}) {
+    for (const double step : {1e-4, 1e-3}) {
+      Request request = free_pair(stiffness, 0.8, step);
+      Scene& scene = request.scene;
+      scene.main_stiffness = 1000;
+      scene.drive_pulsation = std::sqrt(scene.main_stiffness / scene.main_mass);
+      request.drive = DriveKind::sine;
+      const double duration = 2, growth = scene.drive_amplitude / std::sqrt(2 * scene.main_mass);
+      const double fastest = growth * duration * std::sqrt(2 / scene.ball_mass);
+      request.bounds = Bounds{1, fastest, 0.1, 10};
+      const auto simulation = made(request);
+      if (!simulation) continue;
+      double largest = 0;
+      for (int n = 1; n <= std::lround(duration / step); ++n) {
+        simulation->step(0);
+        const Sample now = simulation->sample();
+        const double energy = (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
+                               scene.main_stiffness * now.x1 * now.x1) /
+                              2;
+        EXPECT_TRUE(std::isfinite(energy));
+        largest = std::max(largest, std::sqrt(energy) / (growth * now.t));
+      }
+      EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << step;
+      // In the first step the drive is small; a thousand impacts' share at most.
+      EXPECT_LE(largest, 1 + 1000 * share()) << stiffness << " " << step;
+    }
+  }
+  EXPECT_GE(accepted_, 1);
+}
+
+std::vector<Kind> kinds() {
+  std::vector<Kind> result;
+  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
+    for (const Stepper stepper : {Stepper::automatic, Stepper::energy, Stepper::impulsive})
+      for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
+        result.push_back({law, stepper, numeric});
+  return result;
+}
+INSTANTIATE_TEST_SUITE_P(Kinds, ExtremeScene, testing::ValuesIn(kinds()));
+
+}  // namespace
+}  // namespace impact::host

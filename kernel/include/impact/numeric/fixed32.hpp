@@ -313,7 +313,9 @@ struct Fixed32 {
       return {high_product(ahead, static_cast<int32_t>(inverse >> 1))};
     }
   };
+  // 0 < x < 1; what a state beyond its bounds makes of x is held there.
   static constexpr Divisor divisor(Unsigned<31> x) {
+    if (x.raw - 1 >= INT32_MAX) x.raw = INT32_MAX;
     const int zeros = normalise<1>(x.raw);
     return {static_cast<int32_t>(x.raw >> zeros), reciprocal_q31(x.raw), zeros};
   }

@@ -252,7 +252,7 @@ struct Fixed32 {
   static constexpr Gain gain_over(Gain gain, Value divisor) {
     const int zeros = leading_zeros(static_cast<uint32_t>(divisor.raw));
     const uint32_t inverse = reciprocal_q31(static_cast<uint32_t>(divisor.raw) << zeros);
-    const int32_t mantissa = (gain * Value{static_cast<int32_t>(inverse >> 1)}).raw >> 1;
+    const int32_t mantissa = (HeldGain{gain} * Value{static_cast<int32_t>(inverse >> 1)}).raw >> 1;
     if (mantissa == 0) return {0, 0};
     const int spare = leading_zeros(static_cast<uint32_t>(mantissa)) - 1;
     return {mantissa << spare, spare - zeros - 2};

@@ -231,7 +231,10 @@ struct Fixed32 {
     }
   };
 
-  static constexpr Unsigned<32> constant(double x) { return {static_cast<uint32_t>(x * 4294967296.0 + 0.5)}; }
+  // In [0, 1); what is not, for a stepper far outside its range, is held there.
+  static constexpr Unsigned<32> constant(double x) {
+    return {x > 0 ? static_cast<uint32_t>(impact::constant::smaller(x * 4294967296.0 + 0.5, 4294967295.0)) : 0};
+  }
   static constexpr Short<16> short_constant(double x) { return {static_cast<uint32_t>(x * 65536.0 + 0.5)}; }
   static constexpr Gain gain(double factor, int from, int to) {
     const double scaled = factor * constant::power_of_two(from - to);

@@ -132,7 +132,8 @@ class EveryCell : public testing::TestWithParam<Kind> {};
 // The restitution is the law's within 1 % by auto and by the impulsive treatment, and within 1e-3 by the
 // energy-consistent one from 2.5 steps a contact on, but for Hooke-Newton, of whose force it sees the jump in second
 // order only (0.04 off at 2.6 steps). Rounding may add half of the energy's share.
-// Below 2.5 steps the energy-consistent step is not held to anything here: it gains energy in some cells.
+// Below 2.5 steps the energy-consistent step is not held to anything here: in floating point it gains energy in some
+// cells (Hertz: of less than 0.1 steps).
 TEST_P(EveryCell, ReboundsAsTheLawAndGainsNothing) {
   const auto [law, stepper, numeric] = GetParam();
   struct Worst {

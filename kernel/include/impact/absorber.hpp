@@ -203,13 +203,23 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
       units.push(state_.w2, -(plan.contact.w2_next * carried));
     }
     const Long along = mirrored(state_.x2 - state_.x1, left);
-    const Value trial = units.penetration(along);
+    Value trial = units.penetration(along);
     if (state_.contact.phase == Phase::apart && !is_positive(trial)) return;
     if (!units.fits(along)) raise(Fault::penetration);
     const Value trial_rate = relative_rate(left);
     const Value travel = mirrored(units.relative(state_.w2 - made), left);
     Value before = trial - travel;
-    if (state_.contact.phase == Phase::apart && is_positive(before)) before = Value{};
+    if (state_.contact.phase == Phase::apart && is_positive(before)) {
+      if constexpr (!Contact::splits) {
+        // Inside without having come there: by a rounding, or across a cavity shorter than the way of a step.
+        if constexpr (Contact::returns) {
+          units.displace(state_.x2, -mirrored(before, left));
+          trial = travel;
+          if (!is_positive(trial)) return;
+        }
+      }
+      before = Value{};
+    }
 
     const Contact contact_before = state_.contact;
     if constexpr (Contact::splits) {

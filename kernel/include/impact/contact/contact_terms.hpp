@@ -57,6 +57,7 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
 // For a treatment that evaluates the law at penetrations up to the bound: the units of its forces and pushes.
 struct ResolvedForces {
   static constexpr bool splits = false, sums = false;
+  static constexpr bool returns = false;  // a ball that is found inside the stop goes back to it before it is touched
 
   static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
     using constant::power_of_two;

@@ -37,7 +37,7 @@ struct EnergyLinear : ResolvedForces {
             terms.clamped};
   }
 
-  static constexpr bool carries = false, slips = false;
+  static constexpr bool carries = false, slips = false, returns = true;
 
   Value penetration;  // at the start of the step, while touching
   Phase phase;

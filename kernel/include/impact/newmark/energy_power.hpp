@@ -112,7 +112,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
   static constexpr int most_passes = 8;
-  static constexpr bool carries = false, slips = true;
+  static constexpr bool carries = false, slips = true, returns = true;
 
   Value penetration;
   Root root;   // at the start of the step, while touching
@@ -135,7 +135,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, trial_rate);
       penetration = before;
     }
-    if (!plan.is_resolved) return resolve_stiff(plan, trial, trial_rate, before);
+    if (!plan.is_resolved) return resolve_stiff(plan, trial, before);
     Value force{};
     const bool stays = is_positive(trial) && stay(plan, units, trial, force);
     if (!stays) leave(plan, units, trial, force);
@@ -153,11 +153,8 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
  private:
-  __attribute__((noinline)) constexpr Kick<Value> resolve_stiff(const Plan& plan, Value trial, Value trial_rate,
-                                                                Value before) {
+  __attribute__((noinline)) constexpr Kick<Value> resolve_stiff(const Plan& plan, Value trial, Value before) {
     slip = Value{};
-    // Inside by a rounding, on the way out.
-    if (phase == Phase::apart && !is_positive(-before) && !is_positive(trial_rate)) return {};
     EnergySolver<Format, ContactLaw::is_damped> step{plan.stiff_give, Format::wide_gain(damping(plan)), {}, {}, {}};
     if (phase == Phase::touching) {
       step.r = Format::wide_root_of(root);

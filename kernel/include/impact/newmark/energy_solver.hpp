@@ -95,8 +95,9 @@ struct EnergySolver {
       if (u < C * q) q = u / C;
     }
     const Real n = q / G;
-    const Real s = is_positive(r) ? root_above<3>(number(2.5) * n)
-                                  : larger(root_above<3>(number(5) * n), root_above<5>(number(-5) * n * d0));
+    const Real s = is_positive(r)
+                       ? root_above<3>(number(2.5) * n)
+                       : larger(root_above<3>(number(5) * n), root_above<5>(number(5) * n * (number(0) - d0)));
     return smaller(dt, s * s);
   }
 

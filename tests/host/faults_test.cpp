@@ -150,7 +150,7 @@ TYPED_TEST(Faults, ASampleOutOfRange) {
 
 template <class Format, class Change>
 bool restores(Change change) {
-  using Kernel = Absorber<AtRunTime, HuntCrossleyPerImpact, Moment, Sine, Format>;
+  using Kernel = Absorber<AtRunTime, HuntCrossleyPerImpact, Moment, Sine, Format, EnergyLedger, ImpactLog>;
   Scene scene;
   scene.restitution = 0.7;
   Kernel absorber = made<Kernel>(scene, {0.1, 2, 0.03, 10}, 1e-3);
@@ -186,6 +186,10 @@ TYPED_TEST(Faults, AStateThatNoStepLeavesIsRefused) {
     else
       state.drive.oscillator.value = std::numeric_limits<typename TypeParam::Value>::infinity();
   }));
+  EXPECT_FALSE(restores<TypeParam>([](auto& state) { state.drive.oscillator.slope = state.drive.oscillator.value; }));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.x1_before); }));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.dissipated); }));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.drive_work); }));
 }
 
 // What a contact remembers is not judged: whatever it is, the state stays finite.

@@ -301,7 +301,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (ContactLaw::is_damped_per_impact) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
-    return is_sound;
+    return is_sound && (Features::is_sound(plan, state) && ...);
   }
 
   // What contact or a change of plan has left beyond its range.

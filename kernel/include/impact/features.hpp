@@ -61,6 +61,14 @@ struct EnergyLedger {
     state.drive_force = force;
     state.x1_before = state.x1;
   }
+  // Whether a state from elsewhere can be gone on with.
+  template <class Plan, class State>
+  static constexpr bool is_sound(const Plan& plan, const State& state) {
+    using Format = typename Plan::FormatType;
+    return plan.units.in_range(state.x1_before, state.x1_before, {}) && plan.units.is_sound(state.x1_before) &&
+           Format::is_sound(state.dissipated) && Format::is_sound(state.drive_work) && Format::is_sound(state.stored) &&
+           Format::is_sound(state.rate) && Format::is_sound(state.drive_force);
+  }
 };
 
 // Contacts begun, the rate at which the last one began (2^penetration metres per step), and the largest mean force over
@@ -84,6 +92,11 @@ struct ImpactLog {
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State&) {}
+  template <class Plan, class State>
+  static constexpr bool is_sound(const Plan&, const State& state) {
+    using Format = typename Plan::FormatType;
+    return Format::is_sound(state.impact_rate) && Format::is_sound(state.peak_force);
+  }
 };
 
 }  // namespace impact

@@ -268,7 +268,12 @@ struct Fixed32 {
   static constexpr Value largest_sample(double) { return {INT32_MAX}; }
   static constexpr bool is_within(Value, Value) { return true; }
   static constexpr Value held_within(Value x, Value, Value) { return x; }
+  // For a state from elsewhere. A sum has room for 2^31 more of the largest Values.
   static constexpr bool is_sound(Gain gain) { return gain.shift >= -32 && gain.shift < 31; }
+  static constexpr bool is_sound(Value) { return true; }
+  static constexpr bool is_sound(Tally tally) {
+    return tally.raw < int64_t{1} << 62 && tally.raw > -(int64_t{1} << 62);
+  }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
   static constexpr int32_t native(Value reading) { return reading.raw; }

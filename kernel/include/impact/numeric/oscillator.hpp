@@ -80,12 +80,15 @@ template <class Real>
 struct RealOscillator {
   struct Plan {
     Real curvature = 0, value = 0, slope = 0;
+    Real largest_value = 0, largest_slope = 0;  // a quarter above the sinusoid's own
   };
   static constexpr Plan make_plan(Sinusoid sinusoid, double turn) {
     const double half = constant::sine(turn / 2);
     const double before = sinusoid.cosine * constant::cosine(turn) - sinusoid.sine * constant::sine(turn);
+    const double amplitude = constant::square_root(sinusoid.sine * sinusoid.sine + sinusoid.cosine * sinusoid.cosine);
     return {static_cast<Real>(4 * half * half), static_cast<Real>(sinusoid.cosine),
-            static_cast<Real>(sinusoid.cosine - before)};
+            static_cast<Real>(sinusoid.cosine - before), static_cast<Real>(1.25 * amplitude),
+            static_cast<Real>(1.25 * amplitude * 2 * constant::magnitude(half))};
   }
 
   Real value, slope;
@@ -96,7 +99,10 @@ struct RealOscillator {
     slope -= plan.curvature * value;
     value += slope;
   }
-  constexpr bool is_sound(const Plan&) const { return value - value == 0 && slope - slope == 0; }  // finite
+  constexpr bool is_sound(const Plan& plan) const {
+    return value <= plan.largest_value && value >= -plan.largest_value && slope <= plan.largest_slope &&
+           slope >= -plan.largest_slope;
+  }
   static constexpr int slope_bits(const Plan&) { return 0; }
   constexpr Real value_head() const { return value; }
   constexpr Real slope_head(const Plan&) const { return slope; }

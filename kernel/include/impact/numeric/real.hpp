@@ -167,7 +167,9 @@ struct RealFormat {
   static constexpr Value held_within(Value x, Value bound, Value if_no_number) {
     return x > bound ? bound : x < -bound ? -bound : if_no_number;
   }
-  static constexpr bool is_sound(Gain gain) { return magnitude_bits(gain) < magnitude_bits(largest_gain); }
+  // For a state from elsewhere: far from infinity.
+  static constexpr bool is_sound(Real x) { return magnitude_bits(x) < magnitude_bits(largest_gain); }
+  static constexpr bool is_sound(Tally tally) { return is_sound(tally.value()); }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent - 31; }
   static constexpr int oscillator_exponent(const typename RealOscillator<Real>::Plan&) { return 0; }
   static constexpr Value reading(Real native) { return native; }

@@ -15,7 +15,7 @@ constexpr double interval = 2e-3;
 Request far_from_stops(double step) {
   Request request = paper_request(Law::hertz, Stepper::moment, step);
   request.scene.clearance = 1;
-  request.bounds = Bounds{0.5, 8, 0.5, 10};
+  request.bounds = Bounds{0.5, 8, 0.05, 10};
   return request;
 }
 

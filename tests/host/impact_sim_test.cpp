@@ -231,9 +231,9 @@ TEST_F(ImpactSim, AFileThatRunsFullLeavesTheOldOneAndNoRemains) {
 }
 
 // The ball of the paper's scene moves by 30 mm; a bound of 12 mm makes room for less than 15.625 mm = 2^-6 m. (A bound
-// below half the clearance is refused.)
+// below half the clearance is refused, and so is a penetration's beyond a displacement's.)
 TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
-  const std::string scene = "--newmark moment --numeric fixed32 --bound-displacement 0.012 --output data.csv";
+  const std::string scene = "--newmark moment --numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004 --output data.csv";
   write(file("data.csv"), "old\n");
   const Result result = run(scene);
   EXPECT_EQ(result.code, 3);
@@ -256,7 +256,7 @@ TEST_F(ImpactSim, EveryFaultSaysWhatItIs) {
   write(file("forces"), forces);
   const struct {
     const char *arguments, *reason;
-  } faults[] = {{"--numeric fixed32 --bound-displacement 0.012", "a displacement beyond its bound"},
+  } faults[] = {{"--numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004", "a displacement beyond its bound"},
                 {"--numeric fixed32 --bound-speed 0.1", "a speed beyond its bound"},
                 {"--numeric fixed32 --bound-penetration 0.001", "a penetration beyond its bound"},
                 {"--numeric fixed32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
@@ -272,7 +272,7 @@ TEST_F(ImpactSim, EveryFaultSaysWhatItIs) {
 }
 
 TEST_F(ImpactSim, AFaultStandsInItsRowOfASweep) {
-  write(file("scenes.csv"), "bound-displacement\n0.1\n0.012\n");
+  write(file("scenes.csv"), "bound-displacement,bound-penetration\n0.1,0.03\n0.012,0.004\n");
   const Result result = run("--sweep scenes.csv --newmark moment --numeric fixed32 --output rows.csv");
   EXPECT_EQ(result.code, 3);
   const auto lines = lines_of(read(file("rows.csv")));

@@ -143,7 +143,8 @@ void expect_no_energy_from_impacts() {
   int springs = 0;
   for (int i = 0; springs < 25 && i < 100; ++i) {
     Scene scene = free_scene();
-    const double turn = spread.between(0.01, 0.999);
+    // In Fixed32 a step may change a displacement by half of itself: w0 h < 1/sqrt(2).
+    const double turn = spread.between(0.01, std::is_same_v<Format, Fixed32> ? 0.69 : 0.999);
     scene.main_stiffness = turn * turn / (h * h);
     scene.ball_mass = spread.between(0.1, 10);
     scene.contact_stiffness = spread.between(1e9, 1e15);
@@ -153,8 +154,8 @@ void expect_no_energy_from_impacts() {
     scene.clearance = i % 7 == 0 ? 0 : spread.between(1e-5, 1e-2);  // down to a hundredth of a step's flight
     const double whole = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
     const double speed = 3 * std::sqrt(2 * whole / std::min(scene.main_mass, scene.ball_mass));
-    const double place = speed * h / turn + scene.clearance + 2 * speed * h;
-    const auto plan = Kernel<Format, ContactLaw>::PlanType::make(scene, {place, speed, place, 1}, h);
+    const double place = 16 * speed * h / turn + scene.clearance;
+    const auto plan = Kernel<Format, ContactLaw>::PlanType::make(scene, {place, speed, 4 * speed * h, 1}, h);
     if (plan.status == Status::contact_time) continue;  // longer than the main mass's vibration allows
     ASSERT_EQ(plan.status, Status::ok);
     ++springs;

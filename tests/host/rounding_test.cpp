@@ -95,6 +95,8 @@ std::vector<Rounded> all() {
       for (const double step : {2e-3, 1e-3, 1e-4, 1e-5}) {
         result.push_back({Law::hertz, Tension::clamp, stepper, numeric, step});
         result.push_back({Law::hunt_crossley, Tension::clamp, stepper, numeric, step});
+        // Four steps a contact are too few.
+        if (step > 1e-3 && stepper == Stepper::moment) continue;
         result.push_back({Law::hooke_newton, Tension::clamp, stepper, numeric, step});
         result.push_back({Law::hooke_newton, Tension::allow, stepper, numeric, step});
       }

@@ -7,7 +7,7 @@ namespace {
 struct Rig {
   static constexpr impact::Scene scene{};
   static constexpr impact::Bounds bounds{};
-  static constexpr double step = 1e-4;
+  static constexpr double step = 2e-5;
 };
 
 template <class ContactLaw, class Stepper, class Drive, class Format, class... Features>

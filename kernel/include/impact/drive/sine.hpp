@@ -104,8 +104,9 @@ struct Sine {
       oscillator.advance(plan.oscillator);
       return plan.increment * s;
     }
-    // The drive's share of the displacement that the coming step will make.
-    constexpr typename Format::Value rate(const Plan<Format>& plan) const {
+    // The drive's share of the displacement that the coming step will make. (As a function of its own it would ask for
+    // the plan in memory.)
+    [[gnu::always_inline]] constexpr typename Format::Value rate(const Plan<Format>& plan) const {
       return plan.rate_by_value * Format::reading(oscillator.value_head()) +
              plan.rate_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
     }

@@ -300,7 +300,7 @@ struct Fixed32 {
   // numerator <= denominator
   template <int a, int b>
   static constexpr Unsigned<32 + a - b> quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
-    return {numerator.raw < denominator.raw ? quotient_q32(numerator.raw, denominator.raw) : ~UINT32_C(0)};
+    return {opaque(numerator.raw < denominator.raw ? quotient_q32(numerator.raw, denominator.raw) : ~UINT32_C(0))};
   }
   // A divisor of several numbers.
   struct Divisor {
@@ -310,15 +310,16 @@ struct Fixed32 {
 
     // x <= divisor
     constexpr Unsigned<32> share(Unsigned<31> x) const {
-      if (x.raw >= static_cast<uint32_t>(own)) return {~UINT32_C(0)};
       const uint32_t ahead = x.raw << zeros;
-      return {(high_product(ahead, inverse) << 1) | ((ahead * inverse) >> 31)};
+      return {opaque(x.raw < static_cast<uint32_t>(own)
+                         ? (high_product(ahead, inverse) << 1) | ((ahead * inverse) >> 31)
+                         : ~UINT32_C(0))};
     }
     // Of a number beyond the divisor as of the divisor.
     constexpr Signed<29> ratio(Value x) const {
       const int32_t held = x.raw > own ? own : x.raw < -own ? -own : x.raw;
       const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(held) << (zeros - 1));
-      return {high_product(ahead, static_cast<int32_t>(inverse >> 1))};
+      return {opaque(high_product(ahead, opaque(static_cast<int32_t>(inverse >> 1))))};
     }
   };
   // 0 < x < 1; what a state beyond its bounds makes of x is held there.

@@ -34,6 +34,8 @@ constexpr int32_t opaque(int32_t x) {
 }
 #endif
 
+constexpr uint32_t opaque(uint32_t x) { return static_cast<uint32_t>(opaque(static_cast<int32_t>(x))); }
+
 // The same address, by which the compiler then reads all that stands there.
 template <class Entry>
 inline const Entry* veiled(const Entry* x) {

@@ -119,13 +119,15 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
     plan.units.add(state_.w1, increment);
 
-    if (!plan.units.in_range(state_.x1, state_.x2, state_.w1)) {
+    if (!judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.w1)) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
       if constexpr (Format::calls_contact)
         call_touch(increment, made);
       else
         touch(increment, made);
+    } else if (judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.w1)) {
+      hold();
     }
     (Features::after_step(plan, state_), ...);
   }
@@ -184,6 +186,10 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   }
 
  private:
+  // A shared kick changes a position by at most an eighth of 2^63, and a step's displacement by a quarter: where both
+  // come to a state in range before it is looked at, it does not wrap.
+  static constexpr bool judges_contact_once = decltype(PlanType::contact.response)::is_shared;
+
   // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
   constexpr Value rate_ahead() const {
     Value ahead =
@@ -204,7 +210,10 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     }
     const Long along = mirrored(state_.x2 - state_.x1, left);
     Value trial = units.penetration(along);
-    if (state_.contact.phase == Phase::apart && !is_positive(trial)) return;
+    if (state_.contact.phase == Phase::apart && !is_positive(trial)) {
+      if constexpr (judges_contact_once) hold_in_range();
+      return;
+    }
     if (!units.fits(along)) raise(Fault::penetration);
     const Value trial_rate = relative_rate(left);
     const Value travel = mirrored(units.relative(state_.w2 - made), left);

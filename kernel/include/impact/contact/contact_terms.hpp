@@ -85,6 +85,7 @@ struct ResolvedForces {
 // penetration and its rate. Signs are those of a push on the right stop: x1 and w1 grow, the others fall.
 template <class Gain>
 struct Response {
+  static constexpr bool is_shared = false;
   Gain x1, w1, w1_by_moment, x2, w2;
   Gain penetration, rate, rate_by_moment;
 
@@ -101,6 +102,7 @@ struct Response {
 // share of them and the main mass the rest, and w1 a little more, since meanwhile spring and damper act as well.
 template <class Gain>
 struct SharedResponse {
+  static constexpr bool is_shared = true;
   Gain ball, w1, w1_by_moment;
   Gain penetration, rate, rate_by_moment;
 

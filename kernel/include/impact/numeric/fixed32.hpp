@@ -33,7 +33,10 @@ struct Fixed32 {
     int64_t raw;
 
     constexpr void advance(Long other) { raw += other.raw; }
-    friend constexpr Long operator-(Long a, Long b) { return {a.raw - b.raw}; }
+    // Modulo 2^64: states that have just left their range are looked at before they are held.
+    friend constexpr Long operator-(Long a, Long b) {
+      return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
+    }
     // To the left by the complement: one of 2^63 less.
     friend constexpr Long mirrored(Long x, bool left) { return {x.raw ^ -static_cast<int64_t>(left)}; }
     constexpr bool is_negative() const { return raw < 0; }
@@ -177,22 +180,25 @@ struct Fixed32 {
       return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
     }
     constexpr Value penetration(Long along) const {
-      const int64_t inside = along.raw - gap;
+      const int64_t inside = (along - Long{gap}).raw;
       if (fits(along)) return {static_cast<int32_t>(inside >> penetration_shift)};
       return {inside < 0 ? INT32_MIN : INT32_MAX};
     }
     constexpr bool fits(Long along) const {
-      const auto upper = static_cast<uint32_t>((along.raw - gap) >> 32);
+      const auto upper = static_cast<uint32_t>((along - Long{gap}).raw >> 32);
       return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) <= 1;
     }
     // On the upper words alone: true whenever x2 - x1 > gap, and at times one last place early.
     constexpr bool beyond_stop(Long x2, Long x1) const {
-      return static_cast<int32_t>(x2.raw >> 32) - static_cast<int32_t>(x1.raw >> 32) >= static_cast<int32_t>(gap >> 32);
+      return upper_difference(x2, x1) >= static_cast<int32_t>(gap >> 32);
     }
     // Either stop, at times two last places early.
     constexpr bool beyond_stops(Long x2, Long x1) const {
-      const int32_t apart = static_cast<int32_t>(x2.raw >> 32) - static_cast<int32_t>(x1.raw >> 32);
+      const int32_t apart = upper_difference(x2, x1);
       return (apart ^ apart >> 31) >= static_cast<int32_t>(gap >> 32) - 1;
+    }
+    static constexpr int32_t upper_difference(Long x2, Long x1) {
+      return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
     }
     // In range while the top two bits of each Value agree, which one step's increment cannot carry w1 past.
     constexpr bool in_range(Long x1, Long x2, Long w1) const {

@@ -82,7 +82,7 @@ struct EnergySolver {
       const Real q = fifth * (s * d + r * r * (s + rw));
       return {q + q, fifth * (number(3) * s + rw + rw * w)};
     }
-    const Real w = d / (d - d0), sw = fifth * s * w;
+    const Real w = is_positive(-d0) ? d / (d - d0) : number(1), sw = fifth * s * w;
     const Real q = sw * d;
     return {q + q, sw * (number(5) - w - w)};
   }

@@ -16,7 +16,7 @@ struct EnergyLinear : ResolvedForces {
   using Units = typename Format::Units;
 
   struct Plan {
-    Response<Gain> response;
+    ConstantForceGains<Gain> response;
     Gain damping;         // C
     Gain solved;          // 1/(1 + G (1/2 + C))
     Gain loss;            // 1 + G C over that

@@ -8,6 +8,23 @@
 
 namespace impact {
 
+// The ball's displacement grows by half as much as its displacement per step.
+template <class Gain>
+struct ConstantForceGains {
+  static constexpr bool is_shared = false;
+  Gain x1, w1, w2;
+  Gain penetration, rate, rate_by_moment;
+
+  template <class Units, class State, class Kick>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, Kick kick, Kick) const {
+    units.push(state.x1, x1 * kick.impulse);
+    units.push(state.w1, w1 * kick.impulse);
+    const auto ball = w2 * -kick.impulse;
+    units.push(state.x2, half(ball));
+    units.push(state.w2, ball);
+  }
+};
+
 struct ConstantForceResponse {
   double x1, w1, x2, w2;  // m/N
 
@@ -21,11 +38,9 @@ struct ConstantForceResponse {
   constexpr double penetration() const { return x1 + x2; }
 
   template <class Format>
-  constexpr Response<typename Format::Gain> gains(double force_unit, const UnitExponents& unit) const {
+  constexpr ConstantForceGains<typename Format::Gain> gains(double force_unit, const UnitExponents& unit) const {
     return {Format::gain(force_unit * x1, 0, unit.push),
             Format::gain(force_unit * w1, 0, unit.push),
-            Format::gain(0, 0, 0),
-            Format::gain(force_unit * x2, 0, unit.push),
             Format::gain(force_unit * w2, 0, unit.push),
             Format::gain(force_unit * penetration(), 0, unit.penetration),
             Format::gain(force_unit * rate_, 0, unit.penetration),

@@ -171,10 +171,13 @@ struct Fixed32 {
     static constexpr Value position(Long x) { return {opaque(static_cast<int32_t>(x.raw >> 32))}; }
     constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
     constexpr void add(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, increment_shift); }
+    // Modulo 2^64: what a state beyond its bounds slips may be anything.
     constexpr void displace(Long& x, Value penetration) const {
-      x.raw += shifted_left(penetration.raw, penetration_shift);
+      const auto slip = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
+      x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + slip);
     }
     constexpr void push(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift); }
+    constexpr void push(Long& x, Signed<32> increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
     constexpr void kick(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
     constexpr Value relative(Long difference) const {
       return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
@@ -231,6 +234,11 @@ struct Fixed32 {
     }
     // 1, and a purely elastic force, in the unit of forces.
     constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
+    // A number from what counts in the unit of forces.
+    constexpr Value whole(Value x) const {
+      return {force_bits >= 0 ? static_cast<int32_t>(static_cast<uint32_t>(x.raw) << force_bits)
+                              : x.raw >> -force_bits};
+    }
     constexpr Value elastic(Value x) const {
       return {force_bits >= 0 ? x.raw >> force_bits
                               : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -force_bits)};

@@ -144,6 +144,7 @@ struct RealFormat {
     static constexpr bool holds_start(Long, Long, Long, Long) { return true; }
     static constexpr Value one() { return 1; }
     static constexpr Value elastic(Value x) { return x; }
+    static constexpr Value whole(Value x) { return x; }
   };
 
   using Weight = Gain;

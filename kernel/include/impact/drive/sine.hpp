@@ -99,7 +99,7 @@ struct Sine {
 
     static constexpr State start(const Plan<Format>& plan) { return {Format::Oscillator::start(plan.oscillator)}; }
     // What the drive adds to the displacement per step; moves on to the end of the step.
-    constexpr typename Format::Value advance(const Plan<Format>& plan) {
+    [[gnu::always_inline]] constexpr typename Format::Value advance(const Plan<Format>& plan) {
       const auto s = Format::reading(oscillator.value_head());
       oscillator.advance(plan.oscillator);
       return plan.increment * s;

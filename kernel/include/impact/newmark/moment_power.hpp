@@ -105,9 +105,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto p = half(s + root);
     const auto z = half(difference(s, root));
     const auto pp = square(p), zz = square(z);
-    const auto fifth = half(Format::rough_quotient(zz, pp) * Format::short_constant(2.0 / 5));
-    const auto n = p * (pp + zz + zz + zz * fifth), e = p * fifth;
-    const auto w = eighth(p + e + e);
+    const auto e = Format::square_over_five(z, p);
+    const auto n = p * (pp + zz + zz) + zz * e;
+    const auto w = eighth(p + twice(e));
     const Value dd = d - penetration;
     const auto E = positive_part(strength(plan, dd));
     const auto by_change = plan.stiffness * w;

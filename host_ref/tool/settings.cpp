@@ -14,14 +14,17 @@ std::vector<double> samples_from(const std::string& file) {
   std::ifstream input(file);
   if (!input) throw BadInput("--drive-file", file, "a file that can be read");
   std::vector<double> samples;
-  for (std::string line; std::getline(input, line);) {
+  for (char number[64]; input.getline(number, sizeof number);) {
+    const std::string line = number;
     const auto force = number_from(trimmed(line));
     if (!force || std::abs(*force) > largest_force)
       throw BadInput("--drive-file", file + " line " + std::to_string(samples.size() + 1) + ": '" + line + "'",
                      "a number from -1e+09 to 1e+09 N");
     samples.push_back(*force);
   }
-  if (input.bad()) throw BadInput("--drive-file", file, "a file that can be read");
+  if (!input.eof())
+    throw BadInput("--drive-file", file + " line " + std::to_string(samples.size() + 1),
+                   "a line that can be read, of up to 63 characters");
   return samples;
 }
 

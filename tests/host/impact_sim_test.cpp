@@ -296,6 +296,9 @@ TEST_F(ImpactSim, DriveFileGivesTheForceAtTheEndOfEachStep) {
   EXPECT_NEAR(std::stod(split(lines.back(), ',')[1]), 6e-3 * (1 - std::cos(omega * 0.1)), 6e-3 * omega * 1e-4 / 2);
 
   EXPECT_EQ(run("--drive-file force --duration 0.2").code, 2) << "too few samples";
+  const Result endless = run("--drive-file /dev/zero");
+  EXPECT_EQ(endless.code, 2);
+  EXPECT_THAT(endless.err, HasSubstr("line 1"));
   write(file("force"), "1\n2\nthree\n");
   const Result bad = run("--drive-file force");
   EXPECT_EQ(bad.code, 2);

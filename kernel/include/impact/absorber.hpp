@@ -310,6 +310,9 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (ContactLaw::is_damped_per_impact) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
+    if constexpr (Contact::carries)
+      is_sound = is_sound && Format::is_sound(plan.contact.w1_share * state.contact.force) &&
+                 Format::is_sound(plan.contact.w2_share * state.contact.force);
     return is_sound && (Features::is_sound(plan, state) && ...);
   }
 

@@ -65,6 +65,7 @@ struct Plan {
                               static_cast<uint32_t>(scene.tension),
                               static_cast<uint32_t>(ContactLaw::law),
                               ContactLaw::is_damped_per_impact,
+                              Stepper::kind,
                               Drive::is_sine,
                               Drive::is_sampled,
                               sizeof(typename Format::Value),

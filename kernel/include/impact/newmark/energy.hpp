@@ -27,6 +27,7 @@ struct EnergyContact<Law::hooke_newton> {
 }  // namespace detail
 
 struct EnergyConsistent {
+  static constexpr uint32_t kind = 32;  // a saved state is of one kind of stepper
   // Radians of the main mass's own vibration in a step.
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }

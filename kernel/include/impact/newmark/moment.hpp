@@ -35,6 +35,7 @@ struct MomentContact<Law::hooke_newton> {
 }  // namespace detail
 
 struct Moment {
+  static constexpr uint32_t kind = 1;  // a saved state is of one kind of stepper
   // Radians of the main mass's own vibration in a step.
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }

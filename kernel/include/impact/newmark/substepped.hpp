@@ -19,6 +19,7 @@ namespace impact {
 template <int n>
 struct SubsteppedMoment {
   static_assert(n >= 2 && n <= 16, "2 to 16 sub-steps");
+  static constexpr uint32_t kind = n;  // a saved state is of one kind of stepper
   static constexpr double longest_phase = Moment::longest_phase;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
   static constexpr Range steps(const Resolution& contact) { return {0, n * Moment::steps(contact).most}; }

@@ -160,7 +160,11 @@ struct RealFormat {
   static constexpr Value term(Gain gain, Value x) { return gain == 0 ? 0 : gain * x; }
   static constexpr Gain largest_gain =
       sizeof(Real) == sizeof(float) ? static_cast<Real>(0x1p100) : static_cast<Real>(0x1p900);
-  static constexpr Gain gain_over(Gain gain, Value divisor) { return gain / divisor; }
+  // gain in [0, 2). An impact at no speed at all has the damping of one at hardly any.
+  static constexpr Gain gain_over(Gain gain, Value divisor) {
+    constexpr auto least = static_cast<Real>(0x1p-98);
+    return gain / (divisor > least ? divisor : least);
+  }
   static constexpr Value moved(Value x, int) { return x; }
   static constexpr double sample_unit(double) { return 1; }
   static constexpr Value largest_sample(double bound) { return static_cast<Real>(bound); }

@@ -9,7 +9,7 @@ command -v clang++ >/dev/null || { echo "clang++ is not installed" && exit 77; }
 mkdir -p "$folder/corpus"
 cd "$folder"
 echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' > none.cpp
-sanitize=-fsanitize=fuzzer,address,undefined,float-divide-by-zero
+sanitize=-fsanitize=fuzzer,address,undefined
 clang++ $sanitize none.cpp -o none 2>none.log || { echo "clang++ has no libFuzzer (libclang-rt-*-dev)" && exit 77; }
 case $kind in
   kernel) sources="" flags="-DIMPACT_NUMERIC=impact::$1" libraries="" ;;

@@ -23,6 +23,7 @@ struct IntegerOscillator {
     int slope_bits = 0;  // the slope's upper word holds this many bits more than the value's
     int exponent = 0;
     int64_t value = 0, slope = 0;
+    int64_t largest_value = 0, largest_slope = 0;  // a quarter above the sinusoid's own
   };
   static constexpr Plan make_plan(Sinusoid sinusoid, double turn) {
     const double amplitude = constant::square_root(sinusoid.sine * sinusoid.sine + sinusoid.cosine * sinusoid.cosine);
@@ -42,6 +43,8 @@ struct IntegerOscillator {
     if (plan.slope_bits < 0) plan.slope_bits = 0;
     plan.value = constant::nearest(sinusoid.cosine * scale);
     plan.slope = constant::nearest((sinusoid.cosine - before) * scale);
+    plan.largest_value = constant::nearest(1.25 * amplitude * scale);
+    plan.largest_slope = constant::nearest(1.25 * amplitude * scale * steepest);
     return plan;
   }
 
@@ -63,11 +66,9 @@ struct IntegerOscillator {
     slope = static_cast<int64_t>(next);
     value = static_cast<int64_t>(static_cast<uint64_t>(value) + next);
   }
-  // The plan leaves half the range free; rounding at a change of plan may take a little of it.
   constexpr bool is_sound(const Plan& plan) const {
-    constexpr int64_t most = int64_t{5} << 60;
-    const int64_t steepest = most >> plan.slope_bits;
-    return value <= most && value >= -most && slope <= steepest && slope >= -steepest;
+    return value <= plan.largest_value && value >= -plan.largest_value && slope <= plan.largest_slope &&
+           slope >= -plan.largest_slope;
   }
   static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }
   constexpr int32_t value_head() const { return opaque(static_cast<int32_t>(value >> 32)); }

@@ -219,13 +219,11 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     const Value travel = mirrored(units.relative(state_.w2 - made), left);
     Value before = trial - travel;
     if (state_.contact.phase == Phase::apart && is_positive(before)) {
-      if constexpr (!Contact::splits) {
-        // Inside without having come there: by a rounding, or across a cavity shorter than the way of a step.
-        if constexpr (Contact::returns) {
-          units.displace(state_.x2, -mirrored(before, left));
-          trial = travel;
-          if (!is_positive(trial)) return;
-        }
+      // Inside without having come there: by a rounding, or across a cavity shorter than the way of a step.
+      if constexpr (Contact::returns) {
+        units.displace(state_.x2, -mirrored(before, left));
+        trial = travel;
+        if (!is_positive(trial)) return;
       }
       before = Value{};
     }

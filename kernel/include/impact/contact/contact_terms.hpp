@@ -54,10 +54,17 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   return terms;
 }
 
+// A treatment states what the step around it has to do:
+//
+//     carries   a force acts on in the step after (pointwise Newmark)
+//     slips     the ball is moved by a slip as well
+//     returns   a ball that is found inside the stop goes back to it before it is touched
+//     splits    the two masses get different kicks
+//     sums      its kick is a sum over sub-steps, whose end it knows
+//
 // For a treatment that evaluates the law at penetrations up to the bound: the units of its forces and pushes.
 struct ResolvedForces {
   static constexpr bool splits = false, sums = false;
-  static constexpr bool returns = false;  // a ball that is found inside the stop goes back to it before it is touched
 
   static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
     using constant::power_of_two;

@@ -95,7 +95,7 @@ struct Impulsive {
               Format::sample(0.999999 / unit_impulse)};
     }
 
-    static constexpr bool carries = false, slips = false, splits = true;
+    static constexpr bool carries = false, slips = false, returns = false, splits = true;
 
     Phase phase;
     uint32_t rests;  // put on the stop by the last step

@@ -68,7 +68,7 @@ struct MomentLinear : ResolvedForces {
             terms.clamped};
   }
 
-  static constexpr bool carries = false, slips = false;
+  static constexpr bool carries = false, slips = false, returns = false;
 
   Value penetration, rate;  // at the start of the step, while touching or let go inside
   Phase phase;

@@ -56,7 +56,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             unit.kick - unit.increment};
   }
 
-  static constexpr bool carries = false, slips = false;
+  static constexpr bool carries = false, slips = false, returns = false;
 
   // While touching, at the start of the step: the change is that of the rate in a step around it, without contact.
   Value penetration, change;

@@ -74,7 +74,7 @@ struct Pointwise {
           terms.clamped};
     }
 
-    static constexpr bool carries = true, slips = false;
+    static constexpr bool carries = true, slips = false, returns = false;
 
     Value force;  // at the start of the step
     Phase phase;

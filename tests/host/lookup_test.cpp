@@ -231,6 +231,11 @@ void expect_quotient(uint32_t numerator, uint32_t denominator) {
   const uint64_t fine = quotient_q32(numerator, denominator);
   ASSERT_LE(fine * d, n * two_32) << n << " / " << d;
   ASSERT_LT(n * two_32 - fine * d, d + 4 * n) << n << " / " << d;
+  // The table's 17 bits, two of them rounded off, and the last place.
+  const double rough = rough_quotient_q31(numerator, denominator),
+               exact = static_cast<double>(n) / static_cast<double>(d) * 2147483648.0;
+  ASSERT_LE(rough, exact * (1 + 1.0 / 65536) + 1) << n << " / " << d;
+  ASSERT_GE(rough, exact * (1 - 4.0 / 65536) - 2) << n << " / " << d;
 }
 
 TEST(Lookup, Quotients) {
@@ -247,6 +252,7 @@ TEST(Lookup, Quotients) {
   for (uint32_t d : edges())
     if (d != 0) {
       EXPECT_EQ(quotient_q32(0, d), 0u);
+      EXPECT_EQ(rough_quotient_q31(0, d), 0u);
     }
 }
 

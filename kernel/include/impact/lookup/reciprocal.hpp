@@ -64,6 +64,13 @@ constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
   return (high_product(numerator, reciprocal) << 1) | ((numerator * reciprocal) >> 31);
 }
 
+// (numerator / denominator) 2^31 for 0 <= numerator <= denominator, denominator > 0, within 1 and a relative error
+// of -2^-14 to 2^-16.
+constexpr uint32_t rough_quotient_q31(uint32_t numerator, uint32_t denominator) {
+  numerator <<= normalise<1>(denominator);
+  return short_product(numerator, static_cast<uint32_t>(reciprocal_table.reciprocal(denominator)) >> 1);
+}
+
 // z^2 / 5p of |z| <= p in steps of half a last place, rounded down, with z / 5p in steps of 2^-18, rounded to zero, of
 // which p has 14 bits, counted up: short of the true one by less than z 2^-18 and a part of it of 2^18 / p.
 namespace instruction {

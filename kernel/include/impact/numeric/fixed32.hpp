@@ -342,6 +342,10 @@ struct Fixed32 {
     const int zeros = normalise<1>(x.raw);
     return {static_cast<int32_t>(x.raw >> zeros), reciprocal_q31(x.raw), zeros};
   }
+  template <int a, int b>
+  static constexpr Unsigned<31 + a - b> rough_quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
+    return {rough_quotient_q31(numerator.raw, denominator.raw)};
+  }
   // z^2 / 5p, |z| <= p, for a small part of a sum.
   template <int bits>
   static constexpr Unsigned<bits + 1> square_over_five(Signed<bits> z, Unsigned<bits> p) {

@@ -220,6 +220,7 @@ struct RealFormat {
     constexpr Real ratio(Real x) const { return x / own; }
   };
   static constexpr Divisor divisor(Real x) { return {x}; }
+  static constexpr Real rough_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real square_over_five(Real z, Real p) { return z * z / (5 * p); }
   static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
   // A root t of a decreasing function, moved by its value over its steepness.

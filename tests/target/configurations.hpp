@@ -19,6 +19,8 @@ constexpr const char* name<HuntCrossley> = "hunt-crossley";
 template <>
 constexpr const char* name<Moment> = "moment";
 template <>
+constexpr const char* name<SubsteppedMoment<4>> = "moment-4";
+template <>
 constexpr const char* name<EnergyConsistent> = "energy";
 template <>
 constexpr const char* name<Impulsive> = "impulsive";
@@ -151,8 +153,8 @@ constexpr auto with_newmarks(List<Newmarks...>) {
 }
 template <class Numeric, class... Laws>
 constexpr auto with_laws(List<Laws...>) {
-  using Newmarks =
-      List<Moment, EnergyConsistent, Impulsive, AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference>;
+  using Newmarks = List<Moment, SubsteppedMoment<4>, EnergyConsistent, Impulsive, AverageAcceleration,
+                        LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
 template <class... Numerics>
@@ -167,12 +169,16 @@ using WithHardwareRoot = List<Configuration<HuntCrossley, Moment, BasicFloat32<H
 #else
 using WithHardwareRoot = List<>;
 #endif
-using Budgeted = decltype(
-    WithHardwareRoot{} +
-    List<  //
-        Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
-        Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
-        Configuration<HookeNewton, Moment, Fixed32, Sine>, Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
-        Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>{});
+using Budgeted =
+    decltype(WithHardwareRoot{} +
+             List<  //
+                 Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
+                 Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
+                 Configuration<HookeNewton, Moment, Fixed32, Sine>,
+                 Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine>,
+                 Configuration<HuntCrossley, Impulsive, Fixed32, Sine>,
+                 Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
+                 Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
+                 Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>{});
 
 }  // namespace impact::target

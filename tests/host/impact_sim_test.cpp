@@ -233,7 +233,8 @@ TEST_F(ImpactSim, AFileThatRunsFullLeavesTheOldOneAndNoRemains) {
 // The ball of the paper's scene moves by 30 mm; a bound of 12 mm makes room for less than 15.625 mm = 2^-6 m. (A bound
 // below half the clearance is refused, and so is a penetration's beyond a displacement's.)
 TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
-  const std::string scene = "--newmark moment --numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004 --output data.csv";
+  const std::string scene =
+      "--newmark moment --numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004 --output data.csv";
   write(file("data.csv"), "old\n");
   const Result result = run(scene);
   EXPECT_EQ(result.code, 3);
@@ -256,12 +257,13 @@ TEST_F(ImpactSim, EveryFaultSaysWhatItIs) {
   write(file("forces"), forces);
   const struct {
     const char *arguments, *reason;
-  } faults[] = {{"--numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004", "a displacement beyond its bound"},
-                {"--numeric fixed32 --bound-speed 0.1", "a speed beyond its bound"},
-                {"--numeric fixed32 --bound-penetration 0.001", "a penetration beyond its bound"},
-                {"--numeric fixed32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
-                {"--numeric float32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
-                {"--numeric float32-plain --drive-file forces --bound-force 2", "a drive sample beyond its bound"}};
+  } faults[] = {
+      {"--numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004", "a displacement beyond its bound"},
+      {"--numeric fixed32 --bound-speed 0.1", "a speed beyond its bound"},
+      {"--numeric fixed32 --bound-penetration 0.001", "a penetration beyond its bound"},
+      {"--numeric fixed32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
+      {"--numeric float32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
+      {"--numeric float32-plain --drive-file forces --bound-force 2", "a drive sample beyond its bound"}};
   for (const auto& [arguments, reason] : faults) {
     const Result result = run(std::string("--newmark moment --output data.csv ") + arguments);
     EXPECT_EQ(result.code, 3) << arguments;

@@ -17,7 +17,11 @@ has() { "${tools}nm" -C "$1" | grep -qE "$2"; }
 fail() { echo "# $*" && failures=1; }
 row() { echo "$1" | tee -a "$output"; }
 
-products() { "${tools}objdump" -d --no-show-raw-insn "$1" | grep -cE '\s(vn?mul|mul|[us]mull|[us]mlal|smmul|ml[as])'; }
+# Multiplications, and calls of those that the compiler has left a function.
+products() {
+  "${tools}objdump" -dC --no-show-raw-insn "$1" |
+    grep -cE '\s(vn?mul|mul|[us]mull|[us]mlal|smmul|ml[as])|\s(bl|jal)\s.*product'
+}
 
 # feature NAME SCENE_WITH SCENE_WITHOUT LEAST_FLASH LEAST_RAM [SYMBOLS]
 feature() {

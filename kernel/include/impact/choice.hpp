@@ -6,7 +6,8 @@
 //     N >= 8                     Moment             fourth order
 //     N < 8, w0 tc <= 0.05       Impulsive          the law's own restitution, at an instant
 //     1 <= N < 8, otherwise      SubsteppedMoment   with 4 sub-steps from N = 2 on, else 8
-//     N < 1, otherwise           EnergyConsistent   passive at any stiffness
+//     N < 1, otherwise           EnergyConsistent   passive at any stiffness; for Hooke-Newton, which it then refuses,
+//                                                   Impulsive up to w0 tc = 0.25
 //     Hooke-Newton, hardly damped: what it loses does not cover what Moment may gain
 //                                EnergyConsistent   passive
 //
@@ -29,6 +30,8 @@ constexpr Choice choice_for(const Resolution& contact, double step) {
   constexpr double shortest_phase = 0.05;
   const double share = Moment::precise_steps * step / contact.detail;
   if (share > 1 && contact.main_phase <= shortest_phase) return Choice::impulsive;
+  const bool is_passive = EnergyConsistent::steps(contact).holds(step);
+  if (!is_passive && contact.main_phase <= Impulsive::longest_main_phase) return Choice::impulsive;
   const int parts = share <= 1 ? 1 : share <= 4 ? 4 : 8;
   // An undamped Hooke-Newton contact gains 1e-5 of the impact's energy at 8 sub-steps, with the sixth power of the
   // step; twice that for safety.

@@ -32,8 +32,11 @@ struct EnergyConsistent {
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
-  // Every law's equation is solved at any stiffness.
-  static constexpr Range steps(const Resolution&) { return any_step; }
+  // The power laws' equation is solved at any stiffness. Hooke-Newton's quadratic is the difference of two numbers, of
+  // which a stop much stiffer than the step leaves nothing but their rounding.
+  static constexpr Range steps(const Resolution& contact) {
+    return contact.law == Law::hooke_newton ? Range{0, contact.contact_time} : any_step;
+  }
 
   template <class Format, class ContactLaw>
   using Contact = typename detail::EnergyContact<ContactLaw::law>::template Type<Format, ContactLaw>;

@@ -4,8 +4,10 @@
 //     (free (1 - s) + contact s) / h      mean instructions of a step, s the share of steps in contact
 //
 // and whether a method is on the frontier: no other of that target and law has a smaller error for as few instructions.
+// Steps that cost more than the measured ones (measured_cost.hpp) are left out.
 
 #include <algorithm>
+#include <host_ref/report/measured_cost.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/tool/output.hpp>
@@ -44,6 +46,7 @@ void write_error_vs_time(const std::vector<std::string>& paths) {
       const auto found = cost.find(target + "," + law + "," + method + "," + numeric);
       if (found == cost.end()) continue;
       const double step = number(row, "step_s"), share = number(row, "contact_share");
+      if (!costs_as_measured(law, method, Scene{}.contact_stiffness, step)) continue;
       points.push_back({target, law, method, numeric, step, number(row, "error_m"),
                         (found->second["free"] * (1 - share) + found->second["contact"] * share) / step});
     }

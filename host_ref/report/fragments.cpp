@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <host_ref/report/measured_cost.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/tool/output.hpp>
@@ -232,7 +233,8 @@ std::string choice_table(const Table& budget, const Table& stability) {
             continue;
           const auto cost = of(row.at("newmark"), row.at("numeric"));
           const double error = std::max(restitution_error(row), 1e-5);
-          if (!cost || error > 0.1) continue;
+          if (!cost || error > 0.1 || !costs_as_measured("hunt-crossley", row.at("newmark"), stiffness, 1 / rate))
+            continue;
           is_resolved = true;
           const double share = worst_time(part, *cost) * rate;
           if (share <= 0.5 && (error < best.error || (error == best.error && share < best.share)))

@@ -10,18 +10,10 @@
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/simulation.hpp"
+#include "kinds.hpp"
 
 namespace impact::host {
 namespace {
-
-struct Kind {
-  Law law;
-  Stepper stepper;
-  Numeric numeric;
-};
-void PrintTo(const Kind& kind, std::ostream* out) {
-  *out << name_of(kind.law) << " " << name_of(kind.stepper) << " " << name_of(kind.numeric);
-}
 
 class ExtremeScene : public testing::TestWithParam<Kind> {
  protected:
@@ -179,14 +171,6 @@ TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
   EXPECT_GE(accepted_, 1);
 }
 
-std::vector<Kind> kinds() {
-  std::vector<Kind> result;
-  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
-    for (const Stepper stepper : {Stepper::automatic, Stepper::energy, Stepper::impulsive})
-      for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
-        result.push_back({law, stepper, numeric});
-  return result;
-}
 INSTANTIATE_TEST_SUITE_P(Kinds, ExtremeScene, testing::ValuesIn(kinds()));
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "host_ref/free_pair.hpp"
+#include "kinds.hpp"
 
 namespace impact::host {
 namespace {
@@ -68,15 +69,6 @@ std::string text_of(const FreePair& free) {
 }
 
 std::unique_ptr<Simulation> simulation_of(const Request& request) { return make_simulation(request).simulation; }
-
-struct Kind {
-  Law law;
-  Stepper stepper;
-  Numeric numeric;
-};
-void PrintTo(const Kind& kind, std::ostream* out) {
-  *out << name_of(kind.law) << " " << name_of(kind.stepper) << " " << name_of(kind.numeric);
-}
 
 // A format's resolution: the last place of a position, and of a displacement per step, both over the approach's.
 struct Places {
@@ -197,14 +189,6 @@ TEST_P(Yardstick, MultipliesTheEnergyOfAnImpact) {
 }
 INSTANTIATE_TEST_SUITE_P(Laws, Yardstick, testing::Values(Law::hooke_newton, Law::hertz, Law::hunt_crossley));
 
-std::vector<Kind> kinds() {
-  std::vector<Kind> result;
-  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
-    for (const Stepper stepper : {Stepper::automatic, Stepper::energy, Stepper::impulsive})
-      for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
-        result.push_back({law, stepper, numeric});
-  return result;
-}
 INSTANTIATE_TEST_SUITE_P(FreePair, EveryCell, testing::ValuesIn(kinds()));
 
 }  // namespace

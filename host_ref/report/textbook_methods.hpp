@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 
-#include <impact/lookup/power_three_halves.hpp>
+#include <impact/numeric/power_three_halves.hpp>
 #include <impact/scene.hpp>
 
 namespace impact::report {

@@ -64,13 +64,13 @@ Impact with_restitution(Law law, double e) {
   return impact;
 }
 
-// What newmark/energy_power.hpp states for resolved contact.
+// What stepper/energy/power.hpp states for resolved contact.
 double lost_in(double steps) { return steps < 20 ? 0 : 100 / std::pow(steps, 4); }
 
 constexpr double steps_per_contact[] = {0.003, 0.1, 0.7, 1.3, 2.5, 5, 10, 40};
 
 // With its slip the step keeps Hunt-Crossley's first integral, at any number of steps. What is left is what the slip's
-// ratio is short of the true one: 6e-4 at most, see newmark/energy_slip.hpp.
+// ratio is short of the true one: 6e-4 at most, see stepper/energy/slip.hpp.
 TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
   for (Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
     for (double e : {0.05, 0.1, 0.2, 0.5, 0.7, 0.95})

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <impact/contact/free_impact.hpp>
-#include <impact/contact/hertz.hpp>
-#include <impact/contact/hooke_newton.hpp>
-#include <impact/contact/hunt_crossley.hpp>
+#include <impact/law/free_impact.hpp>
+#include <impact/law/hertz.hpp>
+#include <impact/law/hooke_newton.hpp>
+#include <impact/law/hunt_crossley.hpp>
 
 #include "host_ref/closed_form.hpp"
 

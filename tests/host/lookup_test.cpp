@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <impact/lookup/power_three_halves.hpp>
-#include <impact/lookup/reciprocal.hpp>
-#include <impact/lookup/square_root.hpp>
+#include <impact/numeric/power_three_halves.hpp>
+#include <impact/numeric/reciprocal.hpp>
+#include <impact/numeric/square_root.hpp>
 #include <impact/numeric/fixed32.hpp>
 #include <random>
 #include <vector>

@@ -20,28 +20,28 @@
 //     format        Fixed32, Float32, Float32Plain, Float64 (host)
 //     features      EnergyLedger, ImpactLog
 //
-// A step is: both masses fly freely to its end (newmark/linear_flow.hpp); where the ball then stands inside a stop, the
+// A step is: both masses fly freely to its end (motion/linear_flow.hpp); where the ball then stands inside a stop, the
 // contact finds the force's impulse and moment, and both masses answer to them.
 
 #include <stdint.h>
 
-#include <impact/contact/hertz.hpp>
-#include <impact/contact/hooke_newton.hpp>
-#include <impact/contact/hunt_crossley.hpp>
-#include <impact/drive/none.hpp>
-#include <impact/drive/sampled.hpp>
-#include <impact/drive/sine.hpp>
 #include <impact/features.hpp>
-#include <impact/newmark/energy.hpp>
-#include <impact/newmark/impulsive.hpp>
-#include <impact/newmark/moment.hpp>
-#include <impact/newmark/pointwise.hpp>
-#include <impact/newmark/substepped.hpp>
+#include <impact/law/hertz.hpp>
+#include <impact/law/hooke_newton.hpp>
+#include <impact/law/hunt_crossley.hpp>
+#include <impact/motion/none.hpp>
+#include <impact/motion/sampled.hpp>
+#include <impact/motion/sine.hpp>
 #include <impact/numeric/fixed32.hpp>
 #include <impact/numeric/real.hpp>
 #include <impact/plan.hpp>
 #include <impact/plan_source.hpp>
 #include <impact/scene.hpp>
+#include <impact/stepper/energy.hpp>
+#include <impact/stepper/impulsive.hpp>
+#include <impact/stepper/moment.hpp>
+#include <impact/stepper/moment/substepped.hpp>
+#include <impact/stepper/newmark.hpp>
 
 namespace impact {
 
@@ -157,9 +157,9 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   }
 
   // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the
-  // drive's phase do not jump (handover.hpp); a drive that was off starts at phase 0, and ledger and log start anew.
-  // Refuses, and changes nothing, when bounds, step, clearance or stops differ, or during a contact when its state
-  // depends on the plan's forces: pointwise steppers, a damping set per impact, features.
+  // drive's phase do not jump (motion/handover.hpp); a drive that was off starts at phase 0, and ledger and log start
+  // anew. Refuses, and changes nothing, when bounds, step, clearance or stops differ, or during a contact when its
+  // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
     constexpr bool is_bound = Contact::carries || ContactLaw::is_damped_per_impact || sizeof...(Features) > 0;
     if (next.status != Status::ok || next.handover.units != plan.handover.units) return false;

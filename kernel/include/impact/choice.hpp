@@ -1,6 +1,6 @@
 #pragma once
 // Which stepper is right for a scene and a step: one rule, from the number of steps per contact N of the fastest impact
-// (contact/resolution.hpp; `detail` steps count where damping makes a part of the contact shorter) and the radians w0
+// (law/resolution.hpp; `detail` steps count where damping makes a part of the contact shorter) and the radians w0
 // tc of the main mass's own vibration during that contact.
 //
 //     N >= 8                     Moment             fourth order
@@ -15,12 +15,12 @@
 //     using Stepper = impact::Chosen<Rig, impact::HuntCrossley>;
 //     using Absorber = impact::Absorber<Rig, impact::HuntCrossley, Stepper, impact::Sine, impact::Fixed32>;
 
-#include <impact/contact/resolution.hpp>
-#include <impact/newmark/energy.hpp>
-#include <impact/newmark/impulsive.hpp>
-#include <impact/newmark/moment.hpp>
-#include <impact/newmark/substepped.hpp>
+#include <impact/law/resolution.hpp>
 #include <impact/scene.hpp>
+#include <impact/stepper/energy.hpp>
+#include <impact/stepper/impulsive.hpp>
+#include <impact/stepper/moment.hpp>
+#include <impact/stepper/moment/substepped.hpp>
 
 namespace impact {
 

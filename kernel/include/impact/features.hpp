@@ -3,9 +3,9 @@
 
 #include <stdint.h>
 
-#include <impact/contact/contact_terms.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
+#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 

@@ -3,10 +3,10 @@
 // expression in double, so that a firmware image holds only the constants that its step reads, and a host can make the
 // same plan at run time.
 
-#include <impact/contact/contact_terms.hpp>
-#include <impact/contact/resolution.hpp>
-#include <impact/handover.hpp>
-#include <impact/newmark/linear_flow.hpp>
+#include <impact/law/resolution.hpp>
+#include <impact/law/terms.hpp>
+#include <impact/motion/handover.hpp>
+#include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
@@ -106,7 +106,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   Treatment::bound_forces(terms, largest);
   const UnitExponents exponents = Format::exponents(largest);
 
-  status = Format::status_of(exponents, scene.clearance / 2);
+  status = status_of(Format::overflow_of(exponents, scene.clearance / 2));
   if (status != Status::ok) return refused(status);
 
   terms.force_unit = Treatment::force_unit(terms, exponents);
@@ -117,26 +117,26 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2);
   const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);
-  const Plan plan = {
-      status,
-      h,
-      units,
-      Format::gain(flow.stiffness(), exponents.position, exponents.increment),
-      Format::gain(scene.main_damping > 0 ? flow.damping() : 0, exponents.displacement, exponents.increment),
-      Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration),
-      Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration),
-      Drive::template make_plan<Format>(scene, bounds, h, flow, exponents),
-      Treatment::make_plan(terms, flow, exponents),
-      terms.force_unit,
-      Drive::template force_unit<Format>(scene, bounds),
-      scene.stops != Stops::right,
-      scene.stops != Stops::left,
-      units.state_at(scene.x1),
-      units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0)),
-      units.state_at(scene.x2),
-      units.state(scene.v2 * h),
-      identity_of(scene, bounds, h),
-      Handover<Format, Drive>::make(scene, bounds, h, flow, exponents)};
+  Plan plan{};
+  plan.status = status;
+  plan.step = h;
+  plan.units = units;
+  plan.stiffness = Format::gain(flow.stiffness(), exponents.position, exponents.increment);
+  plan.damping = Format::gain(scene.main_damping > 0 ? flow.damping() : 0, exponents.displacement, exponents.increment);
+  plan.rate_by_w1 = Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration);
+  plan.rate_by_x1 = Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration);
+  plan.drive = Drive::template make_plan<Format>(scene, bounds, h, flow, exponents);
+  plan.contact = Treatment::make_plan(terms, flow, exponents);
+  plan.force_unit = terms.force_unit;
+  plan.drive_unit = Drive::template force_unit<Format>(scene, bounds);
+  plan.left_stop = scene.stops != Stops::right;
+  plan.right_stop = scene.stops != Stops::left;
+  plan.x1 = units.state_at(scene.x1);
+  plan.w1 = units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0));
+  plan.x2 = units.state_at(scene.x2);
+  plan.w2 = units.state(scene.v2 * h);
+  plan.identity = identity_of(scene, bounds, h);
+  plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents);
   if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(Status::displacement_bound);
   if (!units.holds_start(plan.x1, plan.x2, plan.w1, plan.w2)) return refused(Status::speed_bound);
   return plan;

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
 
 namespace impact {
@@ -97,7 +98,25 @@ constexpr Status status_of(const Scene& scene, const Bounds& bounds) {
   return Status::ok;
 }
 
-// Against the steps with which a stepper is right, see contact/resolution.hpp.
+// The bound that leaves a quantity no room beside the others.
+constexpr Status status_of(Overflow overflow) {
+  switch (overflow) {
+    case Overflow::none:
+      return Status::ok;
+    case Overflow::displacement:
+    case Overflow::force:
+      return Status::speed_bound;
+    case Overflow::penetration:
+    case Overflow::push:
+      return Status::penetration_bound;
+    case Overflow::gap:
+    case Overflow::increment:
+      break;
+  }
+  return Status::displacement_bound;
+}
+
+// Against the steps with which a stepper is right, see law/resolution.hpp.
 constexpr Status status_of(const Range& steps, double step) {
   if (!(steps.most > 0)) return Status::contact_time;
   return steps.holds(step) ? Status::ok : Status::steps_per_contact;

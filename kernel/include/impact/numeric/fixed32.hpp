@@ -10,15 +10,14 @@
 
 #include <stddef.h>
 
-#include <impact/lookup/power_four_fifths.hpp>
-#include <impact/lookup/reciprocal.hpp>
-#include <impact/lookup/square_root.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/floating.hpp>
 #include <impact/numeric/fraction.hpp>
 #include <impact/numeric/oscillator.hpp>
+#include <impact/numeric/power_four_fifths.hpp>
+#include <impact/numeric/reciprocal.hpp>
+#include <impact/numeric/square_root.hpp>
 #include <impact/numeric/units.hpp>
-#include <impact/status.hpp>
 
 namespace impact {
 
@@ -122,14 +121,15 @@ struct Fixed32 {
   // What is added to a state in range, at most half of its own unit, must not wrap it before it is looked at again: a
   // displacement and a drive's kick to a position, three increments at a change of plan to a displacement, and in a
   // contact two pushes to a displacement or one and a slip to a position.
-  static constexpr Status status_of(const UnitExponents& e, double gap) {
+  static constexpr Overflow overflow_of(const UnitExponents& e, double gap) {
     const auto fits = [&e](int exponent, int spare) { return exponent <= e.position - spare; };
-    if (gap > constant::power_of_two(e.position - 1)) return Status::displacement_bound;
-    if (!fits(e.displacement, 1)) return Status::speed_bound;
-    if (!fits(e.penetration, 1) || !fits(e.push, 2)) return Status::penetration_bound;
-    if (!fits(e.increment, 2)) return Status::displacement_bound;
-    if (e.force > 20) return Status::speed_bound;
-    return Status::ok;
+    if (gap > constant::power_of_two(e.position - 1)) return Overflow::gap;
+    if (!fits(e.displacement, 1)) return Overflow::displacement;
+    if (!fits(e.penetration, 1)) return Overflow::penetration;
+    if (!fits(e.push, 2)) return Overflow::push;
+    if (!fits(e.increment, 2)) return Overflow::increment;
+    if (e.force > 20) return Overflow::force;
+    return Overflow::none;
   }
 
   // Whether forces that change a quantity by as much as their unit are more than nothing.

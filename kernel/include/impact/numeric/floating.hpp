@@ -9,10 +9,10 @@
 
 #include <stdint.h>
 
-#include <impact/lookup/reciprocal.hpp>
-#include <impact/lookup/square_root.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/high_product.hpp>
+#include <impact/numeric/reciprocal.hpp>
+#include <impact/numeric/square_root.hpp>
 
 namespace impact {
 

@@ -9,11 +9,15 @@
 
 #include <stdint.h>
 
-#include <impact/newmark/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/high_product.hpp>
 
 namespace impact {
+
+// sine * sin(w t) + cosine * cos(w t)
+struct Sinusoid {
+  double sine = 0, cosine = 0;
+};
 
 // The recurrence in 64-bit integers. The sinusoid is s * 2^(exponent - 63); its upper word is s in Q1.31 of 2^exponent.
 struct IntegerOscillator {

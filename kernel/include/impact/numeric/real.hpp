@@ -12,13 +12,12 @@
 
 #include <stddef.h>
 
-#include <impact/lookup/power_four_fifths.hpp>
-#include <impact/lookup/square_root.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/oscillator.hpp>
+#include <impact/numeric/power_four_fifths.hpp>
 #include <impact/numeric/root_above.hpp>
+#include <impact/numeric/square_root.hpp>
 #include <impact/numeric/units.hpp>
-#include <impact/status.hpp>
 
 namespace impact {
 
@@ -83,7 +82,7 @@ struct RealFormat {
   static constexpr bool calls_contact = false;
 
   static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
-  static constexpr Status status_of(const UnitExponents&, double) { return Status::ok; }
+  static constexpr Overflow overflow_of(const UnitExponents&, double) { return Overflow::none; }
   static constexpr bool resolves(double, int) { return true; }
 
   struct Units {

@@ -14,6 +14,9 @@ struct UnitExponents {
   int force = 0;         // of the contact force over k1 * 2^(penetration * exponent of the law)
 };
 
+// Which quantity has no room beside the others in a format of fixed point.
+enum class Overflow { none, gap, displacement, penetration, push, increment, force };
+
 // The largest magnitudes in a scene, in the same units.
 struct UnitBounds {
   double position, displacement, increment, push, penetration, force_factor;

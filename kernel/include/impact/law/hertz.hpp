@@ -1,0 +1,23 @@
+#pragma once
+// Hertz, the paper's (2.5): Fc = k1 delta^(3/2), elastic: restitution 1. k1 in N/m^(3/2).
+
+#include <impact/numeric/formula.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+struct Hertz {
+  static constexpr Law law = Law::hertz;
+  static constexpr bool is_damped = false, is_damped_per_impact = false;
+
+  // Energy stored at a penetration, (2/5) k1 delta^(5/2), in the units of law/terms.hpp.
+  template <class Format>
+  static constexpr typename Format::Value stored(const typename Format::Units& units,
+                                                 typename Format::Value penetration) {
+    const auto d = positive_part(penetration);
+    const auto shape = Format::root(Format::value(d)) * d;
+    return units.elastic(Format::value(Format::constant(2.0 / 5) * (shape * d)));
+  }
+};
+
+}  // namespace impact

@@ -1,0 +1,22 @@
+#pragma once
+// Hunt-Crossley, the paper's (2.7): Fc = delta^(3/2) (k1 + c1 delta'). k1 in N/m^(3/2), c1 in N s/m^(5/2).
+// The force is zero at both ends of a contact. It would pull only on separation faster than k1/c1, which no impact
+// reaches; the kernel never lets it pull, whatever Tension says.
+
+#include <impact/law/hertz.hpp>
+
+namespace impact {
+
+// c1 is Scene::contact_damping.
+struct HuntCrossley : Hertz {
+  static constexpr Law law = Law::hunt_crossley;
+  static constexpr bool is_damped = true;
+};
+
+// c1 is set at each impact from its speed v0 by the paper's (2.9), c1 = 3 k1 (1 - e) / (2 v0), with e =
+// Scene::restitution. The restitution that comes out is above e: 0.756 for e = 0.706, at any speed.
+struct HuntCrossleyPerImpact : HuntCrossley {
+  static constexpr bool is_damped_per_impact = true;
+};
+
+}  // namespace impact

@@ -1,0 +1,57 @@
+#pragma once
+// What a contact treatment needs to make its constants, in SI units, and how its forces are counted.
+//
+// Penetrations count in 2^penetration metres and rates in the same unit per step. A force counts in
+//
+//     force_unit = k1 2^(power penetration) 2^force newtons,    power = 1 (Hooke-Newton) or 3/2,
+//
+// so that k1 and the step length vanish from the contact's formulas: impulses are in force_unit h, moments of a force
+// (the integral of (h - s) f(s) over the step) in force_unit h^2.
+
+#include <stdint.h>
+
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+struct ContactTerms {
+  double step = 0;         // h, s
+  bool is_linear = false;  // power = 1
+  bool is_damped = false;
+  double stiffness = 0;     // k1
+  double damping_time = 0;  // c1 / k1, s (Hooke-Newton) or s/m
+  double ball_mass = 0;     // m, kg
+  double main_mass = 0, main_stiffness = 0, main_damping = 0;
+  double largest_penetration = 0, largest_rate = 0;  // m, m/s
+  double force_unit = 0;                             // N
+  int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
+  double restitution = 1;                            // for a damping set at each impact
+  bool clamped = true;
+
+  constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }
+};
+
+template <class ContactLaw>
+constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
+  ContactTerms terms{};
+  terms.is_linear = ContactLaw::law == Law::hooke_newton;
+  terms.is_damped = ContactLaw::is_damped;
+  terms.stiffness = scene.contact_stiffness;
+  terms.ball_mass = scene.ball_mass;
+  terms.main_mass = scene.main_mass;
+  terms.main_stiffness = scene.main_stiffness;
+  terms.main_damping = scene.main_damping;
+  terms.largest_penetration = bounds.penetration;
+  terms.largest_rate = 2 * bounds.speed;
+  terms.restitution = scene.restitution;
+  terms.clamped = scene.tension == Tension::clamp;
+  // A damping set per impact is 3 (1 - e)/2 at the impact's own speed: here as one at the largest speed.
+  if (ContactLaw::is_damped)
+    terms.damping_time = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) / terms.largest_rate
+                                                          : scene.contact_damping / terms.stiffness;
+  return terms;
+}
+
+}  // namespace impact

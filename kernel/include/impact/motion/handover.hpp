@@ -1,0 +1,61 @@
+#pragma once
+// Going on under another plan without a jump: positions, velocities and the drive's phase stay as they are. Positions
+// and the ball's w2 = h v2 are the same numbers under both plans; the main mass's displacement in the coming step is
+// not, because the spring, the damper and the drive have a part in it. With the map of linear_flow.hpp and the drive's
+// share P,
+//
+//     w1 = e11 x1 + e12 h v1 + P
+//     ahead(old)  = h v1 - w1 = (1/e12 - 1) w1 - (e11/e12) x1 - P/e12
+//     behind(new) = h v1 - w1 = (1 - e12) h v1 - e11 x1 - P
+//     w1' = w1 + ahead(old) - behind(new)
+//
+// Only the difference is computed in 32 bits: it is of the size of what spring and drive change in half a step, so that
+// its rounding is 2^-31 (Fixed32) or 2^-24 (Float32) of that. Some twenty multiplications and a copy of the plan; no
+// double.
+
+#include <stdint.h>
+
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/fingerprint.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+template <class Format, class Drive>
+struct Handover {
+  using Gain = typename Format::Gain;
+
+  uint32_t units;  // what a state counts in: the fingerprint of bounds, step, clearance and stops
+  Gain ahead_by_w1, ahead_by_x1, behind_by_u1, behind_by_x1;
+  typename Drive::template Handover<Format> drive;
+
+  static constexpr Handover make(const Scene& scene, const Bounds& bounds, double h, const LinearFlow& flow,
+                                 const UnitExponents& unit) {
+    const double numbers[] = {bounds.displacement, bounds.speed, bounds.penetration, bounds.force, h, scene.clearance};
+    Fingerprint units{};
+    for (double number : numbers) units.add_number(number);
+    units.add(static_cast<uint32_t>(scene.stops));
+    return {units.value,
+            Format::gain(1 / flow.e12 - 1, unit.displacement, unit.increment),
+            Format::gain(-flow.e11 / flow.e12, unit.position, unit.increment),
+            Format::gain(1 - flow.e12, unit.displacement, unit.increment),
+            Format::gain(-flow.e11, unit.position, unit.increment),
+            Drive::template make_handover<Format>(scene, bounds, h, flow, unit)};
+  }
+};
+
+// The same motion in the numbers of another plan.
+template <class Plan, class State>
+constexpr void hand_over(const Plan& from, const Plan& to, State& state) {
+  const auto x1 = from.units.position(state.x1);
+  const auto drive = state.drive.hand_over(from.drive, from.handover.drive, to.drive, to.handover.drive);
+  auto u1 = state.w1;
+  from.units.add(
+      u1, from.handover.ahead_by_w1 * from.units.displacement(state.w1) + from.handover.ahead_by_x1 * x1 - drive.ahead);
+  state.w1 = u1;
+  to.units.add(state.w1,
+               -(to.handover.behind_by_u1 * to.units.displacement(u1) + to.handover.behind_by_x1 * x1 - drive.behind));
+}
+
+}  // namespace impact

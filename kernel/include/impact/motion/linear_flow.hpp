@@ -1,0 +1,121 @@
+#pragma once
+// How the sprung, damped, driven main mass moves over one step while nothing touches it: two maps of the same shape,
+//
+//     x'   = x + e11 x + e12 u + b0 F + b1 F'          u = h v, so that every term is a displacement in metres
+//     u'   = u + e21 x + e22 u + c0 F + c1 F'          F, F': the drive at the two ends of the step, N
+//
+// the exact flow of M x'' + c x' + k x = F(t), and Newmark's (gamma = 1/2). For a sine drive the drive's part is a
+// sinusoid itself, here with its own two coefficients, so that the exact flow is exact for it too.
+//
+// Eliminating the velocity leaves a recurrence in x and in the displacement w that the coming step will make:
+//
+//     x' = x + w        w' = w - damping w - stiffness x' + s        damping = 1 - det, stiffness = 1 + det - trace
+//
+// which is three multiplications a step for either map, with no step length and no mass left in it.
+
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/oscillator.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+// The drive's share in the displacement of the coming step under two plans, see motion/handover.hpp.
+template <class Value>
+struct DriveShares {
+  Value ahead, behind;
+};
+
+// The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.
+struct LinearFlow {
+  double e11 = 0, e12 = 0, e21 = 0, e22 = 0;
+  double b0 = 0, b1 = 0, c0 = 0, c1 = 0;  // m/N: a force held linear over the step
+  Sinusoid displacement, velocity;        // m/N: a force sin(w t), at the start of the step
+
+  constexpr double stiffness() const { return e11 * e22 - e12 * e21; }
+  constexpr double damping() const { return -(e11 + e22) - stiffness(); }
+};
+
+// exp(A) - 1 of the oscillator augmented by its drive: x, u, F, F' - F, sin, cos. Scaling and squaring on E = exp(A) -
+// 1 by E(2A) = 2 E + E^2, from a Taylor series on a norm below 1/2: relative precision near 1e-15, at resonance and for
+// any damping.
+constexpr LinearFlow exact_flow(const Scene& scene, double h) {
+  constexpr int size = 6;
+  struct Matrix {
+    double at[size][size] = {};
+  };
+  const double turn = scene.drive_pulsation * h, compliance = h * h / scene.main_mass;
+  Matrix generator{};
+  generator.at[0][1] = 1;
+  generator.at[1][0] = -scene.main_stiffness * compliance;
+  generator.at[1][1] = -scene.main_damping * h / scene.main_mass;
+  generator.at[1][2] = generator.at[1][4] = compliance;
+  generator.at[2][3] = 1;
+  generator.at[4][5] = turn;
+  generator.at[5][4] = -turn;
+
+  double norm = 1;
+  for (auto& row : generator.at) {
+    double sum = 0;
+    for (double entry : row) sum += constant::magnitude(entry);
+    norm = constant::larger(norm, sum);
+  }
+  const int doublings = constant::exponent_above(norm) + 1;
+  const double scale = constant::power_of_two(-doublings);
+  const auto product = [](const Matrix& a, const Matrix& b) {
+    Matrix result{};
+    for (int i = 0; i < size; ++i)
+      for (int k = 0; k < size; ++k)
+        for (int j = 0; j < size; ++j) result.at[i][j] += a.at[i][k] * b.at[k][j];
+    return result;
+  };
+  for (auto& row : generator.at)
+    for (double& entry : row) entry *= scale;
+  Matrix term = generator, sum = generator;
+  for (int order = 2; order <= 16; ++order) {
+    term = product(term, generator);
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j) sum.at[i][j] += term.at[i][j] /= order;
+  }
+  for (int i = 0; i < doublings; ++i) {
+    const Matrix square = product(sum, sum);
+    for (int row = 0; row < size; ++row)
+      for (int column = 0; column < size; ++column)
+        sum.at[row][column] = 2 * sum.at[row][column] + square.at[row][column];
+  }
+  const auto& e = sum.at;
+  return {e[0][0],           e[0][1],           e[1][0],
+          e[1][1],           e[0][2] - e[0][3], e[0][3],
+          e[1][2] - e[1][3], e[1][3],           {e[0][4], e[0][5]},
+          {e[1][4], e[1][5]}};
+}
+
+// Newmark's map (Newmark 1959) with gamma = 1/2: x' = x + h v + h^2 [(1/2 - beta) a + beta a'], v' = v + h (a + a')/2,
+// and equilibrium at both ends: M a + c v + k x = F.
+constexpr LinearFlow newmark_flow(const Scene& scene, double h, double beta) {
+  const double M = scene.main_mass, ch = scene.main_damping * h, khh = scene.main_stiffness * h * h;
+  const double effective = M + ch / 2 + beta * khh;
+  struct Ends {
+    double x, u;
+  };
+  // The response of (x', u') less (x, u) to the start's x, u and h^2 a, and to the force at the end, all in metres.
+  const auto respond = [&](double x, double u, double a, double force) {
+    const double x_known = u + (0.5 - beta) * a, u_known = a / 2;
+    const double a_end = (force - ch * (u + u_known) - khh * (x + x_known)) / effective;
+    return Ends{x_known + beta * a_end, u_known + a_end / 2};
+  };
+  const Ends x = respond(1, 0, -khh / M, 0), u = respond(0, 1, -ch / M, 0);
+  const Ends start = respond(0, 0, h * h / M, 0), end = respond(0, 0, 0, h * h);
+  const double cosine = constant::cosine(scene.drive_pulsation * h), sine = constant::sine(scene.drive_pulsation * h);
+  return {x.x,
+          u.x,
+          x.u,
+          u.u,
+          start.x,
+          end.x,
+          start.u,
+          end.u,
+          {start.x + end.x * cosine, end.x * sine},
+          {start.u + end.u * cosine, end.u * sine}};
+}
+
+}  // namespace impact

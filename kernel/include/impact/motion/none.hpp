@@ -1,0 +1,42 @@
+#pragma once
+// No drive: free vibration from the initial state.
+
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+struct NoDrive {
+  static constexpr bool is_sine = false, is_sampled = false;
+
+  template <class Format>
+  struct Plan {};
+  template <class Format>
+  static constexpr Plan<Format> make_plan(const Scene&, const Bounds&, double, const LinearFlow&,
+                                          const UnitExponents&) {
+    return {};
+  }
+  template <class Format>
+  struct Handover {};
+  template <class Format>
+  static constexpr Handover<Format> make_handover(const Scene&, const Bounds&, double, const LinearFlow&,
+                                                  const UnitExponents&) {
+    return {};
+  }
+  template <class Format>
+  struct State {
+    static constexpr State start(const Plan<Format>&) { return {}; }
+    static constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>&,
+                                                                   const Plan<Format>&, const Handover<Format>&) {
+      return {};
+    }
+    static constexpr typename Format::Value force(const Plan<Format>&) { return {}; }
+  };
+  template <class Format>
+  static constexpr double force_unit(const Scene&, const Bounds&) {
+    return 0;
+  }
+};
+
+}  // namespace impact

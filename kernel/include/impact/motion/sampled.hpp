@@ -1,0 +1,77 @@
+#pragma once
+// The drive as one sample a step from the caller (an ADC reading), held linear between samples: exact for the exact
+// flow. A sample is newtons in a floating-point format, and a fraction of Bounds::force in Q1.31 in fixed point, of
+// which every value is good. In newtons it must be a number within Bounds::force.
+
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+struct Sampled {
+  static constexpr bool is_sine = false, is_sampled = true;
+
+  template <class Format>
+  struct Plan {
+    typename Format::Gain kick, increment_before, increment_now, rate;
+    typename Format::Value largest;
+  };
+
+  template <class Format>
+  static constexpr Plan<Format> make_plan(const Scene&, const Bounds& bounds, double, const LinearFlow& flow,
+                                          const UnitExponents& unit) {
+    const double N = Format::sample_unit(bounds.force);
+    const double before = flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0;
+    const double now = flow.e12 * flow.c1 - (flow.e22 + flow.damping()) * flow.b1 + flow.b0;
+    return {Format::gain(N * flow.b1, 0, unit.increment), Format::gain(N * before, 0, unit.increment),
+            Format::gain(N * now, 0, unit.increment), Format::gain(N * flow.b0 / flow.e12, 0, unit.penetration),
+            Format::largest_sample(bounds.force)};
+  }
+
+  template <class Format>
+  struct Handover {
+    typename Format::Gain ahead, behind;
+  };
+  template <class Format>
+  static constexpr Handover<Format> make_handover(const Scene&, const Bounds& bounds, double, const LinearFlow& flow,
+                                                  const UnitExponents& unit) {
+    const double P = Format::sample_unit(bounds.force) * flow.b0;
+    return {Format::gain(P / flow.e12, 0, unit.increment), Format::gain(P, 0, unit.increment)};
+  }
+
+  template <class Format>
+  struct State {
+    typename Format::Value sample;  // at the start of the step
+
+    static constexpr State start(const Plan<Format>&) { return {}; }
+    constexpr bool accepts(const Plan<Format>& plan, typename Format::Value next) const {
+      return Format::is_within(next, plan.largest);
+    }
+    // What stands for a sample that is not accepted: the bound, or for no number the sample before.
+    constexpr typename Format::Value held(const Plan<Format>& plan, typename Format::Value next) const {
+      return Format::held_within(next, plan.largest, sample);
+    }
+    // What the sample at the end of the step adds at once to the displacement.
+    constexpr typename Format::Value kick(const Plan<Format>& plan, typename Format::Value next) const {
+      return plan.kick * next;
+    }
+    constexpr typename Format::Value advance(const Plan<Format>& plan, typename Format::Value next) {
+      const auto increment = plan.increment_before * sample + plan.increment_now * next;
+      sample = next;
+      return increment;
+    }
+    constexpr typename Format::Value rate(const Plan<Format>& plan) const { return plan.rate * sample; }
+    constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>& from,
+                                                            const Plan<Format>&, const Handover<Format>& to) const {
+      return {from.ahead * sample, to.behind * sample};
+    }
+    constexpr typename Format::Value force(const Plan<Format>&) const { return sample; }
+  };
+  template <class Format>
+  static constexpr double force_unit(const Scene&, const Bounds& bounds) {
+    return Format::sample_unit(bounds.force);
+  }
+};
+
+}  // namespace impact

@@ -1,0 +1,147 @@
+#pragma once
+// The drive F0 sin(w t), t = 0 at the start. Its part of the main mass's motion over a step is a sinusoid too, of known
+// amplitude and phase, so that one oscillator serves; its own part in the velocity follows from the oscillator's value
+// and slope.
+
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+struct Sine {
+  static constexpr bool is_sine = true, is_sampled = false;
+
+  template <class Format>
+  struct Plan {
+    typename Format::Oscillator::Plan oscillator;
+    typename Format::Gain increment, rate_by_value, rate_by_slope;
+    typename Format::Gain force_by_value, force_by_slope;  // of the amplitude, in Q1.30 in fixed point
+  };
+
+  static constexpr double amplitude(const Scene& scene) {
+    return scene.drive_pulsation > 0 ? scene.drive_amplitude : 0;  // sin(0 t) is 0
+  }
+  // What the drive adds to the displacement per step.
+  static constexpr Sinusoid increments(const Scene& scene, double h, const LinearFlow& flow) {
+    const double turn = scene.drive_pulsation * h, cosine = constant::cosine(turn), sine = constant::sine(turn);
+    const double F0 = amplitude(scene);
+    const Sinusoid P = {F0 * flow.displacement.sine, F0 * flow.displacement.cosine};
+    const Sinusoid Q = {F0 * flow.velocity.sine, F0 * flow.velocity.cosine};
+    const Sinusoid next = {P.sine * cosine - P.cosine * sine, P.sine * sine + P.cosine * cosine};
+    return {flow.e12 * Q.sine - (1 + flow.e22) * P.sine + next.sine,
+            flow.e12 * Q.cosine - (1 + flow.e22) * P.cosine + next.cosine};
+  }
+
+  template <class Format>
+  static constexpr Plan<Format> make_plan(const Scene& scene, const Bounds&, double h, const LinearFlow& flow,
+                                          const UnitExponents& unit) {
+    const double turn = scene.drive_pulsation * h, cosine = constant::cosine(turn), sine = constant::sine(turn);
+    const double F0 = amplitude(scene);
+    const Sinusoid P = {F0 * flow.displacement.sine, F0 * flow.displacement.cosine};
+    const Sinusoid s = increments(scene, h, flow);
+    Plan<Format> plan{};
+    plan.oscillator = Format::Oscillator::make_plan(s, turn);
+    const int value = Format::oscillator_exponent(plan.oscillator);
+    // P = by_value s + by_slope (s - s_before): resolve P along s = S sin(psi) and across it.
+    // The force, sin(w t), likewise.
+    const double S2 = s.sine * s.sine + s.cosine * s.cosine;
+    if (S2 > 0) {
+      plan.increment = Format::gain(1, value, unit.increment);
+      const double along = (P.sine * s.sine + P.cosine * s.cosine) / S2;
+      const double across = (P.cosine * s.sine - P.sine * s.cosine) / S2;
+      const double by_slope = across / sine, by_value = along - by_slope * (1 - cosine);
+      plan.rate_by_value = Format::gain(by_value / flow.e12, value, unit.penetration);
+      const double force_by_slope = -s.cosine / S2 / sine, force_by_value = s.sine / S2 - force_by_slope * (1 - cosine);
+      plan.force_by_value = Format::gain(force_by_value, value, 1);
+      plan.force_by_slope = Format::gain(force_by_slope, value - Format::Oscillator::slope_bits(plan.oscillator), 1);
+      plan.rate_by_slope =
+          Format::gain(by_slope / flow.e12, value - Format::Oscillator::slope_bits(plan.oscillator), unit.penetration);
+    }
+    return plan;
+  }
+
+  // By sine and cosine of the drive's phase w t, each in halves.
+  template <class Format>
+  struct Handover {
+    typename Format::Gain cosine_by_value, cosine_by_slope;
+    typename Format::Gain value_by_sine, value_by_cosine, slope_by_sine, slope_by_cosine;
+    typename Format::Gain ahead_by_sine, ahead_by_cosine, behind_by_sine, behind_by_cosine;
+  };
+  template <class Format>
+  static constexpr Handover<Format> make_handover(const Scene& scene, const Bounds&, double h, const LinearFlow& flow,
+                                                  const UnitExponents& unit) {
+    const double turn = scene.drive_pulsation * h, cosine = constant::cosine(turn), sine = constant::sine(turn);
+    const Sinusoid s = increments(scene, h, flow);
+    const double S2 = s.sine * s.sine + s.cosine * s.cosine;
+    if (!(S2 > 0)) return {};
+    const auto oscillator = Format::Oscillator::make_plan(s, turn);
+    const int value = Format::oscillator_exponent(oscillator),
+              slope = value - Format::Oscillator::slope_bits(oscillator);
+    const double by_slope = s.sine / S2 / sine, by_value = s.cosine / S2 - by_slope * (1 - cosine);
+    const double P_sine = amplitude(scene) * flow.displacement.sine,
+                 P_cosine = amplitude(scene) * flow.displacement.cosine;
+    return {Format::gain(by_value, value, 1),
+            Format::gain(by_slope, slope, 1),
+            Format::gain(s.sine, 1, value),
+            Format::gain(s.cosine, 1, value),
+            Format::gain(s.sine * (1 - cosine) - s.cosine * sine, 1, slope),
+            Format::gain(s.cosine * (1 - cosine) + s.sine * sine, 1, slope),
+            Format::gain(P_sine / flow.e12, 1, unit.increment),
+            Format::gain(P_cosine / flow.e12, 1, unit.increment),
+            Format::gain(P_sine, 1, unit.increment),
+            Format::gain(P_cosine, 1, unit.increment)};
+  }
+
+  template <class Format>
+  struct State {
+    typename Format::Oscillator oscillator;
+
+    static constexpr State start(const Plan<Format>& plan) { return {Format::Oscillator::start(plan.oscillator)}; }
+    // What the drive adds to the displacement per step; moves on to the end of the step.
+    [[gnu::always_inline]] constexpr typename Format::Value advance(const Plan<Format>& plan) {
+      const auto s = Format::reading(oscillator.value_head());
+      oscillator.advance(plan.oscillator);
+      return plan.increment * s;
+    }
+    // The drive's share of the displacement that the coming step will make. (As a function of its own it would ask for
+    // the plan in memory.)
+    [[gnu::always_inline]] constexpr typename Format::Value rate(const Plan<Format>& plan) const {
+      return plan.rate_by_value * Format::reading(oscillator.value_head()) +
+             plan.rate_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
+    }
+    // The force now, over twice the amplitude.
+    constexpr typename Format::Value force(const Plan<Format>& plan) const {
+      return plan.force_by_value * Format::reading(oscillator.value_head()) +
+             plan.force_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
+    }
+
+    // On to another plan's oscillator at the same phase. sin^2 + cos^2 = 1 corrects the amplitude, so that it cannot
+    // wander over any number of changes.
+    constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>& from, const Handover<Format>& out,
+                                                            const Plan<Format>& to, const Handover<Format>& in) {
+      using Value = typename Format::Value;
+      Value sine = force(from), cosine = out.cosine_by_value * Format::reading(oscillator.value_head()) +
+                                         out.cosine_by_slope * Format::reading(oscillator.slope_head(from.oscillator));
+      const Value size = Format::value(sine * sine) + Format::value(cosine * cosine);
+      if (is_positive(size)) {
+        const Value missing = Format::value(Format::constant(0.25)) - size;
+        sine = sine + Format::value(twice(missing * sine));
+        cosine = cosine + Format::value(twice(missing * cosine));
+      } else {
+        cosine = Format::value(Format::constant(0.5));
+      }
+      oscillator =
+          Format::Oscillator::at(to.oscillator, Format::native(in.value_by_sine * sine + in.value_by_cosine * cosine),
+                                 Format::native(in.slope_by_sine * sine + in.slope_by_cosine * cosine));
+      return {out.ahead_by_sine * sine + out.ahead_by_cosine * cosine,
+              in.behind_by_sine * sine + in.behind_by_cosine * cosine};
+    }
+  };
+  template <class Format>
+  static constexpr double force_unit(const Scene& scene, const Bounds&) {
+    return 2 * scene.drive_amplitude;
+  }
+};
+
+}  // namespace impact

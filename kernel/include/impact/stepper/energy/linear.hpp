@@ -1,0 +1,88 @@
+#pragma once
+// The energy-consistent contact for Hooke-Newton, in the units of law/terms.hpp, with d+ = max(d, 0):
+//
+//     f = (d1+^2 - d0+^2) / (2 (d1 - d0)) + C (d1+ - d0+)          d1 = trial - G f
+//
+// inside a contact this is linear in d1; as the ball enters or leaves it is a quadratic.
+
+#include <impact/stepper/energy/response.hpp>
+
+namespace impact {
+
+template <class Format>
+struct EnergyLinear : ResolvedForces {
+  using Value = typename Format::Value;
+  using Gain = typename Format::Gain;
+  using Units = typename Format::Units;
+
+  struct Plan {
+    ConstantForceGains<Gain> response;
+    Gain damping;         // C
+    Gain solved;          // 1/(1 + G (1/2 + C))
+    Gain loss;            // 1 + G C over that
+    Gain half_stiffness;  // G/2
+    Gain pull;            // G C
+    bool clamped;
+  };
+  static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+    const ConstantForceResponse answer(terms, flow);
+    const double C = terms.damping_time / terms.step, G = terms.stiffness * answer.penetration();
+    const double solved = 1 / (1 + G * (0.5 + C));
+    return {answer.gains<Format>(terms.force_unit, unit),
+            Format::gain(C, unit.penetration, terms.damping_exponent),
+            Format::gain(solved, 0, 0),
+            Format::gain((1 + G * C) * solved, 0, 0),
+            Format::gain(G / 2, 0, 0),
+            Format::gain(G * C, 0, 0),
+            terms.clamped};
+  }
+
+  static constexpr bool carries = false, slips = false, returns = true;
+
+  Value penetration;  // at the start of the step, while touching
+  Phase phase;
+
+  constexpr void start(const Plan&, const Units&, Value at, Value) {
+    penetration = at;
+    phase = Phase::touching;
+  }
+  static constexpr Kick<Value> moments(const Plan&, const EnergyLinear&, const EnergyLinear&, Kick<Value> kick) {
+    return {kick.impulse, Format::value(half(kick.impulse))};
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value,
+                                                       Value before, Value) {
+    Value force = phase == Phase::apart ? entering(plan, units, trial, before) : inside(plan, units, trial);
+    if (plan.clamped && !is_positive(force)) force = Value{};
+    penetration = trial - plan.response.penetration * force;
+    phase = is_positive(penetration) ? Phase::touching : Phase::apart;
+    return {force, force};
+  }
+
+ private:
+  [[gnu::always_inline]] constexpr Value inside(const Plan& plan, const Units& units, Value trial) const {
+    const Value force = plan.solved * (units.elastic(Format::value(half(penetration)) + Format::value(half(trial))) +
+                                       plan.damping * (trial - penetration));
+    return is_positive(trial - plan.response.penetration * force) ? force : leaving(plan, units, trial);
+  }
+
+  // With y = d0 - d1: y^2 + (trial - d0 + G C d0) y = G d0^2/2.
+  constexpr Value leaving(const Plan& plan, const Units& units, Value trial) const {
+    const Value b = Format::value(half(trial - penetration + plan.pull * penetration));
+    const Value y =
+        positive_root<Format>(b, without_sign(plan.half_stiffness * penetration) * without_sign(penetration));
+    const Value elastic =
+        Format::value(half(penetration * Format::quotient(positive_part(penetration), positive_part(y))));
+    return units.elastic(elastic) - plan.damping * penetration;
+  }
+
+  // (1 + G (1/2 + C)) d1^2 + ((1 + G C) (-d0) - trial) d1 = trial (-d0).
+  constexpr Value entering(const Plan& plan, const Units& units, Value trial, Value before) const {
+    const Value b = Format::value(half(-(plan.loss * before) - plan.solved * trial));
+    const Value d = positive_root<Format>(b, without_sign(plan.solved * trial) * without_sign(-before));
+    const auto share = Format::quotient(positive_part(d), positive_part(d - before));
+    return units.elastic(Format::value(half(d * share))) + plan.damping * d;
+  }
+};
+
+}  // namespace impact

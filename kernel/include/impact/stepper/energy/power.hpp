@@ -1,0 +1,217 @@
+#pragma once
+// The energy-consistent contact for the power laws, in the units of law/terms.hpp. n is the mean of d^(3/2) between
+// the penetrations d0 and d1 at both ends (0 where they are negative); r, s: their roots; p = (s+r)/2, z = (s-r)/2:
+//
+//     staying   n = p^3 + 2 p z^2 + z^4/(5p)
+//     entering  n = (2/5) s^3 d1/(d1 - d0)
+//     leaving   n = (2/5) r^3 d0/(d0 - d1)
+//
+//     f = n (1 + C (d1 - d0 + slip))        slip = G n u/3        d1 = trial - G f - slip        u = C G n
+//
+// (Hertz: C = 0, no slip.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the slip, which
+// moves the ball without changing its velocity, this step keeps it (slip.hpp; u/3 is that series' first term).
+//
+// Where the plan knows the contact to be resolved (is_resolved), f is evaluated once, at a predicted end:
+//
+//     d1 = trial - (3 y1 - 3 y2 + y3)        y = G f + slip, of the three steps before; 0 before contact
+//
+// and the ball moves there: what the equation leaves over is added to its slip. The energy stored is d1's, so that for
+// Hertz an impact loses
+//
+//     sum f (3 y1 - 3 y2 + y3 - y) = G/(2 pi) integral |F(w)|^2 8 sin^3(w/2) sin(3w/2) dw        w from -pi to pi
+//
+// where F is the force's spectrum, which for a force that lasts N >= 20 steps lies below w = 2 pi/3: a loss, of fifth
+// order in 1/N. What u/3 leaves out of the slip is of fourth. Restitution is right within 100/N^4
+// (tests/host/energy_test.cpp).
+//
+// Any other contact goes to solver.hpp, which an image whose contact is resolved does not hold.
+
+#include <impact/law/impact_damping.hpp>
+#include <impact/stepper/energy/response.hpp>
+#include <impact/stepper/energy/solver.hpp>
+
+namespace impact {
+
+template <class Format, class ContactLaw>
+struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+  using Value = typename Format::Value;
+  using Gain = typename Format::Gain;
+  using Weight = typename Format::Weight;
+  using Units = typename Format::Units;
+  using Root = typename Format::Root;
+  using Wide = typename Format::Wide;
+
+  struct Plan {
+    ConstantForceGains<Gain> response;
+    Weight damping;  // C
+    Weight give;     // G for n
+    bool is_resolved;
+    Wide stiff_give, force_of_back, stored_share;  // G and 1/B for the solver, and a stored energy's unit
+  };
+
+  // The deepest that an impact at the largest speed goes, without damping.
+  static constexpr double peak_of(const ContactTerms& terms) {
+    const double mobility = 1 / terms.ball_mass + 1 / terms.main_mass, v = terms.largest_rate;
+    return constant::power(1.25 * v * v / (mobility * terms.stiffness), 0.4);
+  }
+  // Whether a contact lasts 20 steps and u stays below 1/2, by the peak of an elastic impact at the largest speed:
+  // N^2 = 8.1 over G (3/2) sqrt(peak).
+  static constexpr bool is_resolved(const ContactTerms& terms) {
+    const double mobility = 1 / terms.ball_mass + 1 / terms.main_mass, h = terms.step, v = terms.largest_rate;
+    const double peak = peak_of(terms);
+    const double slope = terms.stiffness * h * h * mobility / 2 * constant::square_root(peak);
+    const double a = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time * v;
+    return 1.5 * slope <= 0.02 && slope * peak * a <= 0.5 * v * h;
+  }
+  // No force can do more in a step than to send the ball back at its own speed, and no penetration be more than an
+  // impact's or a few steps' way.
+  static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
+    if (is_resolved(terms)) return ResolvedForces::bound_forces(terms, largest);
+    const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
+    largest.penetration = constant::smaller(largest.penetration, constant::larger(1.2 * peak_of(terms), 4 * rate));
+    const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
+    const double force = 2.1 * rate / (h * h * mobility);
+    largest.force_factor = force / (terms.stiffness * terms.to_the_power(unit));
+    largest.push = constant::larger(2.2 * rate, 8 * largest.increment);
+  }
+
+  static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+    const ConstantForceResponse answer(terms, flow);
+    if (!is_resolved(terms)) return make_stiff_plan(terms, answer, unit);
+    const double give = terms.force_unit * constant::power_of_two(-unit.force) * answer.penetration();
+    return {answer.gains<Format>(terms.force_unit, unit),
+            Weight{damping_gain<Format, ContactLaw>(terms, unit)},
+            Format::weight(give, 0, unit.penetration),
+            true,
+            {},
+            {},
+            {}};
+  }
+  static constexpr Plan make_stiff_plan(ContactTerms terms, const ConstantForceResponse& answer,
+                                        const UnitExponents& unit) {
+    using constant::power_of_two;
+    terms.damping_exponent = 0;
+    const double give = terms.force_unit * power_of_two(-unit.force) * answer.penetration();
+    return {
+        answer.gains<Format>(terms.force_unit, unit),
+        Weight{damping_gain<Format, ContactLaw>(terms, unit)},
+        {},
+        false,
+        Format::wide(give * power_of_two(-unit.penetration)),
+        Format::wide(power_of_two(unit.penetration) / (terms.force_unit * answer.penetration())),
+        Format::wide(0.4 * terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) / terms.force_unit)};
+  }
+
+  static constexpr bool carries = false, slips = true, returns = true;
+
+  Value penetration;
+  Root root;                // at the start of the step, while touching
+  Value slip;               // of the last step
+  Value taken, rise, bend;  // y1, y1 - y2, y1 - 2 y2 + y3
+  Phase phase;
+
+  constexpr void start(const Plan& plan, const Units&, Value at, Value at_rate) {
+    penetration = at;
+    root = Format::root(at);
+    taken = plan.give * Format::value(root * without_sign(at));
+    rise = bend = Value{};
+    phase = Phase::touching;
+    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
+  }
+  static constexpr Kick<Value> moments(const Plan&, const EnergyPower&, const EnergyPower&, Kick<Value> kick) {
+    return {kick.impulse, Format::value(half(kick.impulse))};
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
+                                                       Value trial_rate, Value before, Value) {
+    if (phase == Phase::apart) {
+      if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, trial_rate);
+      penetration = before;
+      taken = rise = bend = Value{};
+    }
+    if (!plan.is_resolved) return resolve_stiff(plan, trial, before);
+    const Value depth = trial - (taken + rise + bend);
+    const Value n = mean_until(depth);
+    const Value give = plan.give * n;
+    Value force = units.elastic(n), back = give, due{};
+    if constexpr (ContactLaw::is_damped) {
+      due = units.whole(Format::value(give * (damping(plan) * give) * Format::short_constant(1.0 / 3)));
+      const auto factor = positive_part(units.one() + damping(plan) * (depth - penetration + due));
+      force = Format::value(n * factor);
+      back = units.whole(Format::value(give * factor));
+    }
+    const Value rise_before = rise;
+    rise = back + due - taken;
+    bend = rise - rise_before;
+    taken = back + due;
+    slip = trial - back - depth;
+    penetration = depth;
+    return {force, force};
+  }
+
+  constexpr Value stored(const Plan& plan, const Units& units) const {
+    if (phase != Phase::touching) return Value{};
+    if (plan.is_resolved) return ContactLaw::template stored<Format>(units, penetration);
+    const Wide s = Format::wide_root_of(root), d = s * s;
+    return Format::narrow(plan.stored_share * d * d * s);
+  }
+
+ private:
+  __attribute__((noinline)) constexpr Kick<Value> resolve_stiff(const Plan& plan, Value trial, Value before) {
+    slip = Value{};
+    EnergySolver<Format, ContactLaw::is_damped> step{plan.stiff_give, Format::wide_gain(damping(plan)), {}, {}, {}};
+    if (phase == Phase::touching) {
+      step.r = Format::wide_root_of(root);
+      step.d0 = step.r * step.r;
+    } else {
+      step.d0 = Format::wide_value(before);
+    }
+    step.D = Format::wide_value(trial - before);
+    const auto end = step.solve();
+    const Value force = Format::narrow(end.back * plan.force_of_back);
+    const Value last = trial - plan.response.penetration * force;
+    root = Format::narrow_root(end.root);
+    if (is_positive(end.root)) {
+      penetration = Format::narrow(end.root * end.root);
+      slip = last - penetration;
+      phase = Phase::touching;
+    } else {
+      slip = Format::narrow(end.slip);
+      penetration = last - slip;
+      phase = Phase::apart;
+    }
+    return {force, force};
+  }
+  constexpr auto damping(const Plan& plan) const {
+    if constexpr (ContactLaw::is_damped_per_impact)
+      return this->own_damping;
+    else
+      return plan.damping;
+  }
+
+  // n; takes root and phase along.
+  [[gnu::always_inline]] constexpr Value mean_until(Value depth) {
+    const Root r = root;
+    if (!is_positive(depth)) {
+      phase = Phase::apart;
+      return mean_of_part(r, penetration, penetration - depth);
+    }
+    root = Format::root(depth);
+    if (phase == Phase::apart) {
+      phase = Phase::touching;
+      return mean_of_part(root, depth, depth - penetration);
+    }
+    const auto p = half(root + r);
+    const auto z = half(difference(root, r));
+    const auto pp = square(p), zz = square(z);
+    const auto fifth = half(Format::rough_quotient(zz, pp) * Format::short_constant(2.0 / 5));
+    return Format::value(p * (pp + zz + zz + zz * fifth));
+  }
+  static constexpr Value mean_of_part(Root root, Value depth, Value way) {
+    const auto d = without_sign(depth);
+    const auto share = Format::rough_quotient(d, without_sign(way));
+    return Format::value(root * d * (share * Format::short_constant(2.0 / 5)));
+  }
+};
+
+}  // namespace impact

@@ -1,0 +1,60 @@
+#pragma once
+// The exact response of both masses to a contact force that is constant over the step; and the positive root of the
+// quadratics that such a force leads to.
+
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/formula.hpp>
+#include <impact/stepper/treatment.hpp>
+
+namespace impact {
+
+// The ball's displacement grows by half as much as its displacement per step.
+template <class Gain>
+struct ConstantForceGains {
+  static constexpr bool is_shared = false;
+  Gain x1, w1, w2;
+  Gain penetration, rate, rate_by_moment;
+
+  template <class Units, class State, class Kick>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, Kick kick, Kick) const {
+    units.push(state.x1, x1 * kick.impulse);
+    units.push(state.w1, w1 * kick.impulse);
+    const auto ball = w2 * -kick.impulse;
+    units.push(state.x2, half(ball));
+    units.push(state.w2, ball);
+  }
+};
+
+struct ConstantForceResponse {
+  double x1, w1, x2, w2;  // m/N
+
+  constexpr ConstantForceResponse(const ContactTerms& terms, const LinearFlow& flow)
+      : x1(flow.b0 + flow.b1),
+        w1(flow.e12 * (flow.c0 + flow.c1) + flow.e11 * x1),
+        x2(terms.step * terms.step / (2 * terms.ball_mass)),
+        w2(2 * x2),
+        rate_(flow.c0 + flow.c1 + w2) {}
+
+  constexpr double penetration() const { return x1 + x2; }
+
+  template <class Format>
+  constexpr ConstantForceGains<typename Format::Gain> gains(double force_unit, const UnitExponents& unit) const {
+    return {Format::gain(force_unit * x1, 0, unit.push),
+            Format::gain(force_unit * w1, 0, unit.push),
+            Format::gain(force_unit * w2, 0, unit.push),
+            Format::gain(force_unit * penetration(), 0, unit.penetration),
+            Format::gain(force_unit * rate_, 0, unit.penetration),
+            Format::gain(0, 0, 0)};
+  }
+
+ private:
+  double rate_;
+};
+
+// x >= 0 with x^2 + 2 b x = g, for g >= 0 (a product of two Values).
+template <class Format, class Square>
+constexpr typename Format::Value positive_root(typename Format::Value b, Square g) {
+  return Format::value(Format::root_of_product(square(b) + g)) - b;
+}
+
+}  // namespace impact

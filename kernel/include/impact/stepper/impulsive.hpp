@@ -1,0 +1,172 @@
+#pragma once
+// The impulsive step, for a contact shorter than the step: exact free flight, and an impact as one impulse with the
+// restitution that the law has at this speed (law/rebound.hpp), at the instant of the force's centroid. Seen from
+// outside the contact, that is the motion of a free pair.
+//
+// The trial state is the free flight to the step's end, with the penetration d and its rate V there; the ball came by D
+// in this step. It still goes depth(D) beyond the stop before the centroid, which lies
+//
+//     t h before the end of the step,  t = (d - depth)/D, at most 1.
+//
+// While d < depth the centroid is yet to come: the ball flies on, inside the stop. A kick J at the centroid acts on the
+// end of the step as
+//
+//     x2 -= t h J/m    v2 -= J/m    x1 += p J/M    v1 += g J/M    p = t h (1 - (w0 t h)^2/6)    g = 1 - (w0 t h)^2/2
+//
+// and came at the rate Vi = v2 - (g v1 + w0^2 p x1), in which the drive adds its part, -p F/M. The energy of both
+// masses and the main spring gains J^2/2 (1/m + (g^2 + w0^2 p^2)/M) - J Vi by it. Since g^2 + w0^2 p^2 = 1 - (w0 t
+// h)^4/12 + (w0 t h)^6/36 <= 1 for w0 h <= 1, this is
+//
+//     at most J^2/(2 mu) - J Vi <= 0 for every J from 0 to 2 mu Vi, 1/mu = 1/m + 1/M:
+//
+// an impact creates no energy, whatever t is and however wrong e or the depth may be; one of restitution 1 loses up to
+// (w0 t h)^4/12 of the main mass's share. The impulse counts in 2 mu:
+//
+//     J = 2 mu (Vi - loss V0)    V0 = Vi - A depth/D >= 0
+//
+// so that rounding cannot put it above. V0 is the rate at first touch, A the acceleration towards the stop by spring
+// and drive: it makes the ball faster on its way to the centroid, and gives that speed back on the way out.
+//
+// Settling. A presses the ball against its stop when the contact, which lasts about twice the time to its centroid, is
+// long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the ball would end a step inside the stop and
+// approach it still, the impulse takes V away, t = d/V as if V had come from rest, within the same limits, and the ball
+// is put on its stop: no buzzing, no sinking in. One impact a step: a ball that crosses the clearance in less goes
+// beyond the other stop by less than it flies in a step, and is turned back in the next.
+
+#include <impact/law/rebound.hpp>
+#include <impact/law/resolution.hpp>
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/formula.hpp>
+#include <impact/scene.hpp>
+#include <impact/stepper/treatment.hpp>
+
+namespace impact {
+
+struct Impulsive {
+  static constexpr uint32_t kind = 33;  // a saved state is of one kind of stepper
+  // Radians of the main mass's own vibration in a step.
+  static constexpr double longest_phase = 1;
+  static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
+  // The impact is at an instant for the main mass, whatever the step: what contact dissipates in a driven run is off by
+  // 1.6 % at 0.04 rad of the main mass's vibration during a contact, by 10 % at 0.25.
+  static constexpr double longest_main_phase = 0.25;
+  static constexpr Range steps(const Resolution& contact) {
+    return contact.main_phase <= longest_main_phase ? any_step : Range{0, 0};
+  }
+
+  template <class Format, class ContactLaw>
+  struct Contact {
+    using Value = typename Format::Value;
+    using Gain = typename Format::Gain;
+    using Units = typename Format::Units;
+
+    struct Plan {
+      Response<Gain> response;
+      Rebound<Format, ContactLaw> rebound;
+      Gain acceleration;  // the change of the displacement per step, as one of the rate
+      Gain turn;          // (w0 h)^2
+      Value largest_rate, largest_impulse;
+    };
+    // Rates and penetrations count in one unit, impulses in 2 mu of it.
+    static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
+      return 2 * reduced_mass(terms) * constant::power_of_two(unit.penetration) / (terms.step * terms.step);
+    }
+    // No impact within the bounds changes a speed by more than twice the bound. What would is held at the push's unit,
+    // which takes the speed beyond its bound.
+    static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
+      const double rate = terms.largest_rate * terms.step;
+      largest.force_factor = 1;
+      largest.penetration = rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
+      largest.push = rate;
+    }
+    static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+      const double h = terms.step, M = terms.main_mass, m = terms.ball_mass;
+      const double impulse = terms.force_unit * h * h, turn = terms.main_stiffness * h * h / M;
+      const double unit_impulse = impulse / constant::smaller(m, M) * constant::power_of_two(-unit.push);
+      return {{Format::gain(impulse / M, 0, unit.push), Format::gain(impulse / M * flow.e12, 0, unit.push),
+               Format::gain(impulse / M * flow.e11, 0, unit.push), Format::gain(impulse / m, 0, unit.push),
+               Format::gain(impulse / m, 0, unit.push), Format::gain(0, 0, 0), Format::gain(0, 0, 0),
+               Format::gain(0, 0, 0)},
+              Rebound<Format, ContactLaw>::make(terms, unit),
+              // Over the flow's own curvature at a displacement, so that the rate is that of the derivation above.
+              Format::gain(turn > 0 ? turn / flow.stiffness() : 1, unit.increment, unit.penetration),
+              Format::gain(turn, 0, 0),
+              Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
+              Format::sample(0.999999 / unit_impulse)};
+    }
+
+    static constexpr bool carries = false, slips = false, returns = false, splits = true;
+
+    Phase phase;
+    uint32_t rests;  // put on the stop by the last step
+
+    constexpr void start(const Plan&, const Units&, Value, Value) { phase = Phase::touching; }
+
+    // `travel` is D, `gain` the increment of the rate by spring and drive, `main_rate` h v1; all towards the stop.
+    [[gnu::always_inline]] constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units, Value trial,
+                                                              Value trial_rate, Value travel, Value gain,
+                                                              Value main_rate) {
+      rests = 0;
+      phase = is_positive(trial) ? Phase::touching : Phase::apart;
+      if (!is_positive(trial) || !is_positive(trial_rate)) return {{}, {}, trial_rate};
+      const Value rate = units.held(trial_rate, plan.largest_rate);
+      const Value acceleration = plan.acceleration * gain;
+      const auto bounce = plan.rebound.at(is_positive(travel) ? units.held(travel, plan.largest_rate) : rate);
+      const Value pressed = Format::value(acceleration * bounce.depth);
+      if (!is_positive(pressed - Format::value(half(rate * rate)))) {
+        const Value beyond = trial - bounce.depth;
+        if (!is_positive(beyond)) return {{}, {}, rate};
+        const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
+        const Instant at(plan, t, rate, acceleration, main_rate);
+        const Value touch_rate = at.rate - over(pressed, travel);
+        const Value impulse =
+            held(plan, units, at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate))));
+        const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
+        if (!is_inside || is_positive(impulse - Format::value(half(rate)))) {
+          if (!is_inside) phase = Phase::apart;
+          return at.kick(t, impulse);
+        }
+      }
+      rests = 1;
+      const auto t = Format::quotient(positive_part(trial), positive_part(rate));
+      const Instant at(plan, t, rate, acceleration, main_rate);
+      const Value half_rate = Format::value(half(rate));
+      return at.kick(t, held(plan, units, is_positive(at.rate - half_rate) ? half_rate : at.rate));
+    }
+
+   private:
+    static constexpr double reduced_mass(const ContactTerms& terms) {
+      return 1 / (1 / terms.ball_mass + 1 / terms.main_mass);
+    }
+    // x / y for |x| < y, and 0 where the ball has come by less.
+    static constexpr Value over(Value x, Value y) {
+      const bool is_negative = !is_positive(x);
+      if (!is_positive(y) || !is_positive(y - mirrored(x, is_negative))) return Value{};
+      return mirrored(Format::value(Format::quotient(positive_part(mirrored(x, is_negative)), positive_part(y))),
+                      is_negative);
+    }
+    static constexpr Value held(const Plan& plan, const Units& units, Value impulse) {
+      return Format::value(positive_part(units.held(impulse, plan.largest_impulse)));
+    }
+
+    // t h before the end of the step.
+    struct Instant {
+      Value turned, rate;  // (w0 t h)^2, Vi
+
+      template <class Share>
+      constexpr Instant(const Plan& plan, Share t, Value rate_at_end, Value acceleration, Value main_rate)
+          : turned(plan.turn * Format::value(square(t))),
+            rate(rate_at_end - Format::value(t * (acceleration - sixth(acceleration))) +
+                 Format::value(half(turned * main_rate))) {}
+      constexpr Value sixth(Value x) const { return Format::value(turned * x * Format::short_constant(1.0 / 6)); }
+      template <class Share>
+      constexpr SplitKick<Value> kick(Share t, Value impulse) const {
+        return {{impulse - Format::value(half(turned * impulse)), Format::value(t * (impulse - sixth(impulse)))},
+                {impulse, Format::value(t * impulse)},
+                rate};
+      }
+    };
+  };
+};
+
+}  // namespace impact

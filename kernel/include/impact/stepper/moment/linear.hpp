@@ -1,0 +1,212 @@
+#pragma once
+// The moment-fitted contact for Hooke-Newton, f = d + C v in the units of law/terms.hpp (d: penetration, v: its
+// rate per step, C = c1/(k1 h)).
+//
+// Without contact d would run through the step as the cubic through its values and rates at both ends: from d0 and v0
+// with the acceleration a and the jerk j. The law gives each derivative of the force from those of d, and the masses
+// give each of d from the force's:
+//
+//     f^(n) = d^(n) + C d^(n+1)        d^(n+2) = (a, j, 0, ..) - G f^(n)        G: response of the rate to the force
+//
+// a Taylor series that makes J0 and J1 linear in d0, v0, a and j: over a whole step inside, the plan sums it to the end
+// and the step has eight multiplications. A step in which the ball comes or goes finds that instant and sums the series
+// up to it:
+//
+//     entering  at the root of the free parabola of d, from d = 0
+//     leaving   at the root of d (tension allowed) or of f (clamped: what the spring still holds is lost, and
+//               the ball is free until it is out or a positive force pushes it in again)
+
+#include <impact/stepper/moment/response.hpp>
+
+namespace impact {
+
+template <class Format>
+struct MomentLinear : ResolvedForces {
+  using Value = typename Format::Value;
+  using Gain = typename Format::Gain;
+  using Units = typename Format::Units;
+
+  struct Plan {
+    Response<Gain> response;
+    Gain damping;  // C
+    struct {
+      Gain penetration, change, rate_change, sag;  // d0, trial - d0, trial rate - v0, trial - d0 - v0
+    } impulse, moment;
+    bool clamped;
+  };
+  static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+    const MomentResponse answer(terms);
+    const double C = terms.damping_time / terms.step;
+    const double G = terms.stiffness * terms.step * terms.step * (1 / terms.ball_mass + answer.g0);
+    struct Moments {
+      double impulse, moment;
+    };
+    const auto moments = [&](double d0, double change, double rate_change, double sag) {
+      const double a = 6 * sag - 2 * rate_change, jerk = 6 * rate_change - 12 * sag;
+      double d[3] = {d0, change - sag, 0}, share = 1;
+      Moments sum{};
+      for (int n = 0; n < 40; ++n) {
+        const double force = d[0] + C * d[1];
+        d[2] = (n == 0 ? a : n == 1 ? jerk : 0) - G * force;
+        share /= n + 1;
+        sum.impulse += share * force;
+        sum.moment += share / (n + 2) * force;
+        d[0] = d[1];
+        d[1] = d[2];
+      }
+      return sum;
+    };
+    const Moments by_penetration = moments(1, 0, 0, 0), by_change = moments(0, 1, 0, 0), by_rate = moments(0, 0, 1, 0),
+                  by_sag = moments(0, 0, 0, 1);
+    const int to = unit.force;
+    return {answer.gains<Format>(terms, flow, unit),
+            Format::gain(C, unit.penetration, terms.damping_exponent),
+            {Format::gain(by_penetration.impulse, 0, to), Format::gain(by_change.impulse, 0, to),
+             Format::gain(by_rate.impulse, 0, to), Format::gain(by_sag.impulse, 0, to)},
+            {Format::gain(by_penetration.moment, 0, to), Format::gain(by_change.moment, 0, to),
+             Format::gain(by_rate.moment, 0, to), Format::gain(by_sag.moment, 0, to)},
+            terms.clamped};
+  }
+
+  static constexpr bool carries = false, slips = false, returns = false;
+
+  Value penetration, rate;  // at the start of the step, while touching or let go inside
+  Phase phase;
+
+  constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
+    penetration = at;
+    rate = at_rate;
+    const bool pulls = !is_positive(units.elastic(at) + plan.damping * at_rate);
+    phase = plan.clamped && pulls ? Phase::released : Phase::touching;
+  }
+  static constexpr Kick<Value> moments(const Plan&, const MomentLinear&, const MomentLinear&, Kick<Value> kick) {
+    return kick;
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
+                                                       Value trial_rate, Value before, Value) {
+    if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
+    if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
+    const Value change = trial - penetration, rate_change = trial_rate - rate, sag = change - rate;
+    const Kick<Value> kick = {plan.impulse.penetration * penetration + plan.impulse.change * change +
+                                  plan.impulse.rate_change * rate_change + plan.impulse.sag * sag,
+                              plan.moment.penetration * penetration + plan.moment.change * change +
+                                  plan.moment.rate_change * rate_change + plan.moment.sag * sag};
+    const Value d = trial - plan.response.penetration * kick.moment;
+    const Value v = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
+    if (plan.clamped) {
+      const Value force = units.elastic(d) + plan.damping * v;
+      if (!is_positive(force)) return leave(plan, units, trial, trial_rate, force);
+    } else if (!is_positive(d)) {
+      return leave(plan, units, trial, trial_rate, d);
+    }
+    penetration = d;
+    rate = v;
+    return kick;
+  }
+
+ private:
+  [[gnu::always_inline]] constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate,
+                                                      Kick<Value> kick) {
+    penetration = trial - plan.response.penetration * kick.moment;
+    rate = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
+    phase = is_positive(penetration) ? Phase::touching : Phase::apart;
+    return kick;
+  }
+
+  static constexpr int series_terms = 5;  // of the series; the next one is below (pulsation h)^5 / 720 of the impulse
+
+  struct Series {
+    Value d[series_terms + 1], f[series_terms];  // derivatives at the start, per step
+  };
+  [[gnu::always_inline]] static constexpr Series series(const Plan& plan, const Units& units, Value d, Value v, Value a,
+                                                        Value jerk) {
+    Series result{};
+    result.d[0] = d;
+    result.d[1] = v;
+    for (int n = 0; n < series_terms; ++n) {
+      result.f[n] = units.elastic(result.d[n]) + plan.damping * result.d[n + 1];
+      if (n + 2 <= series_terms)
+        result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Value{}) - plan.response.rate * result.f[n];
+    }
+    return result;
+  }
+
+  // x0 + x1 t/(1 + integrals) + x2 t^2/((1 + integrals)(2 + integrals)) + ...: the series at t, or its repeated
+  // integral from 0 to t over t^integrals / integrals!.
+  template <int integrals, class Time, int n = 1>
+  [[gnu::always_inline]] static constexpr Value at(const Value* x, Time t) {
+    if constexpr (n == series_terms) {
+      return x[n - 1];
+    } else {
+      const Value term = Format::value(at<integrals, Time, n + 1>(x, t) * t);
+      if constexpr (n + integrals == 1) {
+        return x[n - 1] + term;
+      } else {
+        constexpr auto share = Format::constant(1.0 / (n + integrals));
+        return x[n - 1] + Format::value(share * term);
+      }
+    }
+  }
+
+  // The kick of a force that acts from the series' start for the time t, then not for the rest of the step.
+  template <class Time>
+  [[gnu::always_inline]] static constexpr Kick<Value> kick_until(const Series& from, Time t) {
+    const Value impulse = Format::value(at<1>(from.f, t) * t);
+    const Value lever = Format::value(half(Format::value(at<2>(from.f, t) * t)) * t);
+    return {impulse, lever};
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial,
+                                                     Value trial_rate, Value before) {
+    const Value a = twice_value(trial_rate - (trial - before));
+    auto t = Format::quotient(without_sign(trial), without_sign(trial - before));
+    for (int pass = 0; pass < 2; ++pass) {
+      const Value still = trial - Format::value((trial_rate - Format::value(half(a * t))) * t);
+      t = Format::corrected(t, still, positive_part(trial_rate - Format::value(a * t)));
+    }
+    const Series from = series(plan, units, Value{}, trial_rate - Format::value(a * t), a, Value{});
+    return settle(plan, trial, trial_rate, kick_until(from, t));
+  }
+
+  // `end`: what vanishes, at the end of the step had the contact lasted; a first guess of when comes from the chord.
+  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial,
+                                                     Value trial_rate, Value end) {
+    const Value change = trial_rate - rate, sag = twice_value(trial - penetration - rate);
+    const Value half_jerk = change + twice_value(change - sag) - sag;
+    const Series from = series(plan, units, penetration, rate, change - half_jerk, twice_value(half_jerk));
+    const Value* const vanishing = plan.clamped ? from.f : from.d;
+    auto t = Format::quotient(positive_part(vanishing[0]), positive_part(vanishing[0] - end));
+    for (int pass = 0; pass < 2; ++pass)
+      t = Format::corrected(t, at<0>(vanishing, t), positive_part(-slope(vanishing, t)));
+    Kick<Value> kick = kick_until(from, t);
+    kick.moment = kick.moment + kick.impulse - Format::value(kick.impulse * t);
+    settle(plan, trial, trial_rate, kick);
+    if (phase == Phase::touching) phase = Phase::released;
+    return kick;
+  }
+  template <class Time>
+  static constexpr Value slope(const Value* x, Time t) {
+    return x[1] + Format::value((x[2] + Format::value(half(x[3] * t))) * t);
+  }
+  static constexpr Value twice_value(Value x) { return x + x; }
+
+  // Pushed in again before it was out: the force grows from zero, to first order in time.
+  [[gnu::always_inline]] constexpr Kick<Value> pressed_again(const Plan& plan, const Units& units, Value trial,
+                                                             Value trial_rate) {
+    const Value start = units.elastic(penetration) + plan.damping * rate;
+    const Value end = units.elastic(trial) + plan.damping * trial_rate;
+    Kick<Value> kick{};
+    const bool is_pressed = is_positive(trial) && is_positive(end);
+    if (is_pressed) {
+      const auto u = Format::quotient(positive_part(end), positive_part(end - start));
+      kick.impulse = Format::value(half(end * u));
+      kick.moment = Format::value(Format::constant(1.0 / 3) * (kick.impulse * u));
+    }
+    settle(plan, trial, trial_rate, kick);
+    if (phase == Phase::touching && !is_pressed) phase = Phase::released;
+    return kick;
+  }
+};
+
+}  // namespace impact

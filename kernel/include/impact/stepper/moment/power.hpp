@@ -1,0 +1,204 @@
+#pragma once
+// The moment-fitted contact for the power laws. With the roots r and s of the penetrations d0 and d1 at both ends of
+// the step, p = (s+r)/2, z = (s-r)/2, and the rates v0, v1 (their change without contact: g), the law
+//
+//     f = K d^(3/2) (1 + C d')         C = c1/k1, 0 for Hertz
+//
+// counts as what it does to the rate: K contains both masses, so that J0 is the change of rate that contact causes in
+// the step and J1 all but the change of penetration.
+//
+//     staying   n = p^3 + 2 p z^2 + z^4/(5p)           the mean of d^(3/2), so that n (d1 - d0) = (2/5) [d^(5/2)]
+//               w = (p + 2 z^2/(5p))/8                 E = K + K C (d1 - d0)
+//               J0 = n E - K w (v1 - v0)               J1 = J0/2 - w (d1 - d0) E - K C (v1 - v0) n/12
+//     entering  u = d1/(d1 - d0), the share of the step in contact; b = 1/2 - 2u/7; K' = (2/5) K; L = K' C s^5
+//               J0 = K' s^3 u - K' s u^2 b (v1 - v0) + L      J1 = J0/2 - b (K' s^3 u + L)
+//     leaving   the mirror image of entering, with r, d0 and -L
+//
+// d1 and v1 - v0 follow from the trial values less J1 and J0. d1 is predicted by a Taylor step (staying, leaving) or is
+// the trial's (entering), v1 - v0 likewise, and J0 and J1 are corrected once by their derivatives for what d1 missed.
+
+#include <impact/law/impact_damping.hpp>
+#include <impact/stepper/moment/response.hpp>
+
+namespace impact {
+
+template <class Format, class ContactLaw>
+struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+  using Value = typename Format::Value;
+  using Root = typename Format::Root;
+  using Gain = typename Format::Gain;
+  using Weight = typename Format::Weight;
+  using Units = typename Format::Units;
+  using Factor = decltype(Format::constant(0));
+
+  struct Plan {
+    SharedResponse<Weight> response;
+    Factor stiffness, part_stiffness;  // K, 2 K/5
+    Weight damping, part_damping;      // K C, 2 K C/5
+    Weight sixth_damping;              // K C/6, by what a kick does to a rate
+    Gain force;                        // 1/K: from a kick to the force's own impulse
+    int travel_places, change_places;  // from kicks to penetrations, from increments to kicks
+  };
+  static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+    const MomentResponse response(terms);
+    const double of_force = terms.force_unit * terms.step * terms.step * response.mobility(terms);
+    const double K = of_force * constant::power_of_two(-terms.damping_exponent - unit.kick);
+    const double C = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time / terms.step;
+    const int from = ContactLaw::is_damped_per_impact ? 0 : unit.penetration;
+    return {response.template shared<Format>(terms, flow, unit),
+            Format::constant(K),
+            Format::constant(0.4 * K),
+            Format::weight(K * C, from, 0),
+            Format::weight(0.4 * K * C, from, 0),
+            Format::weight(K * C / 6, unit.kick, 0),
+            Format::gain(1 / of_force, unit.kick, 0),
+            unit.penetration - unit.kick,
+            unit.kick - unit.increment};
+  }
+
+  static constexpr bool carries = false, slips = false, returns = false;
+
+  // While touching, at the start of the step: the change is that of the rate in a step around it, without contact.
+  Value penetration, change;
+  Root root;
+  Phase phase;
+
+  constexpr void start(const Plan& plan, const Units&, Value at, Value at_rate) {
+    penetration = at;
+    change = Value{};
+    root = Format::root(at);
+    phase = Phase::touching;
+    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
+  }
+  static constexpr Kick<Value> moments(const Plan& plan, const MomentPower&, const MomentPower&, Kick<Value> kick) {
+    return {plan.force * kick.impulse, plan.force * kick.moment};
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units&, Value trial, Value, Value before,
+                                                       Value change_after) {
+    const Value after = Format::moved(change_after, plan.change_places);
+    const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
+    change = after;
+    const Kick<Value> kick = respond(plan, trial, before, g);
+    penetration = trial - travel(plan, kick.moment);
+    phase = is_positive(penetration) ? Phase::touching : Phase::apart;
+    if (phase == Phase::touching) root = Format::root(penetration);
+    return kick;
+  }
+
+ private:
+  [[gnu::always_inline]] constexpr Kick<Value> respond(const Plan& plan, Value trial, Value before, Value g) {
+    if (phase == Phase::apart) return enter(plan, trial, before, g);
+    const Value rate = trial - penetration - Format::value(half(travel(plan, g)));
+    const auto shape = root * without_sign(penetration);
+    const Value E = strength(plan, rate);
+    const Value force = Format::value(shape * E);
+    Value third_rise = Format::value(quarter(root * E * rate));  // of the force's change in half the step
+    if constexpr (ContactLaw::is_damped) third_rise = third_rise + damped_sixth(plan, g - force, shape);
+    const Value d = trial - travel(plan, Format::value(half(force)) + third_rise);
+    if (!is_positive(d)) return leave(plan, trial, g, d);
+    return stay(plan, trial, g, d, g - force - third_rise - third_rise - third_rise);
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
+    const auto s = Format::root(d);
+    const auto p = half(s + root);
+    const auto z = half(difference(s, root));
+    const auto pp = square(p), zz = square(z);
+    const auto e = Format::square_over_five(z, p);
+    const auto n = p * (pp + zz + zz) + zz * e;
+    const auto w = eighth(p + twice(e));
+    const Value dd = d - penetration;
+    const auto E = positive_part(strength(plan, dd));
+    const auto by_change = plan.stiffness * w;
+    Value impulse = Format::value(n * E) - travel(plan, Format::value(by_change * dv));
+    Value moment = Format::value(half(impulse)) - Format::value(w * E * dd);
+    if constexpr (ContactLaw::is_damped) moment = moment - damped_sixth(plan, dv, half(n));
+
+    // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
+    const Value missed = trial - travel(plan, moment) - d;
+    const auto slope = p - quarter(root) + e;
+    Value correction = Format::value(slope * E * missed) - travel(plan, Format::value(by_change * (g - impulse - dv)));
+    if constexpr (ContactLaw::is_damped) correction = correction + Format::value(damping(plan) * missed * n);
+    return {impulse + correction, moment + Format::value(correction * Format::short_constant(1.0 / 3))};
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
+    if constexpr (ContactLaw::is_damped_per_impact)
+      this->begin(plan.damping, trial - before - Format::value(half(travel(plan, g))));
+    const auto d = without_sign(trial);
+    const auto s = Format::root(trial);
+    const auto u = Format::quotient(d, without_sign(trial - before));
+    const auto later = u * Format::short_constant(2.0 / 7);
+    const auto su = plan.part_stiffness * s * u;
+    const Value elastic = Format::value(su * d);
+    const auto b = Format::constant(1.0 / 2) - later;
+    Value loss{};
+    if constexpr (ContactLaw::is_damped) loss = part_damping(plan, s * d, trial);
+    const Value impulse = elastic - travel(plan, Format::value(su * b * (u * (g - elastic)))) + loss;
+    const Value moment = Format::value(half(impulse)) - Format::value(b * (elastic + loss));
+
+    const Value back = travel(plan, moment);
+    Value correction = Format::value((su + su + half(su) - su * u) * back);
+    if constexpr (ContactLaw::is_damped) correction = correction + Format::value(s * d * (damping(plan) * back));
+    return {impulse - correction, moment - Format::value(later * correction)};
+  }
+
+  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, Value trial, Value g, Value d1) {
+    const auto d = without_sign(penetration);
+    const auto way = Format::divisor(without_sign(penetration - d1));
+    const auto u = way.share(d);
+    const auto later = u * Format::short_constant(2.0 / 7);
+    const auto ru = plan.part_stiffness * root * u;
+    const Value elastic = Format::value(ru * d);
+    const auto b = Format::constant(1.0 / 2) - later;
+    const Value lever = Format::value(elastic * b);
+    Value loss{}, loss_later{};
+    if constexpr (ContactLaw::is_damped) {
+      loss = part_damping(plan, root * d, penetration);
+      loss_later = Format::value(later * loss);
+    }
+    const Value impulse = elastic - travel(plan, Format::value(ru * b * (u * (g - elastic + loss))));
+    const Value moment = Format::value(half(impulse)) + lever - loss + loss_later;
+
+    // The end moves from the predicted one, and u with it.
+    const auto more = way.ratio(trial - travel(plan, moment) - d1);
+    return {impulse - loss + Format::value(elastic * more),
+            moment + Format::value((lever + lever + loss_later) * more)};
+  }
+
+  // What a kick does to the penetration, in its unit.
+  static constexpr Value travel(const Plan& plan, Value moment) { return Format::moved(moment, plan.travel_places); }
+  constexpr auto damping(const Plan& plan) const {
+    if constexpr (ContactLaw::is_damped_per_impact)
+      return this->own_damping;
+    else
+      return plan.damping;
+  }
+  // (1/6) K C dv d^(3/2)
+  template <class Shape>
+  constexpr Value damped_sixth(const Plan& plan, Value dv, Shape shape) const {
+    if constexpr (ContactLaw::is_damped_per_impact)
+      return Format::value(this->own_damping * travel(plan, dv) * Format::short_constant(1.0 / 6) * shape);
+    else
+      return Format::product(plan.sixth_damping, dv, shape);
+  }
+  // (2/5) K C d^(5/2), what damping takes of a step that comes or goes.
+  template <class Shape>
+  constexpr Value part_damping(const Plan& plan, Shape shape, Value d) const {
+    if constexpr (ContactLaw::is_damped_per_impact)
+      return Format::value(Format::constant(2.0 / 5) * (shape * (this->own_damping * d)));
+    else
+      return Format::value(shape * (plan.part_damping * d));
+  }
+  // K (1 + C v)
+  constexpr Value strength(const Plan& plan, Value rate) const {
+    const Value elastic = Format::value(plan.stiffness);
+    if constexpr (ContactLaw::is_damped)
+      return elastic + damping(plan) * rate;
+    else
+      return elastic;
+  }
+};
+
+}  // namespace impact

@@ -1,0 +1,58 @@
+#pragma once
+// The response of both masses to an impulse J0 and a moment J1 of the contact force within a step, the main mass on its
+// spring and damper: exact for a force linear in time, up to terms of third order in h.
+//
+//     x1 += gx J1                 gx = (1 - c h/(3 M) - k h^2/(12 M)) / M
+//     v1 += g0 J0 + g1 J1         g0 = (1 + k h^2/(12 M)) / M        g1 = -(c/M + k h/(2 M)) / M
+
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/formula.hpp>
+#include <impact/stepper/treatment.hpp>
+
+namespace impact {
+
+struct MomentResponse {
+  double gx, g0, hg1;  // 1/kg
+
+  explicit constexpr MomentResponse(const ContactTerms& terms)
+      : gx((1 - terms.main_damping * terms.step / (3 * terms.main_mass) - square_pulsation_step(terms) / 12) /
+           terms.main_mass),
+        g0((1 + square_pulsation_step(terms) / 12) / terms.main_mass),
+        hg1(-(terms.main_damping * terms.step / terms.main_mass + square_pulsation_step(terms) / 2) / terms.main_mass) {
+  }
+
+  template <class Format>
+  constexpr Response<typename Format::Gain> gains(const ContactTerms& terms, const LinearFlow& flow,
+                                                  const UnitExponents& unit) const {
+    const double F = terms.force_unit * terms.step * terms.step, ball = F / terms.ball_mass;
+    return {Format::gain(F * gx, 0, unit.push),
+            Format::gain(F * flow.e12 * g0, 0, unit.push),
+            Format::gain(F * (flow.e12 * hg1 + flow.e11 * gx), 0, unit.push),
+            Format::gain(ball, 0, unit.push),
+            Format::gain(ball, 0, unit.push),
+            Format::gain(ball + F * gx, 0, unit.penetration),
+            Format::gain(ball + F * g0, 0, unit.penetration),
+            Format::gain(F * hg1, 0, unit.penetration)};
+  }
+  // The change of penetration by a moment.
+  constexpr double mobility(const ContactTerms& terms) const { return 1 / terms.ball_mass + gx; }
+  // For kicks that count as what they do to the penetration.
+  template <class Format>
+  constexpr SharedResponse<typename Format::Weight> shared(const ContactTerms& terms, const LinearFlow& flow,
+                                                           const UnitExponents& unit) const {
+    const double F = 1 / mobility(terms), ball = F / terms.ball_mass;
+    return {Format::weight(ball, 0, 0),
+            Format::weight(F * (flow.e12 * g0 - gx), 0, 0),
+            Format::weight(F * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
+            Format::weight(1, unit.kick, unit.penetration),
+            Format::weight(ball + F * g0, unit.kick, unit.penetration),
+            Format::weight(F * hg1, unit.kick, unit.penetration)};
+  }
+
+ private:
+  static constexpr double square_pulsation_step(const ContactTerms& terms) {
+    return terms.main_stiffness * terms.step * terms.step / terms.main_mass;
+  }
+};
+
+}  // namespace impact

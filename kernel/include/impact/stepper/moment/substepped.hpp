@@ -1,0 +1,157 @@
+#pragma once
+// The moment-fitted step with n sub-steps while in contact, for a contact of few steps. Free flight is that of Moment;
+// within a step in contact the free relative motion is the cubic through its penetrations and rates at both ends, and
+// what the contact's kicks have done so far is carried along apart for each mass,
+//
+//     ball        displacement D += R                      R: rate, per sub-step
+//     main mass   (X, U) by its own exact flow over a sub-step, linear_flow.hpp
+//
+// so that a sub-step's trial is the cubic at its end less X + D. Both masses have the sums at the step's end. Fourth
+// order in h/n, for a main mass that turns by less than a radian in h.
+
+#include <impact/law/resolution.hpp>
+#include <impact/motion/linear_flow.hpp>
+#include <impact/scene.hpp>
+#include <impact/stepper/moment.hpp>
+
+namespace impact {
+
+template <int n>
+struct SubsteppedMoment {
+  static_assert(n >= 2 && n <= 16, "2 to 16 sub-steps");
+  static constexpr uint32_t kind = n;  // a saved state is of one kind of stepper
+  static constexpr double longest_phase = Moment::longest_phase;
+  static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
+  static constexpr Range steps(const Resolution& contact) { return {0, n * Moment::steps(contact).most}; }
+  static constexpr double restitution_error(const Resolution& contact, double step) {
+    return Moment::restitution_error(contact, step / n);
+  }
+
+  template <class Format, class ContactLaw>
+  struct Contact : Moment::Contact<Format, ContactLaw> {
+    using Inner = Moment::Contact<Format, ContactLaw>;
+    using Value = typename Format::Value;
+    using Gain = typename Format::Gain;
+    using Units = typename Format::Units;
+
+    struct Plan {
+      Response<Gain> response;
+      typename Inner::Plan inner;
+      Gain part, square, cube;                          // 1/n, 1/n^2, 1/n^3
+      Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // the main mass's flow over a sub-step, less (1 1; 0 1)
+      Gain main_x, main_u, main_u_by_moment, ball;      // of a sub-step's kick
+      Gain whole;                                       // n, from kicks to penetrations
+      Gain force;                                       // from the ball's kick to the force's impulse
+      int travel_places;
+    };
+    // A kick counts by what it does in a sub-step, and all of a step's change a speed by no more than twice the largest
+    // rate.
+    static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
+      Inner::bound_forces(in_a_part(terms), largest);
+      largest.push = constant::larger(largest.push, 4 * terms.largest_rate * terms.step);
+    }
+    static constexpr ContactTerms in_a_part(ContactTerms terms) {
+      terms.step /= n;
+      return terms;
+    }
+    static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+      const ContactTerms sub = in_a_part(terms);
+      const MomentResponse answer(sub);
+      // Power laws' kicks are changes of the relative rate, Hooke-Newton's count in forces.
+      const bool is_linear = ContactLaw::law == Law::hooke_newton;
+      const double scale = is_linear ? terms.force_unit * sub.step * sub.step : 1 / (1 / terms.ball_mass + answer.gx);
+      const int from = is_linear ? 0 : unit.kick;
+      const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step);
+      Scene main{};
+      main.main_mass = terms.main_mass;
+      main.main_stiffness = terms.main_stiffness;
+      main.main_damping = terms.main_damping;
+      const LinearFlow part = exact_flow(main, sub.step);
+      Plan plan{};
+      plan.response = {Format::gain(1, unit.kick, unit.push),
+                       Format::gain(n * flow.e12, unit.kick, unit.push),
+                       Format::gain(flow.e11, unit.kick, unit.push),
+                       Format::gain(1, unit.kick, unit.push),
+                       Format::gain(n, unit.kick, unit.push),
+                       {},
+                       {},
+                       {}};
+      plan.inner = Inner::make_plan(sub, flow, unit);
+      if constexpr (!is_linear) plan.inner.change_places = unit.kick - unit.penetration;
+      plan.part = Format::gain(1.0 / n, 0, 0);
+      plan.square = Format::gain(1.0 / (n * n), 0, 0);
+      plan.cube = Format::gain(1.0 / (n * n * n), 0, 0);
+      plan.by_x_to_x = Format::gain(part.e11, 0, 0);
+      plan.by_u_to_x = Format::gain(part.e12 - 1, 0, 0);
+      plan.by_x_to_u = Format::gain(part.e21, 0, 0);
+      plan.by_u_to_u = Format::gain(part.e22, 0, 0);
+      plan.main_x = Format::gain(scale * answer.gx, from, unit.kick);
+      plan.main_u = Format::gain(scale * answer.g0, from, unit.kick);
+      plan.main_u_by_moment = Format::gain(scale * answer.hg1, from, unit.kick);
+      plan.ball = Format::gain(scale / terms.ball_mass, from, unit.kick);
+      plan.whole = Format::gain(n, unit.kick, unit.penetration);
+      plan.force = Format::gain(per_ball, unit.kick, 0);
+      plan.travel_places = unit.penetration - unit.kick;
+      return plan;
+    }
+
+    static constexpr bool sums = true;
+
+    Value step_rate;  // of penetration, at the end of the last step in contact
+
+    constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
+      Inner::start(plan.inner, units, at, plan.part * at_rate);
+      step_rate = at_rate;
+    }
+    // For the ledger: J0 (v0 + v1)/2 is a free pair's whole work, however the force runs.
+    static constexpr Kick<Value> moments(const Plan& plan, const Contact&, const Contact&, SplitKick<Value> kick) {
+      const Value impulse = plan.force * kick.ball.impulse;
+      return {impulse, Format::value(half(impulse))};
+    }
+
+    constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate,
+                                       Value before, Value) {
+      const bool begins = this->phase == Phase::apart;
+      Value at = begins ? before : this->penetration;
+      const Value rate_before = begins ? (trial - before) + (trial - before) - trial_rate : step_rate;
+      const Value sag = trial - at - rate_before, bend = trial_rate - rate_before;
+      const Value second = plan.square * (sag + sag + sag - bend), third = plan.cube * (bend - sag - sag);
+      const Value third3 = third + third + third, third6 = third3 + third3;
+      // The cubic, its rate and its curvature by their differences from one sub-step to the next.
+      Value free = at, free_rate = plan.part * rate_before, curvature = second + second;
+      Value rise = free_rate + second + third, rise_of_rise = curvature + third6, rate_rise = curvature + third3;
+      Value x{}, u{}, y{}, w{};  // what the kicks have done to the main mass (x, u) and to the ball (y, w)
+      for (int i = 1; i <= n; ++i) {
+        free = free + rise;
+        rise = rise + rise_of_rise;
+        rise_of_rise = rise_of_rise + third6;
+        free_rate = free_rate + rate_rise;
+        rate_rise = rate_rise + third6;
+        curvature = curvature + third6;
+        const Value moved = x + u + plan.by_x_to_x * x + plan.by_u_to_x * u;
+        u = u + plan.by_x_to_u * x + plan.by_u_to_u * u;
+        x = moved;
+        y = y + w;
+        const Value part_trial = (i == n ? trial : free) - Format::moved(x + y, plan.travel_places);
+        if (this->phase == Phase::apart) {
+          if (!is_positive(part_trial)) {
+            at = part_trial;
+            continue;
+          }
+          if (is_positive(at)) at = Value{};
+        }
+        const Value part_rate = free_rate - Format::moved(u + w, plan.travel_places);
+        const Kick<Value> kick = Inner::resolve(plan.inner, units, part_trial, part_rate, at, curvature);
+        x = x + plan.main_x * kick.moment;
+        u = u + plan.main_u * kick.impulse + plan.main_u_by_moment * kick.moment;
+        y = y + plan.ball * kick.moment;
+        w = w + plan.ball * kick.impulse;
+        at = this->penetration;
+      }
+      step_rate = trial_rate - plan.whole * (u + w);
+      return {{u, x}, {w, y}, rate_before};
+    }
+  };
+};
+
+}  // namespace impact

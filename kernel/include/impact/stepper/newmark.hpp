@@ -1,0 +1,158 @@
+#pragma once
+// Classical Newmark: the contact force is the law at the end of the step, found together with the motion. It enters
+// both masses linearly, so that contact is one scalar equation: with the penetration and its rate that the step would
+// reach without the new force, and the constants B and C of the plan,
+//
+//     force = law(trial penetration - B force, trial rate - C force)
+//
+// Hooke-Newton is linear and solved by one multiplication. For the power laws Newton's method starts from force 0: the
+// residual force - law(..) is increasing and concave in the force, so every iterate stays on the near side of the root,
+// whatever the stiffness. The error falls as c^(2^passes) with c = |d law / d force| at the largest penetration, from
+// which the plan has the number of passes that reaches the format's precision.
+//
+// A stop acts at the end of a step if the step without the new force ends inside it. Second order on smooth motion; a
+// contact that lasts a few steps only can gain energy, see the README's limits.
+
+#include <impact/law/impact_damping.hpp>
+#include <impact/law/resolution.hpp>
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/formula.hpp>
+#include <impact/scene.hpp>
+#include <impact/stepper/treatment.hpp>
+
+namespace impact {
+
+template <int beta_numerator, int beta_denominator>
+struct Pointwise {
+  static constexpr uint32_t kind = 34;  // a saved state is of one kind of stepper
+  static constexpr double beta = static_cast<double>(beta_numerator) / beta_denominator;
+  // Radians of the main mass's own vibration in a step: 2/sqrt(1 - 4 beta) is where the scheme turns unstable (Hughes
+  // 1987), for the average acceleration never.
+  static constexpr double longest_phase = 4 * beta < 1 ? 1.98 / constant::square_root(1 - 4 * beta) : 1e6;
+  static constexpr LinearFlow flow(const Scene& scene, double h) { return newmark_flow(scene, h, beta); }
+
+  static constexpr Range steps(const Resolution&) { return any_step; }
+
+  template <class Format, class ContactLaw>
+  struct Contact : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+    using Value = typename Format::Value;
+    using Gain = typename Format::Gain;
+    using Units = typename Format::Units;
+
+    struct Plan {
+      Response<Gain> response;
+      Gain w1_next, w2_next;    // what the force still does to the displacement per step after the next step
+      Gain w1_share, w2_share;  // its share of the displacement that the next step will make
+      Gain damping;             // c1 / (k1 h)
+      Gain solution;            // Hooke-Newton: 1 / (1 - d law / d force)
+      int passes;
+      bool clamped;
+    };
+    static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+      const double F = terms.force_unit, k1 = terms.stiffness, damping = terms.damping_time / terms.step;
+      const double ball = terms.step * terms.step / terms.ball_mass;
+      const double B = flow.b1 + beta * ball, C = flow.c1 + ball / 2;
+      double slope = k1 * B + k1 * damping * C;
+      if (ContactLaw::law != Law::hooke_newton) {
+        const double d = terms.largest_penetration, root = constant::square_root(d);
+        slope = k1 * root * (1.5 * B * (1 + terms.damping_time * terms.largest_rate) + damping * C * d);
+      }
+      int passes = 1;
+      for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
+      return {
+          {Format::gain(F * flow.b1, 0, unit.push),
+           Format::gain(F * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push), Format::gain(0, 0, 0),
+           Format::gain(F * beta * ball, 0, unit.push), Format::gain(F * (1 - beta) * ball, 0, unit.push),
+           Format::gain(F * B, 0, unit.penetration), Format::gain(F * C, 0, unit.penetration), Format::gain(0, 0, 0)},
+          Format::gain(F * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
+          Format::gain(F * beta * ball, 0, unit.push),
+          Format::gain(F * flow.b0 / flow.e12, 0, unit.penetration),
+          Format::gain(F * (0.5 - beta) * ball, 0, unit.penetration),
+          damping_gain<Format, ContactLaw>(terms, unit),
+          Format::gain(1 / (1 + slope), 0, 0),
+          passes,
+          terms.clamped};
+    }
+
+    static constexpr bool carries = true, slips = false, returns = false;
+
+    Value force;  // at the start of the step
+    Phase phase;
+
+    // The force, linear over the step between its values before and after.
+    static constexpr Kick<Value> moments(const Plan&, const Contact& before, const Contact& after, Kick<Value>) {
+      return {Format::value(half(before.force + after.force)),
+              Format::value(Format::constant(0.5 - beta) * before.force) +
+                  Format::value(Format::constant(beta) * after.force)};
+    }
+
+    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
+                                                         Value trial_rate, Value, Value) {
+      const bool touches = is_positive(trial);
+      if constexpr (ContactLaw::is_damped_per_impact)
+        if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);
+      phase = touches ? Phase::touching : Phase::apart;
+      force = touches ? found(plan, units, trial, trial_rate) : Value{};
+      return {force, force};
+    }
+
+    constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
+      if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
+      phase = Phase::touching;
+      if constexpr (ContactLaw::law == Law::hooke_newton) {
+        force = units.elastic(at) + damping(plan) * at_rate;
+        if (plan.clamped) force = Format::value(positive_part(force));
+      } else {
+        force = Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate));
+      }
+    }
+
+   private:
+    constexpr auto damping(const Plan& plan) const {
+      if constexpr (ContactLaw::is_damped_per_impact)
+        return this->own_damping;
+      else
+        return plan.damping;
+    }
+    // x (1 + C v), never negative: the contact does not pull.
+    template <class Shape>
+    constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
+      if constexpr (ContactLaw::is_damped)
+        return x * positive_part(units.one() + damping(plan) * v);
+      else
+        return x;
+    }
+
+    [[gnu::always_inline]] constexpr Value found(const Plan& plan, const Units& units, Value trial,
+                                                 Value trial_rate) const {
+      if constexpr (ContactLaw::law == Law::hooke_newton) {
+        const Value f = plan.solution * (units.elastic(trial) + damping(plan) * trial_rate);
+        return plan.clamped ? Format::value(positive_part(f)) : f;
+      } else {
+        Value f{};
+        for (int pass = 0; pass < plan.passes; ++pass) {
+          const Value d = Format::value(positive_part(trial - plan.response.penetration * f));
+          const Value rate = trial_rate - plan.response.rate * f;
+          const auto root = Format::root(d);
+          const auto shape = root * without_sign(d);
+          const Value law = Format::value(damped(plan, units, shape, rate));
+          // - d law / d force
+          const Value by_penetration = plan.response.penetration * Format::value(damped(plan, units, root, rate));
+          Value slope = by_penetration + Format::value(half(by_penetration));
+          if constexpr (ContactLaw::is_damped)
+            slope = slope + damping(plan) * (plan.response.rate * Format::value(shape));
+          f = f + Format::over_one_plus(law - f, slope);
+        }
+        return f;
+      }
+    }
+  };
+};
+
+using AverageAcceleration = Pointwise<1, 4>;
+using LinearAcceleration = Pointwise<1, 6>;
+using FoxGoodwin = Pointwise<1, 12>;
+using CentralDifference = Pointwise<0, 1>;
+
+}  // namespace impact

@@ -1,4 +1,5 @@
-// The instruction counter against code whose length is known: straight lines, loops, calls, and both ways of a branch.
+// The instruction counter against code whose length is known: straight lines, loops, calls, both ways of a branch, and
+// what longest_path.sh is to follow or to refuse (longest_path_test.sh).
 
 #include "instruction_counter.hpp"
 
@@ -13,10 +14,14 @@ using impact::target::instructions_of;
 #define RETURN "ret\n"
 #define COUNT_DOWN(n) "li a0, " #n "\n 1: addi a0, a0, -1\n bnez a0, 1b\n"
 #define SKIP_IF_ZERO "beqz a0, 1f\n"
+#define TO_REGISTER "la t0, 1f\n jr t0\n 1:\n"
+#define RETURN_FROM_STACK "ret\n"
 #else
 #define RETURN "bx lr\n"
 #define COUNT_DOWN(n) "ldr r0, =" #n "\n 1: sub r0, r0, #1\n cmp r0, #0\n bne 1b\n"
 #define SKIP_IF_ZERO "cmp r0, #0\n beq 1f\n"
+#define TO_REGISTER "ldr r3, =1f + 1\n bx r3\n 1:\n"
+#define RETURN_FROM_STACK "push {lr}\n pop {r3}\n add sp, #0\n bx r3\n"
 #endif
 #define STRAIGHT(n) ".rept " #n "\n nop\n .endr\n"
 
@@ -29,11 +34,23 @@ using impact::target::instructions_of;
 [[gnu::naked]] void loop_1000(void*) { asm(COUNT_DOWN(1000) RETURN ".balign 4\n"); }
 [[gnu::naked]] void loop_200000(void*) { asm(COUNT_DOWN(200000) RETURN ".balign 4\n"); }
 [[gnu::naked]] void branch(void*) { asm(SKIP_IF_ZERO STRAIGHT(7) "1:\n" RETURN); }
+[[gnu::naked]] void into_the_next(void*) {
+  asm(STRAIGHT(3) ".type the_next, %function\n the_next:\n" STRAIGHT(20) RETURN);
+}
+[[gnu::naked]] void return_from_stack(void*) { asm(RETURN_FROM_STACK); }
+[[gnu::naked]] void to_a_register(void*) { asm(TO_REGISTER STRAIGHT(20) RETURN ".balign 4\n"); }
+#if defined(__ARM_ARCH_6M__)
+// By a table behind the call, as GCC makes a switch smaller: to the second entry, past the 20.
+[[gnu::naked]] void by_a_table(void*) {
+  asm("push {lr}\n mov r0, #1\n bl __gnu_thumb1_case_uqi\n 1: .byte (2f - 1b) / 2, (3f - 1b) / 2\n"
+      "2:\n" STRAIGHT(20) "3: pop {pc}\n");
+}
+#endif
 
 #ifdef __riscv
-constexpr uint32_t per_turn = 2, per_condition = 1, load_200000 = 2;
+constexpr uint32_t per_turn = 2, per_condition = 1, load_200000 = 2, from_stack = 1, to_register = 3;
 #else
-constexpr uint32_t per_turn = 3, per_condition = 2, load_200000 = 1;
+constexpr uint32_t per_turn = 3, per_condition = 2, load_200000 = 1, from_stack = 4, to_register = 2;
 #endif
 
 }  // namespace
@@ -50,6 +67,13 @@ int main() {
   check_equal("branch_taken", instructions_of(branch, nullptr), per_condition + 1);
   int something = 1;
   check_equal("branch_not_taken", instructions_of(branch, &something), per_condition + 8);
+
+  check_equal("into_the_next", instructions_of(into_the_next, nullptr), 24);
+  check_equal("return_from_stack", instructions_of(return_from_stack, nullptr), from_stack);
+  check_equal("to_a_register", instructions_of(to_a_register, nullptr), to_register + 21);
+#if defined(__ARM_ARCH_6M__)
+  instructions_of(by_a_table, nullptr);
+#endif
 
   // Whatever the phase between instructions and ticks, and across the wrap of the 24-bit counter.
   uint32_t wrong = 0;

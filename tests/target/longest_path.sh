@@ -3,43 +3,54 @@
 #   longest_path.sh TOOLS TARGET LABEL IMAGE FUNCTION
 # The instructions are an upper bound of what any input can make it take, and what instruction_counter.hpp counts: every
 # one from the first to the return, those of an IT block included. It takes every branch both ways, also ways that no
-# input can take one after the other. Fails on a loop, a recursion or a jump to where a register points: then it knows
-# no bound.
+# input can take one after the other. Where a function has no end it goes on into the next one. Fails on what it cannot
+# follow, and then knows no bound: a loop, a recursion, a jump to where a register points that is no return, one by a
+# table (of __gnu_thumb1_case_* too), an instruction that traps, and a way into data.
 # The cycles are an estimate, not a bound: the upper ends of the costs in Arm's Technical Reference Manuals, without wait
 # states of the flash. A Cortex-M7 is taken for a Cortex-M4 that issues one instruction at a time. None for RISC-V.
 set -eu
 "${1}objdump" -d -C --no-show-raw-insn "$4" | awk -v core="$2" -v label="$3" -v entry="<$5>:" '
   /^[0-9a-f]+ <.*>:$/ { address = $1; sub(/^0+/, "", address); name = substr($0, index($0, "<")); begin = address
     if (name == entry) start = address
-    before = ""; next }
+    next }
+  /^Disassembly of section/ || /^\t\.\.\.$/ { leave(); next }
   !/^ *[0-9a-f]+:\t/ { next }
   { address = $1; sub(/:$/, "", address); operation = $2; sub(/\.[nw]$/, "", operation)
     operands = $0; sub(/^[^\t]*\t[^\t]*\t?/, "", operands) }
-  operation ~ /^\./ { before = ""; next }
+  operation ~ /^\./ { leave(); next }
   { if (before != "" && !ends[before]) next_to[before] = address
     before = address; code[address] = operation " " operands; function_of[address] = begin
     target = ""
     if (match(operands, /[0-9a-f]+ </)) target = substr(operands, RSTART, RLENGTH - 2) }
+  operation !~ /^bx/ { popped = operation == "pop" ? operands : operation == "add" && operands ~ /^sp,/ ? popped : "" }
   # Arm, and j of RISC-V
   operation == "b" || operation == "j" { jump[address] = target; ends[address] = 1; next }
   operation ~ /^(b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)|cbn?z)$/ { jump[address] = target; next }
+  operands ~ /<__gnu_thumb1_case_/ { unknown[address] = 1; next }
   operation ~ /^bl(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)?$/ && length(operation) != 3 {
     call[address] = target; next }
-  (operation ~ /^bx/ && operands ~ /^lr/) || operands ~ /pc}|^pc, \[sp\], #4$/ {
+  operation == "bx" && popped == "{" operands "}" { ends[address] = 1; next }  # the address of the return, from the stack
+  (operation ~ /^bx/ && operands ~ /^lr/) || operands ~ /pc}|^pc, \[sp\], #[0-9]+$/ {
     ends[address] = operation ~ /^(bx|pop|ldm|ldmia|ldr)$/  # with a condition, in an IT block, it may go on
     next }
-  operation ~ /^(blx|tb[bh])/ || operands ~ /^pc,/ { unknown[address] = 1; next }
+  operation ~ /^(bl?x|tb[bh]|svc|udf|bkpt|wf[ei])/ || operands ~ /^pc,/ { unknown[address] = 1; next }
   # RISC-V
   operation == "ret" { ends[address] = 1; next }
   operation == "jal" { call[address] = target; next }
   operation ~ /^b/ && target != "" { jump[address] = target; next }
-  operation ~ /^(jr|jalr|tail)$/ { unknown[address] = 1; next }
+  operation ~ /^(jr|jalr|tail|ecall|ebreak|unimp|[ms]ret)$/ || operation ~ /^b([^if]|$)/ { unknown[address] = 1; next }
+
+  # What follows is no code: a way that goes on here is one into data.
+  function leave() {
+    if (before != "" && !ends[before]) next_to[before] = "the end of " function_of[before]
+    before = ""
+  }
 
   function visit(node) {
     if (node == "" || node in longest) return 0
     if (!(node in code)) { print "# leaves the known code at " node; exit failed = 1 }
     if (node in on_way) { print "# a loop at " node ": " code[node]; exit failed = 1 }
-    if (node in unknown) { print "# a jump to where a register points at " node; exit failed = 1 }
+    if (node in unknown) { print "# no way is known on from " node ": " code[node]; exit failed = 1 }
     way[++depth] = node
     on_way[node] = 1
     return 1
@@ -72,6 +83,7 @@ set -eu
   function larger(a, b) { return a > b ? a : b }
   END {
     if (failed) exit 1
+    leave()
     # A call into the middle of its own function is a far jump.
     for (node in call) if (call[node] != begin_of(call[node]) && function_of[call[node]] == function_of[node]) {
       jump[node] = call[node]

@@ -105,7 +105,7 @@ Bounds measured_bounds(Request request) {
   constexpr double margin = 1.5;
   const Bounds estimate = estimated_bounds(request);
   Planned planned = plan_simulation<Float64>(request, estimate);
-  if (planned.status == Status::steps_per_contact || planned.status == Status::contact_time) {
+  if (planned.status == PlanStatus::steps_per_contact || planned.status == PlanStatus::contact_time) {
     request.stepper = chosen(request, estimate);
     planned = plan_simulation<Float64>(request, estimate);
   }
@@ -146,39 +146,39 @@ Range steps_of(Stepper stepper, const Resolution& contact) {
   }
 }
 
-Refusal refusal_for(Status status, const Request& request, const Bounds& bounds) {
+Refusal refusal_for(PlanStatus status, const Request& request, const Bounds& bounds) {
   const Scene& scene = request.scene;
   switch (status) {
-    case Status::ok:
+    case PlanStatus::ok:
       break;
-    case Status::main_mass:
+    case PlanStatus::main_mass:
       return refusal("main-mass", scene.main_mass, mass_range);
-    case Status::main_stiffness:
+    case PlanStatus::main_stiffness:
       return refusal("main-stiffness", scene.main_stiffness, main_stiffness_range);
-    case Status::main_damping:
+    case PlanStatus::main_damping:
       return refusal("main-damping", scene.main_damping, main_damping_range);
-    case Status::ball_mass:
+    case PlanStatus::ball_mass:
       return refusal("ball-mass", scene.ball_mass, mass_range);
-    case Status::clearance:
+    case PlanStatus::clearance:
       return refusal("clearance", scene.clearance, clearance_range);
-    case Status::contact_stiffness:
+    case PlanStatus::contact_stiffness:
       return refusal("contact-stiffness", scene.contact_stiffness, contact_stiffness_range);
-    case Status::contact_damping:
+    case PlanStatus::contact_damping:
       return refusal("contact-damping", scene.contact_damping, contact_damping_range);
-    case Status::restitution:
+    case PlanStatus::restitution:
       return refusal("restitution", scene.restitution, restitution_range);
-    case Status::drive_amplitude:
+    case PlanStatus::drive_amplitude:
       return refusal("drive-amplitude", scene.drive_amplitude, force_range);
-    case Status::drive_pulsation:
+    case PlanStatus::drive_pulsation:
       return {"drive-pulsation", text(scene.drive_pulsation),
               "0, or " + text(slowest_drive(request.step)) + " to " + text(drive_pulsation_range.most)};
-    case Status::initial_displacement:
+    case PlanStatus::initial_displacement:
       return refusal(initial_displacement_range.holds(scene.x1) ? "x2" : "x1",
                      initial_displacement_range.holds(scene.x1) ? scene.x2 : scene.x1, initial_displacement_range);
-    case Status::initial_velocity:
+    case PlanStatus::initial_velocity:
       return refusal(initial_velocity_range.holds(scene.v1) ? "v2" : "v1",
                      initial_velocity_range.holds(scene.v1) ? scene.v2 : scene.v1, initial_velocity_range);
-    case Status::step: {
+    case PlanStatus::step: {
       const double phase = request.stepper == Stepper::linear        ? LinearAcceleration::longest_phase
                            : request.stepper == Stepper::fox_goodwin ? FoxGoodwin::longest_phase
                            : request.stepper == Stepper::central     ? CentralDifference::longest_phase
@@ -186,16 +186,16 @@ Refusal refusal_for(Status status, const Request& request, const Bounds& bounds)
                                                                      : Moment::longest_phase;
       return refusal("step", request.step, {1e-9, longest_step(scene, phase)});
     }
-    case Status::steps_per_contact:
+    case PlanStatus::steps_per_contact:
       return refusal("step", request.step, {1e-9, steps_of(request.stepper, resolution(request, bounds)).most});
-    case Status::contact_time:
+    case PlanStatus::contact_time:
       return {"newmark", std::string(name_of(request.stepper)),
               "auto: the contact lasts " + text(resolution(request, bounds).main_phase) +
                   " rad of the main mass's vibration, impulsive holds up to " + text(Impulsive::longest_main_phase)};
-    case Status::displacement_bound:
-    case Status::speed_bound:
-    case Status::penetration_bound:
-    case Status::force_bound:
+    case PlanStatus::displacement_bound:
+    case PlanStatus::speed_bound:
+    case PlanStatus::penetration_bound:
+    case PlanStatus::force_bound:
       return {"numeric", "fixed32",
               "another format: one of displacement " + text(bounds.displacement) + " m, speed " + text(bounds.speed) +
                   " m/s, penetration " + text(bounds.penetration) + " m has no room in 32 bits beside the others"};
@@ -278,7 +278,7 @@ Outcome make_simulation(const Request& asked) {
       planned = plan_simulation<Float64>(request, bounds);
       break;
   }
-  if (planned.status != Status::ok) return {nullptr, refusal_for(planned.status, request, bounds)};
+  if (planned.status != PlanStatus::ok) return {nullptr, refusal_for(planned.status, request, bounds)};
 
   return {std::make_unique<Described>(std::move(planned.simulation), description(request, bounds, is_automatic)), {}};
 }

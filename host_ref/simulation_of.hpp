@@ -13,7 +13,7 @@ namespace impact::host {
 // Either a simulation or why there is none.
 struct Planned {
   std::unique_ptr<Simulation> simulation;
-  Status status = Status::ok;
+  PlanStatus status = PlanStatus::ok;
 };
 
 template <class Format>
@@ -131,8 +131,9 @@ class KernelSimulation final : public Simulation {
 template <class Format, class ContactLaw, class Stepper, class Drive>
 Planned plan_for(const Request& request, const Bounds& bounds) {
   const auto plan = Plan<Format, ContactLaw, Stepper, Drive>::make(request.scene, bounds, request.step);
-  if (plan.status != Status::ok) return {nullptr, plan.status};
-  return {std::make_unique<KernelSimulation<Format, ContactLaw, Stepper, Drive>>(request, bounds, plan), Status::ok};
+  if (plan.status != PlanStatus::ok) return {nullptr, plan.status};
+  return {std::make_unique<KernelSimulation<Format, ContactLaw, Stepper, Drive>>(request, bounds, plan),
+          PlanStatus::ok};
 }
 
 template <class Format, class ContactLaw, class Stepper>

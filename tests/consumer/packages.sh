@@ -1,7 +1,7 @@
 #!/bin/sh
 # kernel/ as a package by itself, from a copy of that folder alone: packages.sh PROJECT
 # What is checked without the systems themselves: every manifest parses, holds what its system requires, states the
-# version of kernel/CMakeLists.txt and names files that exist; ESP-IDF's branch of CMakeLists.txt runs as CMake, against
+# version of kernel/CMakeLists.txt and the licence, and names files that exist; ESP-IDF's branch of CMakeLists.txt runs as CMake, against
 # a stand-in for idf_component_register; the Arduino layout compiles.
 set -eu
 project=$1
@@ -18,7 +18,9 @@ version = re.search(r"project\(impact_kernel VERSION (\S+)", open("kernel/CMakeL
 
 def flat_yaml(path):  # the two manifests use maps of scalars only
     entries, parents = {}, []
-    for line in filter(str.strip, open(path)):
+    for line in open(path):
+        if line.startswith("#"):
+            continue
         indent, key, value = re.fullmatch(r'( *)([\w-]+): ?"?(.*?)"?\n', line).groups()
         parents = parents[: len(indent) // 2] + [key]
         entries[".".join(parents)] = value
@@ -37,10 +39,21 @@ zephyr = flat_yaml("kernel/zephyr/module.yml")
 assert zephyr["name"] == "impact"
 assert os.path.isfile(os.path.join("kernel", zephyr["build.cmake"], "CMakeLists.txt"))
 
-arduino = dict(line.rstrip("\n").split("=", 1) for line in open("kernel/library.properties"))
+arduino = dict(line.rstrip("\n").split("=", 1) for line in open("kernel/library.properties") if line[0] != "#")
 required = {"name", "version", "author", "maintainer", "sentence", "paragraph", "category", "url", "architectures"}
 assert required <= arduino.keys(), required - arduino.keys()
 assert arduino["version"] == version
+assert open("kernel/CHANGELOG.md").read().split("## ")[1].split()[0] == version, "CHANGELOG.md begins with another version"
+
+# The licence is with whatever is copied.
+assert pio["license"] == idf["license"] == "MIT" and "MIT" in arduino["paragraph"]
+assert open("kernel/LICENSE").read().startswith("MIT License")
+for folder, _, names in os.walk("kernel"):
+    for name in names:
+        path = os.path.join(folder, name)
+        if name == "LICENSE" or name.endswith((".json", ".md")):
+            continue
+        assert open(path).readline().endswith("SPDX-License-Identifier: MIT\n"), path + " states no licence"
 assert os.path.isfile(os.path.join("kernel/include", arduino["includes"]))
 END
 

@@ -28,7 +28,7 @@ void measure(const char* step, const char* change) {
   using PlanType = typename Kernel::PlanType;
   static constexpr PlanType plans[] = {PlanType::make(at_pulsation(40), impact::Bounds{}, 1e-4),
                                        PlanType::make(at_pulsation(45), impact::Bounds{}, 1e-4)};
-  static_assert(plans[0].status == impact::Status::ok && plans[1].status == impact::Status::ok);
+  static_assert(plans[0].status == impact::PlanStatus::ok && plans[1].status == impact::PlanStatus::ok);
   struct Run {
     Kernel kernel{plans[0]};
     uint32_t changes = 0;

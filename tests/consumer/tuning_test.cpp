@@ -108,8 +108,8 @@ TEST(TuningInFreeFlight, FollowsTheNewScene) {
   for (Scene& scene : scenes) scene.clearance = 0.4;
   using Kernel = Tunable<Float64>;
   const typename Kernel::PlanType plans[] = {plan_of<Kernel>(scenes[0]), plan_of<Kernel>(scenes[1])};
-  ASSERT_EQ(plans[0].status, Status::ok);
-  ASSERT_EQ(plans[1].status, Status::ok);
+  ASSERT_EQ(plans[0].status, PlanStatus::ok);
+  ASSERT_EQ(plans[1].status, PlanStatus::ok);
   Kernel kernel(plans[0]);
   double x = 0, v = 0, phase = 0;
   for (int i = 0; i < 5000; ++i) {

@@ -94,7 +94,7 @@ void kernel(Bytes& bytes) {
   const Bounds bounds = bounds_from(bytes);
   const double step = bytes.number({1e-7, 0.1});
   const Plan plan = Plan::make(scene, bounds, step);
-  if (plan.status != Status::ok) return;
+  if (plan.status != PlanStatus::ok) return;
   Kernel absorber(plan);
   check(absorber);
   const uint8_t what = bytes.byte();

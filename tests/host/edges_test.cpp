@@ -163,7 +163,7 @@ void expect_fault_of_a_hard_hit() {
   using Kernel = Absorber<AtRunTime, Law, Stepper, Sine, Fixed32>;
   const Bounds bounds{0.0625, 8, 0.0156, 10};
   const auto plan = Kernel::PlanType::make(scene, bounds, 1e-3);
-  ASSERT_EQ(plan.status, Status::ok);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
   Kernel absorber(plan);
   for (int n = 0; n < 20; ++n) absorber.step();
   EXPECT_NE(absorber.fault(), Fault::none);

@@ -23,7 +23,7 @@ bool is_finite(const Kernel& absorber) {
 template <class Kernel>
 Kernel made(const Scene& scene, const Bounds& bounds, double step) {
   const auto plan = Kernel::PlanType::make(scene, bounds, step);
-  EXPECT_EQ(plan.status, Status::ok);
+  EXPECT_EQ(plan.status, PlanStatus::ok);
   return Kernel(plan);
 }
 
@@ -223,20 +223,20 @@ TYPED_TEST(Faults, APlanThatCannotBeIsRefused) {
     for (double Scene::*const number : numbers) {
       Scene scene;
       scene.*number = bad;
-      EXPECT_NE(Plan::make(scene, Bounds{}, 1e-3).status, Status::ok);
+      EXPECT_NE(Plan::make(scene, Bounds{}, 1e-3).status, PlanStatus::ok);
     }
-    EXPECT_NE(Plan::make(Scene{}, {bad, 2, 0.03, 10}, 1e-3).status, Status::ok);
-    EXPECT_NE(Plan::make(Scene{}, {0.1, bad, 0.03, 10}, 1e-3).status, Status::ok);
-    EXPECT_NE(Plan::make(Scene{}, {0.1, 2, bad, 10}, 1e-3).status, Status::ok);
-    EXPECT_NE(Plan::make(Scene{}, {0.1, 2, 0.03, bad}, 1e-3).status, Status::ok);
-    EXPECT_NE(Plan::make(Scene{}, Bounds{}, bad).status, Status::ok);
+    EXPECT_NE(Plan::make(Scene{}, {bad, 2, 0.03, 10}, 1e-3).status, PlanStatus::ok);
+    EXPECT_NE(Plan::make(Scene{}, {0.1, bad, 0.03, 10}, 1e-3).status, PlanStatus::ok);
+    EXPECT_NE(Plan::make(Scene{}, {0.1, 2, bad, 10}, 1e-3).status, PlanStatus::ok);
+    EXPECT_NE(Plan::make(Scene{}, {0.1, 2, 0.03, bad}, 1e-3).status, PlanStatus::ok);
+    EXPECT_NE(Plan::make(Scene{}, Bounds{}, bad).status, PlanStatus::ok);
   }
   Scene slow;  // slower than its oscillator can turn
   slow.drive_pulsation = 1e-300;
-  EXPECT_EQ(Plan::make(slow, Bounds{}, 1e-3).status, Status::drive_pulsation);
+  EXPECT_EQ(Plan::make(slow, Bounds{}, 1e-3).status, PlanStatus::drive_pulsation);
   Scene small;  // below the smallest normal number
   small.contact_damping = 1e-310;
-  EXPECT_EQ(Plan::make(small, Bounds{}, 1e-3).status, Status::ok);
+  EXPECT_EQ(Plan::make(small, Bounds{}, 1e-3).status, PlanStatus::ok);
 }
 
 // One stop, without clearance: a ball that leaves it is free, to the last place.

@@ -92,7 +92,7 @@ void expect_restitution_of_the_law() {
     for (int phase = 0; phase < 64; ++phase) {
       scene.x2 = way / 2 - speed * h * (1 + phase / 64.0);
       const auto plan = Kernel<Format, ContactLaw>::PlanType::make(scene, {2 * way, 2 * speed, way, 1}, h);
-      ASSERT_EQ(plan.status, Status::ok) << speed << " " << h << " " << scene.ball_mass;
+      ASSERT_EQ(plan.status, PlanStatus::ok) << speed << " " << h << " " << scene.ball_mass;
       Kernel<Format, ContactLaw> absorber(plan);
       const double before = energy_of(scene, absorber);
       for (int i = 0; i < run; ++i) absorber.step();
@@ -124,7 +124,7 @@ TYPED_TEST(ImpulsiveStep, DampingPerImpactHasOneRestitution) {
     scene.v2 = speed;
     scene.x2 = 0.0095;
     const auto plan = Kernel<TypeParam, HuntCrossleyPerImpact>::PlanType::make(scene, {0.1, 2 * speed, 0.03, 1}, 1e-3);
-    ASSERT_EQ(plan.status, Status::ok);
+    ASSERT_EQ(plan.status, PlanStatus::ok);
     Kernel<TypeParam, HuntCrossleyPerImpact> absorber(plan);
     for (int i = 0; i < 1e3 * 0.001 / speed; ++i) absorber.step();
     Impact impact = impact_of<HuntCrossley>(scene, speed);
@@ -156,8 +156,8 @@ void expect_no_energy_from_impacts() {
     const double speed = 3 * std::sqrt(2 * whole / std::min(scene.main_mass, scene.ball_mass));
     const double place = 16 * speed * h / turn + scene.clearance;
     const auto plan = Kernel<Format, ContactLaw>::PlanType::make(scene, {place, speed, 4 * speed * h, 1}, h);
-    if (plan.status == Status::contact_time) continue;  // longer than the main mass's vibration allows
-    ASSERT_EQ(plan.status, Status::ok);
+    if (plan.status == PlanStatus::contact_time) continue;  // longer than the main mass's vibration allows
+    ASSERT_EQ(plan.status, PlanStatus::ok);
     ++springs;
     Kernel<Format, ContactLaw> absorber(plan);
     double before = energy_of(scene, absorber);
@@ -192,7 +192,7 @@ void expect_common_motion(double contact_stiffness) {
       ContactLaw::law == Law::hooke_newton ? 0.3 * std::sqrt(contact_stiffness) : 100 * contact_stiffness;
   const double h = 1e-3, force = 2, speed = 4, place = 10;
   const auto plan = Kernel<Format, ContactLaw, Sampled>::PlanType::make(scene, {place, speed, 0.1, 2 * force}, h);
-  ASSERT_EQ(plan.status, Status::ok);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
   Kernel<Format, ContactLaw, Sampled> absorber(plan);
   const auto sample = Format::sample(force / Format::sample_unit(2 * force));
   for (int n = 0; n < 1000; ++n) absorber.step(sample);
@@ -232,7 +232,7 @@ TYPED_TEST(ImpulsiveStep, StartsInsideAStop) {
     scene.contact_stiffness = 1e12;
     scene.x2 = side * 0.011;
     const auto plan = Kernel<TypeParam, Hertz>::PlanType::make(scene, {}, 1e-3);
-    ASSERT_EQ(plan.status, Status::ok);
+    ASSERT_EQ(plan.status, PlanStatus::ok);
     Kernel<TypeParam, Hertz> absorber(plan);
     for (int n = 0; n < 100; ++n) absorber.step();
     EXPECT_EQ(absorber.reading().v2, 0);

@@ -38,7 +38,7 @@ bool trace(int index) {
   using Kernel = Absorber<AtRunTime, ContactLaw, Moment, Sine, Fixed32, EnergyLedger>;
   constexpr int steps = static_cast<int>(paper_duration / paper_step + 0.5), looked_every = 5, printed_every = 25;
   const auto plan = Kernel::PlanType::make(paper_run(index).scene, Bounds{}, paper_step);
-  if (plan.status != Status::ok) return false;
+  if (plan.status != PlanStatus::ok) return false;
   Kernel kernel(plan);
   double peak = 0;
   for (int n = 0; n <= steps; ++n) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // All that main.cpp asks of a board: replace this file by your own. This one stands on the project's emulated boards
 // (toolchains/board), which have a timer and a console but no converters: those are two words in memory here, and a

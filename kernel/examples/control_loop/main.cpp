@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A complete firmware: the model of an impact absorber as a plant in the loop. A timer interrupt at 10 kHz reads the
 // drive from a converter, steps the model, writes the main mass's displacement to another, and watches its deadline and
 // the model's fault; the main loop reports once a second. What it asks of the board is in board.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The kernel: an impact absorber that is stepped in real time. The one header that most users include.
 //
@@ -162,7 +163,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
     constexpr bool is_bound = Contact::carries || ContactLaw::is_damped_per_impact || sizeof...(Features) > 0;
-    if (next.status != Status::ok || next.handover.units != plan.handover.units) return false;
+    if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && state_.contact.phase != Phase::apart) return false;
     hand_over(plan, next, state_);
     plan = next;

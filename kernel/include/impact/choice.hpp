@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Which stepper is right for a scene and a step: one rule, from the number of steps per contact N of the fastest impact
 // (law/resolution.hpp; `detail` steps count where damping makes a part of the contact shorter) and the radians w0

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What a scene may ask to have recorded. A feature that is not named costs nothing.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // From a scene and a step length to every constant of a step: flow, formats, drive, contact. All of it is a constant
 // expression in double, so that a firmware image holds only the constants that its step reads, and a host can make the
@@ -21,8 +22,8 @@ struct Plan {
   using Long = typename Format::Long;
   using Treatment = typename Stepper::template Contact<Format, ContactLaw>;
 
-  Status status;  // unless ok, the rest is meaningless
-  double step;    // h, s
+  PlanStatus status;  // unless ok, the rest is meaningless
+  double step;        // h, s
   typename Format::Units units;
   Gain stiffness, damping;      // of the recurrence in linear_flow.hpp
   Gain rate_by_w1, rate_by_x1;  // a velocity from the displacement that the coming step will make
@@ -35,7 +36,7 @@ struct Plan {
   Handover<Format, Drive> handover;  // read by a change of plan only
 
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step);
-  static constexpr Plan refused(Status why) {
+  static constexpr Plan refused(PlanStatus why) {
     Plan plan{};
     plan.status = why;
     return plan;
@@ -83,12 +84,12 @@ template <class Format, class ContactLaw, class Stepper, class Drive>
 constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Stepper, Drive>::make(const Scene& scene,
                                                                                                   const Bounds& bounds,
                                                                                                   double h) {
-  Status status = status_of(scene, h, Stepper::longest_phase);
-  if (status == Status::ok) status = status_of(scene, bounds);
-  if (status != Status::ok) return refused(status);
+  PlanStatus status = status_of(scene, h, Stepper::longest_phase);
+  if (status == PlanStatus::ok) status = status_of(scene, bounds);
+  if (status != PlanStatus::ok) return refused(status);
   using constant::larger;
   status = status_of(Stepper::steps(resolution_of<ContactLaw>(scene, bounds)), h);
-  if (status != Status::ok) return refused(status);
+  if (status != PlanStatus::ok) return refused(status);
   const LinearFlow flow = Stepper::flow(scene, h);
   ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
   terms.step = h;
@@ -107,13 +108,13 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   const UnitExponents exponents = Format::exponents(largest);
 
   status = status_of(Format::overflow_of(exponents, scene.clearance / 2));
-  if (status != Status::ok) return refused(status);
+  if (status != PlanStatus::ok) return refused(status);
 
   terms.force_unit = Treatment::force_unit(terms, exponents);
   terms.damping_exponent = exponents.force + (terms.is_linear ? exponents.penetration : 0);
   if (!Treatment::splits &&
       !Format::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass), exponents.kick))
-    return refused(Status::contact_stiffness);
+    return refused(PlanStatus::contact_stiffness);
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2);
   const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);
@@ -137,8 +138,8 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   plan.w2 = units.state(scene.v2 * h);
   plan.identity = identity_of(scene, bounds, h);
   plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents);
-  if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(Status::displacement_bound);
-  if (!units.holds_start(plan.x1, plan.x2, plan.w1, plan.w2)) return refused(Status::speed_bound);
+  if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(PlanStatus::displacement_bound);
+  if (!units.holds_start(plan.x1, plan.x2, plan.w1, plan.w2)) return refused(PlanStatus::speed_bound);
   return plan;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Where an absorber has its plan from: a rig that states scene, bounds and step as constants, so that the plan is
 // a constant of the image, or AtRunTime, with a plan that the constructor is given.
@@ -15,24 +16,24 @@ class PlanSource {
 
  protected:
   constexpr PlanSource() {
-    constexpr Status status = plan.status;
-    static_assert(status != Status::displacement_bound,
+    constexpr PlanStatus status = plan.status;
+    static_assert(status != PlanStatus::displacement_bound,
                   "Bounds::displacement does not hold the clearance or the initial state, or is out of range");
     static_assert(
-        status != Status::speed_bound,
+        status != PlanStatus::speed_bound,
         "Bounds::speed does not hold the initial state, or a step at that speed is longer than Bounds::displacement, "
         "or c1/k1 times it passes 2^20");
     static_assert(
-        status != Status::penetration_bound,
+        status != PlanStatus::penetration_bound,
         "Bounds::penetration is above Bounds::displacement, or its force moves a mass by as much in one step");
-    static_assert(status != Status::force_bound, "Bounds::force is out of range");
-    static_assert(status != Status::step, "Rig::step is out of range: see longest_step in status.hpp");
-    static_assert(status != Status::steps_per_contact,
+    static_assert(status != PlanStatus::force_bound, "Bounds::force is out of range");
+    static_assert(status != PlanStatus::step, "Rig::step is out of range: see longest_step in status.hpp");
+    static_assert(status != PlanStatus::steps_per_contact,
                   "Rig::step has too few steps per contact for this stepper: take impact::Chosen, or a step within "
                   "Stepper::steps(resolution_of<Law>(scene, bounds))");
-    static_assert(status != Status::contact_time,
+    static_assert(status != PlanStatus::contact_time,
                   "contact lasts too long for this stepper, whatever the step: take impact::Chosen");
-    static_assert(status == Status::ok, "a value of Rig::scene is out of range: see plan.status and status.hpp");
+    static_assert(status == PlanStatus::ok, "a value of Rig::scene is out of range: see plan.status and status.hpp");
   }
 };
 

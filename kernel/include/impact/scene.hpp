@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The physical scene, in SI units: a main mass on a spring and a damper, driven by F(t), with a ball that moves
 // freely in a cavity of the main mass and hits its left and right stops.

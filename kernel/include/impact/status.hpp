@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Whether a scene can be planned, and if not, which of its values is at fault. A value is named by the first check that
 // it fails; its range is in the table of limits below.
@@ -10,7 +11,7 @@
 
 namespace impact {
 
-enum class Status : uint8_t {
+enum class PlanStatus : uint8_t {
   ok,
   main_mass,
   main_stiffness,
@@ -66,60 +67,60 @@ constexpr double longest_step(const Scene& scene, double phase) {
   return h;
 }
 
-constexpr Status status_of(const Scene& scene, double step, double phase) {
-  if (!mass_range.holds(scene.main_mass)) return Status::main_mass;
-  if (!main_stiffness_range.holds(scene.main_stiffness)) return Status::main_stiffness;
-  if (!main_damping_range.holds(scene.main_damping)) return Status::main_damping;
-  if (!mass_range.holds(scene.ball_mass)) return Status::ball_mass;
-  if (!clearance_range.holds(scene.clearance)) return Status::clearance;
-  if (!contact_stiffness_range.holds(scene.contact_stiffness)) return Status::contact_stiffness;
-  if (!contact_damping_range.holds(scene.contact_damping)) return Status::contact_damping;
-  if (!restitution_range.holds(scene.restitution)) return Status::restitution;
-  if (!force_range.holds(scene.drive_amplitude)) return Status::drive_amplitude;
-  if (!drive_pulsation_range.holds(scene.drive_pulsation)) return Status::drive_pulsation;
+constexpr PlanStatus status_of(const Scene& scene, double step, double phase) {
+  if (!mass_range.holds(scene.main_mass)) return PlanStatus::main_mass;
+  if (!main_stiffness_range.holds(scene.main_stiffness)) return PlanStatus::main_stiffness;
+  if (!main_damping_range.holds(scene.main_damping)) return PlanStatus::main_damping;
+  if (!mass_range.holds(scene.ball_mass)) return PlanStatus::ball_mass;
+  if (!clearance_range.holds(scene.clearance)) return PlanStatus::clearance;
+  if (!contact_stiffness_range.holds(scene.contact_stiffness)) return PlanStatus::contact_stiffness;
+  if (!contact_damping_range.holds(scene.contact_damping)) return PlanStatus::contact_damping;
+  if (!restitution_range.holds(scene.restitution)) return PlanStatus::restitution;
+  if (!force_range.holds(scene.drive_amplitude)) return PlanStatus::drive_amplitude;
+  if (!drive_pulsation_range.holds(scene.drive_pulsation)) return PlanStatus::drive_pulsation;
   if (!initial_displacement_range.holds(scene.x1) || !initial_displacement_range.holds(scene.x2))
-    return Status::initial_displacement;
+    return PlanStatus::initial_displacement;
   if (!initial_velocity_range.holds(scene.v1) || !initial_velocity_range.holds(scene.v2))
-    return Status::initial_velocity;
-  if (!(step >= 1e-9 && step <= longest_step(scene, phase))) return Status::step;
-  if (scene.drive_pulsation > 0 && scene.drive_pulsation < slowest_drive(step)) return Status::drive_pulsation;
-  return Status::ok;
+    return PlanStatus::initial_velocity;
+  if (!(step >= 1e-9 && step <= longest_step(scene, phase))) return PlanStatus::step;
+  if (scene.drive_pulsation > 0 && scene.drive_pulsation < slowest_drive(step)) return PlanStatus::drive_pulsation;
+  return PlanStatus::ok;
 }
 
-constexpr Status status_of(const Scene& scene, const Bounds& bounds) {
+constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
   const auto within = [](double x, double bound) { return x >= -bound && x <= bound; };
-  if (!bound_range.holds(bounds.displacement)) return Status::displacement_bound;
+  if (!bound_range.holds(bounds.displacement)) return PlanStatus::displacement_bound;
   if (!within(scene.x1, bounds.displacement) || !within(scene.x2, bounds.displacement))
-    return Status::displacement_bound;
-  if (!bound_range.holds(bounds.speed)) return Status::speed_bound;
-  if (!within(scene.v1, bounds.speed) || !within(scene.v2, bounds.speed)) return Status::speed_bound;
-  if (!bound_range.holds(bounds.penetration)) return Status::penetration_bound;
-  if (!force_range.holds(bounds.force)) return Status::force_bound;
-  return Status::ok;
+    return PlanStatus::displacement_bound;
+  if (!bound_range.holds(bounds.speed)) return PlanStatus::speed_bound;
+  if (!within(scene.v1, bounds.speed) || !within(scene.v2, bounds.speed)) return PlanStatus::speed_bound;
+  if (!bound_range.holds(bounds.penetration)) return PlanStatus::penetration_bound;
+  if (!force_range.holds(bounds.force)) return PlanStatus::force_bound;
+  return PlanStatus::ok;
 }
 
 // The bound that leaves a quantity no room beside the others.
-constexpr Status status_of(Overflow overflow) {
+constexpr PlanStatus status_of(Overflow overflow) {
   switch (overflow) {
     case Overflow::none:
-      return Status::ok;
+      return PlanStatus::ok;
     case Overflow::displacement:
     case Overflow::force:
-      return Status::speed_bound;
+      return PlanStatus::speed_bound;
     case Overflow::penetration:
     case Overflow::push:
-      return Status::penetration_bound;
+      return PlanStatus::penetration_bound;
     case Overflow::gap:
     case Overflow::increment:
       break;
   }
-  return Status::displacement_bound;
+  return PlanStatus::displacement_bound;
 }
 
 // Against the steps with which a stepper is right, see law/resolution.hpp.
-constexpr Status status_of(const Range& steps, double step) {
-  if (!(steps.most > 0)) return Status::contact_time;
-  return steps.holds(step) ? Status::ok : Status::steps_per_contact;
+constexpr PlanStatus status_of(const Range& steps, double step) {
+  if (!(steps.most > 0)) return PlanStatus::contact_time;
+  return steps.holds(step) ? PlanStatus::ok : PlanStatus::steps_per_contact;
 }
 
 }  // namespace impact

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One impact of two free masses, no spring, damper or drive on either, in closed form: how fast they come apart, after
 // what time, and where in time the force's impulse has its centroid. In double, for the plan.

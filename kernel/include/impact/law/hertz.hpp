@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Hertz, the paper's (2.5): Fc = k1 delta^(3/2), elastic: restitution 1. k1 in N/m^(3/2).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Hooke-Newton (Kelvin-Voigt), the paper's (2.1): Fc = k1 delta + c1 delta'. k1 in N/m, c1 in N s/m.
 // The force jumps to c1 v0 at impact and, as written, pulls just before the ball leaves: see Tension.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Hunt-Crossley, the paper's (2.7): Fc = delta^(3/2) (k1 + c1 delta'). k1 in N/m^(3/2), c1 in N s/m^(5/2).
 // The force is zero at both ends of a contact. It would pull only on separation faster than k1/c1, which no impact

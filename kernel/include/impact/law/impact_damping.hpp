@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact
 // from its own speed. A contact that begins slowly and is then driven in faster, by 2/(1 - e) times and more, leaves

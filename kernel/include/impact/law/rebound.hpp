@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What an impact of the speed V does, as the impulsive step needs it, from the closed forms of free_impact.hpp:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How finely a step resolves a contact: what decides which stepper is right (choice.hpp), taken at the scene's fastest
 // impact, 2 Bounds::speed. A slower one lasts longer, as V^(-1/5) (power laws; Hooke-Newton: as long).

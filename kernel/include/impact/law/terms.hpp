@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What a contact treatment needs to make its constants, in SI units, and how its forces are counted.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Going on under another plan without a jump: positions, velocities and the drive's phase stay as they are. Positions
 // and the ball's w2 = h v2 are the same numbers under both plans; the main mass's displacement in the coming step is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How the sprung, damped, driven main mass moves over one step while nothing touches it: two maps of the same shape,
 //
@@ -92,8 +93,8 @@ constexpr LinearFlow exact_flow(const Scene& scene, double h) {
 // Newmark's map (Newmark 1959) with gamma = 1/2: x' = x + h v + h^2 [(1/2 - beta) a + beta a'], v' = v + h (a + a')/2,
 // and equilibrium at both ends: M a + c v + k x = F.
 constexpr LinearFlow newmark_flow(const Scene& scene, double h, double beta) {
-  const double M = scene.main_mass, ch = scene.main_damping * h, khh = scene.main_stiffness * h * h;
-  const double effective = M + ch / 2 + beta * khh;
+  const double mass = scene.main_mass, ch = scene.main_damping * h, khh = scene.main_stiffness * h * h;
+  const double effective = mass + ch / 2 + beta * khh;
   struct Ends {
     double x, u;
   };
@@ -103,8 +104,8 @@ constexpr LinearFlow newmark_flow(const Scene& scene, double h, double beta) {
     const double a_end = (force - ch * (u + u_known) - khh * (x + x_known)) / effective;
     return Ends{x_known + beta * a_end, u_known + a_end / 2};
   };
-  const Ends x = respond(1, 0, -khh / M, 0), u = respond(0, 1, -ch / M, 0);
-  const Ends start = respond(0, 0, h * h / M, 0), end = respond(0, 0, 0, h * h);
+  const Ends x = respond(1, 0, -khh / mass, 0), u = respond(0, 1, -ch / mass, 0);
+  const Ends start = respond(0, 0, h * h / mass, 0), end = respond(0, 0, 0, h * h);
   const double cosine = constant::cosine(scene.drive_pulsation * h), sine = constant::sine(scene.drive_pulsation * h);
   return {x.x,
           u.x,

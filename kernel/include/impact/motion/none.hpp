@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // No drive: free vibration from the initial state.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The drive as one sample a step from the caller (an ADC reading), held linear between samples: exact for the exact
 // flow. A sample is newtons in a floating-point format, and a fraction of Bounds::force in Q1.31 in fixed point, of
@@ -21,12 +22,12 @@ struct Sampled {
   template <class Format>
   static constexpr Plan<Format> make_plan(const Scene&, const Bounds& bounds, double, const LinearFlow& flow,
                                           const UnitExponents& unit) {
-    const double N = Format::sample_unit(bounds.force);
+    const double newtons = Format::sample_unit(bounds.force);
     const double before = flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0;
     const double now = flow.e12 * flow.c1 - (flow.e22 + flow.damping()) * flow.b1 + flow.b0;
-    return {Format::gain(N * flow.b1, 0, unit.increment), Format::gain(N * before, 0, unit.increment),
-            Format::gain(N * now, 0, unit.increment), Format::gain(N * flow.b0 / flow.e12, 0, unit.penetration),
-            Format::largest_sample(bounds.force)};
+    return {Format::gain(newtons * flow.b1, 0, unit.increment), Format::gain(newtons * before, 0, unit.increment),
+            Format::gain(newtons * now, 0, unit.increment),
+            Format::gain(newtons * flow.b0 / flow.e12, 0, unit.penetration), Format::largest_sample(bounds.force)};
   }
 
   template <class Format>
@@ -36,8 +37,8 @@ struct Sampled {
   template <class Format>
   static constexpr Handover<Format> make_handover(const Scene&, const Bounds& bounds, double, const LinearFlow& flow,
                                                   const UnitExponents& unit) {
-    const double P = Format::sample_unit(bounds.force) * flow.b0;
-    return {Format::gain(P / flow.e12, 0, unit.increment), Format::gain(P, 0, unit.increment)};
+    const double share = Format::sample_unit(bounds.force) * flow.b0;
+    return {Format::gain(share / flow.e12, 0, unit.increment), Format::gain(share, 0, unit.increment)};
   }
 
   template <class Format>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The drive F0 sin(w t), t = 0 at the start. Its part of the main mass's motion over a step is a sinusoid too, of known
 // amplitude and phase, so that one oscillator serves; its own part in the velocity follows from the oscillator's value
@@ -25,34 +26,36 @@ struct Sine {
   // What the drive adds to the displacement per step.
   static constexpr Sinusoid increments(const Scene& scene, double h, const LinearFlow& flow) {
     const double turn = scene.drive_pulsation * h, cosine = constant::cosine(turn), sine = constant::sine(turn);
-    const double F0 = amplitude(scene);
-    const Sinusoid P = {F0 * flow.displacement.sine, F0 * flow.displacement.cosine};
-    const Sinusoid Q = {F0 * flow.velocity.sine, F0 * flow.velocity.cosine};
-    const Sinusoid next = {P.sine * cosine - P.cosine * sine, P.sine * sine + P.cosine * cosine};
-    return {flow.e12 * Q.sine - (1 + flow.e22) * P.sine + next.sine,
-            flow.e12 * Q.cosine - (1 + flow.e22) * P.cosine + next.cosine};
+    const double force = amplitude(scene);
+    const Sinusoid in_displacement = {force * flow.displacement.sine, force * flow.displacement.cosine};
+    const Sinusoid in_velocity = {force * flow.velocity.sine, force * flow.velocity.cosine};
+    const Sinusoid next = {in_displacement.sine * cosine - in_displacement.cosine * sine,
+                           in_displacement.sine * sine + in_displacement.cosine * cosine};
+    return {flow.e12 * in_velocity.sine - (1 + flow.e22) * in_displacement.sine + next.sine,
+            flow.e12 * in_velocity.cosine - (1 + flow.e22) * in_displacement.cosine + next.cosine};
   }
 
   template <class Format>
   static constexpr Plan<Format> make_plan(const Scene& scene, const Bounds&, double h, const LinearFlow& flow,
                                           const UnitExponents& unit) {
     const double turn = scene.drive_pulsation * h, cosine = constant::cosine(turn), sine = constant::sine(turn);
-    const double F0 = amplitude(scene);
-    const Sinusoid P = {F0 * flow.displacement.sine, F0 * flow.displacement.cosine};
+    const double force = amplitude(scene);
+    const Sinusoid in_displacement = {force * flow.displacement.sine, force * flow.displacement.cosine};
     const Sinusoid s = increments(scene, h, flow);
     Plan<Format> plan{};
     plan.oscillator = Format::Oscillator::make_plan(s, turn);
     const int value = Format::oscillator_exponent(plan.oscillator);
     // P = by_value s + by_slope (s - s_before): resolve P along s = S sin(psi) and across it.
     // The force, sin(w t), likewise.
-    const double S2 = s.sine * s.sine + s.cosine * s.cosine;
-    if (S2 > 0) {
+    const double size = s.sine * s.sine + s.cosine * s.cosine;
+    if (size > 0) {
       plan.increment = Format::gain(1, value, unit.increment);
-      const double along = (P.sine * s.sine + P.cosine * s.cosine) / S2;
-      const double across = (P.cosine * s.sine - P.sine * s.cosine) / S2;
+      const double along = (in_displacement.sine * s.sine + in_displacement.cosine * s.cosine) / size;
+      const double across = (in_displacement.cosine * s.sine - in_displacement.sine * s.cosine) / size;
       const double by_slope = across / sine, by_value = along - by_slope * (1 - cosine);
       plan.rate_by_value = Format::gain(by_value / flow.e12, value, unit.penetration);
-      const double force_by_slope = -s.cosine / S2 / sine, force_by_value = s.sine / S2 - force_by_slope * (1 - cosine);
+      const double force_by_slope = -s.cosine / size / sine,
+                   force_by_value = s.sine / size - force_by_slope * (1 - cosine);
       plan.force_by_value = Format::gain(force_by_value, value, 1);
       plan.force_by_slope = Format::gain(force_by_slope, value - Format::Oscillator::slope_bits(plan.oscillator), 1);
       plan.rate_by_slope =
@@ -73,12 +76,12 @@ struct Sine {
                                                   const UnitExponents& unit) {
     const double turn = scene.drive_pulsation * h, cosine = constant::cosine(turn), sine = constant::sine(turn);
     const Sinusoid s = increments(scene, h, flow);
-    const double S2 = s.sine * s.sine + s.cosine * s.cosine;
-    if (!(S2 > 0)) return {};
+    const double size = s.sine * s.sine + s.cosine * s.cosine;
+    if (!(size > 0)) return {};
     const auto oscillator = Format::Oscillator::make_plan(s, turn);
     const int value = Format::oscillator_exponent(oscillator),
               slope = value - Format::Oscillator::slope_bits(oscillator);
-    const double by_slope = s.sine / S2 / sine, by_value = s.cosine / S2 - by_slope * (1 - cosine);
+    const double by_slope = s.sine / size / sine, by_value = s.cosine / size - by_slope * (1 - cosine);
     const double P_sine = amplitude(scene) * flow.displacement.sine,
                  P_cosine = amplitude(scene) * flow.displacement.cosine;
     return {Format::gain(by_value, value, 1),

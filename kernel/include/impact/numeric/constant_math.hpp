@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The few functions of a double that a plan and the tables need, as constant expressions. They run in the compiler (or
 // once, on the host, where a plan is made at run time), never in a step. Each is within a few ulps of the true value.

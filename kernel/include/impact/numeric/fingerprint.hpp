@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A number that tells sets of parameters apart: FNV-1a, 32 bits, over words. Two sets agree by chance once in 2^32.
 

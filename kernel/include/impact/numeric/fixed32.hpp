@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The fixed-point format of the step. Values are Q1.31 fractions of a power of two that the plan chooses for each
 // quantity from the scene's bounds; states are 64-bit integers at one common scale, because what a step adds to a

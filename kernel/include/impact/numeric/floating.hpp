@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A number with an exponent of its own in 32-bit integer arithmetic, for what spans more powers of two than a fixed
 // unit holds: the stiff contact of Fixed32. No library helper, the same bits on every target.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The words that the step's formulas use besides + - and *, for real numbers. fraction.hpp has the same words for fixed
 // point, where most of them only move the point.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // 32-bit fixed-point numbers that carry their number of fraction bits in their type, so that formulas read as formulas:
 // the product of two is the high word of the full product, and a sum has the fraction bits of its coarser operand.

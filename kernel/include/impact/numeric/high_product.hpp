@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The integer operations that fixed point lives on and that not every processor has an instruction for: the high
 // half of a 32 by 32 bit product, and the count of leading zeros.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A sinusoid sampled once a step by one multiplication, without a table and without libm:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // x^(4/5) from the exponent of x, by table, and a straight line in its mantissa: with x = 2^(5q + r) (1 + f),
 //

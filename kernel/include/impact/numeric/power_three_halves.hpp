@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // y^(3/2) = y sqrt(y), with the square root's table: the force of Hertz and Hunt-Crossley.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The floating-point formats of the step: Float32 (float with compensated state and an integer sine), Float32Plain (one
 // float a state, the fewest cycles), and Float64 for the host, which separates the method's error from rounding.

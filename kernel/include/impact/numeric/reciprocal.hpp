@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Reciprocal and quotient without a divide instruction, in 32-bit integer arithmetic: the same bits on every target.
 //

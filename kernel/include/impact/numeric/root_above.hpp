@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The root of order 3 or 5 of |x| > 0 to start an iteration from: at least the root, and at most 10 % above it.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Square root by table, in fixed point and on a float's bits, in integer arithmetic: the same bits on every target.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The powers of two that a step's numbers count in, chosen by the plan: a Value v of a quantity with exponent e stands
 // for v * 2^e in SI units (metres; metres per step for displacements and rates). Floating point has all exponents 0.

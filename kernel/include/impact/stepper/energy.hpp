@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The energy-consistent step: exact free flight, and in contact a force that is constant over the step and equals the
 // difference quotient of the contact's potential (a discrete gradient: Hughes, Caughey & Liu 1978), so that its work is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The impulsive step, for a contact shorter than the step: exact free flight, and an impact as one impulse with the
 // restitution that the law has at this speed (law/rebound.hpp), at the instant of the force's centroid. Seen from
@@ -80,19 +81,21 @@ struct Impulsive {
       largest.push = rate;
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
-      const double h = terms.step, M = terms.main_mass, m = terms.ball_mass;
-      const double impulse = terms.force_unit * h * h, turn = terms.main_stiffness * h * h / M;
-      const double unit_impulse = impulse / constant::smaller(m, M) * constant::power_of_two(-unit.push);
-      return {{Format::gain(impulse / M, 0, unit.push), Format::gain(impulse / M * flow.e12, 0, unit.push),
-               Format::gain(impulse / M * flow.e11, 0, unit.push), Format::gain(impulse / m, 0, unit.push),
-               Format::gain(impulse / m, 0, unit.push), Format::gain(0, 0, 0), Format::gain(0, 0, 0),
-               Format::gain(0, 0, 0)},
-              Rebound<Format, ContactLaw>::make(terms, unit),
-              // Over the flow's own curvature at a displacement, so that the rate is that of the derivation above.
-              Format::gain(turn > 0 ? turn / flow.stiffness() : 1, unit.increment, unit.penetration),
-              Format::gain(turn, 0, 0),
-              Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
-              Format::sample(0.999999 / unit_impulse)};
+      const double h = terms.step, main_mass = terms.main_mass, ball_mass = terms.ball_mass;
+      const double impulse = terms.force_unit * h * h, turn = terms.main_stiffness * h * h / main_mass;
+      const double unit_impulse =
+          impulse / constant::smaller(ball_mass, main_mass) * constant::power_of_two(-unit.push);
+      return {
+          {Format::gain(impulse / main_mass, 0, unit.push), Format::gain(impulse / main_mass * flow.e12, 0, unit.push),
+           Format::gain(impulse / main_mass * flow.e11, 0, unit.push), Format::gain(impulse / ball_mass, 0, unit.push),
+           Format::gain(impulse / ball_mass, 0, unit.push), Format::gain(0, 0, 0), Format::gain(0, 0, 0),
+           Format::gain(0, 0, 0)},
+          Rebound<Format, ContactLaw>::make(terms, unit),
+          // Over the flow's own curvature at a displacement, so that the rate is that of the derivation above.
+          Format::gain(turn > 0 ? turn / flow.stiffness() : 1, unit.increment, unit.penetration),
+          Format::gain(turn, 0, 0),
+          Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
+          Format::sample(0.999999 / unit_impulse)};
     }
 
     static constexpr bool carries = false, slips = false, returns = false, splits = true;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The moment-fitted step: exact free flight, and in contact Newmark's two updates with the weights fitted to the
 // contact law instead of to a force that is constant or linear in time. Over a step from 0 to h,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Classical Newmark: the contact force is the law at the end of the step, found together with the motion. It enters
 // both masses linearly, so that contact is one scalar equation: with the penetration and its rate that the step would
@@ -50,29 +51,31 @@ struct Pointwise {
       bool clamped;
     };
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
-      const double F = terms.force_unit, k1 = terms.stiffness, damping = terms.damping_time / terms.step;
+      const double force_unit = terms.force_unit, k1 = terms.stiffness, damping = terms.damping_time / terms.step;
       const double ball = terms.step * terms.step / terms.ball_mass;
-      const double B = flow.b1 + beta * ball, C = flow.c1 + ball / 2;
-      double slope = k1 * B + k1 * damping * C;
+      const double by_penetration = flow.b1 + beta * ball, by_rate = flow.c1 + ball / 2;
+      double slope = k1 * by_penetration + k1 * damping * by_rate;
       if (ContactLaw::law != Law::hooke_newton) {
         const double d = terms.largest_penetration, root = constant::square_root(d);
-        slope = k1 * root * (1.5 * B * (1 + terms.damping_time * terms.largest_rate) + damping * C * d);
+        slope =
+            k1 * root * (1.5 * by_penetration * (1 + terms.damping_time * terms.largest_rate) + damping * by_rate * d);
       }
       int passes = 1;
       for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
-      return {
-          {Format::gain(F * flow.b1, 0, unit.push),
-           Format::gain(F * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push), Format::gain(0, 0, 0),
-           Format::gain(F * beta * ball, 0, unit.push), Format::gain(F * (1 - beta) * ball, 0, unit.push),
-           Format::gain(F * B, 0, unit.penetration), Format::gain(F * C, 0, unit.penetration), Format::gain(0, 0, 0)},
-          Format::gain(F * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
-          Format::gain(F * beta * ball, 0, unit.push),
-          Format::gain(F * flow.b0 / flow.e12, 0, unit.penetration),
-          Format::gain(F * (0.5 - beta) * ball, 0, unit.penetration),
-          damping_gain<Format, ContactLaw>(terms, unit),
-          Format::gain(1 / (1 + slope), 0, 0),
-          passes,
-          terms.clamped};
+      return {{Format::gain(force_unit * flow.b1, 0, unit.push),
+               Format::gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
+               Format::gain(0, 0, 0), Format::gain(force_unit * beta * ball, 0, unit.push),
+               Format::gain(force_unit * (1 - beta) * ball, 0, unit.push),
+               Format::gain(force_unit * by_penetration, 0, unit.penetration),
+               Format::gain(force_unit * by_rate, 0, unit.penetration), Format::gain(0, 0, 0)},
+              Format::gain(force_unit * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
+              Format::gain(force_unit * beta * ball, 0, unit.push),
+              Format::gain(force_unit * flow.b0 / flow.e12, 0, unit.penetration),
+              Format::gain(force_unit * (0.5 - beta) * ball, 0, unit.penetration),
+              damping_gain<Format, ContactLaw>(terms, unit),
+              Format::gain(1 / (1 + slope), 0, 0),
+              passes,
+              terms.clamped};
     }
 
     static constexpr bool carries = true, slips = false, returns = false;

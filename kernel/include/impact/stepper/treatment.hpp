@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What every contact treatment is made of: the phase between steps, the kick that a step's contact force gives, the
 // responses of both masses to it, and the units of its forces.

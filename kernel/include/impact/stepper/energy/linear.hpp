@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The energy-consistent contact for Hooke-Newton, in the units of law/terms.hpp, with d+ = max(d, 0):
 //
@@ -26,14 +27,14 @@ struct EnergyLinear : ResolvedForces {
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const ConstantForceResponse answer(terms, flow);
-    const double C = terms.damping_time / terms.step, G = terms.stiffness * answer.penetration();
-    const double solved = 1 / (1 + G * (0.5 + C));
+    const double damping = terms.damping_time / terms.step, stiffness = terms.stiffness * answer.penetration();
+    const double solved = 1 / (1 + stiffness * (0.5 + damping));
     return {answer.gains<Format>(terms.force_unit, unit),
-            Format::gain(C, unit.penetration, terms.damping_exponent),
+            Format::gain(damping, unit.penetration, terms.damping_exponent),
             Format::gain(solved, 0, 0),
-            Format::gain((1 + G * C) * solved, 0, 0),
-            Format::gain(G / 2, 0, 0),
-            Format::gain(G * C, 0, 0),
+            Format::gain((1 + stiffness * damping) * solved, 0, 0),
+            Format::gain(stiffness / 2, 0, 0),
+            Format::gain(stiffness * damping, 0, 0),
             terms.clamped};
   }
 

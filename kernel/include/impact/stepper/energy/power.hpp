@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The energy-consistent contact for the power laws, in the units of law/terms.hpp. n is the mean of d^(3/2) between
 // the penetrations d0 and d1 at both ends (0 where they are negative); r, s: their roots; p = (s+r)/2, z = (s-r)/2:
@@ -166,7 +167,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     } else {
       step.d0 = Format::wide_value(before);
     }
-    step.D = Format::wide_value(trial - before);
+    step.travel = Format::wide_value(trial - before);
     const auto end = step.solve();
     const Value force = Format::narrow(end.back * plan.force_of_back);
     const Value last = trial - plan.response.penetration * force;

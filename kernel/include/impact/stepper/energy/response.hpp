@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The exact response of both masses to a contact force that is constant over the step; and the positive root of the
 // quadratics that such a force leads to.

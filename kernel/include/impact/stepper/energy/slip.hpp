@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The slip that makes the energy-consistent step keep Hunt-Crossley's first integral is k q, with u = C q and
 //

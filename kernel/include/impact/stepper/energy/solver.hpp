@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The energy-consistent step of a power law at any stiffness. With q = G n (n the mean of d^(3/2) over the step, so
 // that q is what the elastic force alone takes from the penetration), D the displacement without contact, dt = d0 + D,
@@ -49,14 +50,15 @@ struct EnergySolver {
 
   static constexpr int passes = is_damped ? 14 : 7, leaving_passes = 10;
 
-  Real G, C;
-  Real r, d0, D;  // r = 0 and d0 <= 0 before contact
+  Real stiffness, damping;  // G, C
+  Real r, d0, travel;       // D; r = 0 and d0 <= 0 before contact
 
   constexpr End solve() const {
-    const Real dt = d0 + D, pull = number(1) + C * D;
+    const Real dt = d0 + travel, pull = number(1) + damping * travel;
     if (is_damped && !is_positive(pull)) return {};
-    const Real least = number(0.4) * G * r * r * r;
-    const Real at_rest = taken(least, pull) + (is_damped ? least * SlipFunction<Format>::at(C * least).k : number(0));
+    const Real least = number(0.4) * stiffness * r * r * r;
+    const Real at_rest =
+        taken(least, pull) + (is_damped ? least * SlipFunction<Format>::at(damping * least).k : number(0));
     return at_rest < dt ? stay(dt, pull) : leave(least, pull);
   }
 
@@ -65,18 +67,18 @@ struct EnergySolver {
   static constexpr Real smaller(Real x, Real y) { return x < y ? x : y; }
   static constexpr Real larger(Real x, Real y) { return x < y ? y : x; }
 
-  constexpr Real taken(Real q, Real pull) const { return is_damped ? q * pull / (number(1) + C * q) : q; }
+  constexpr Real taken(Real q, Real pull) const { return is_damped ? q * pull / (number(1) + damping * q) : q; }
 
   // No u has a K above this without being below the result: SlipFunction's line.
-  static constexpr Real most(Real K) {
-    return number(1) + larger(K, number(0)) * number(1 / SlipFunction<Format>::steepness);
+  static constexpr Real most(Real slip_share) {
+    return number(1) + larger(slip_share, number(0)) * number(1 / SlipFunction<Format>::steepness);
   }
 
   struct Mean {
     Real q, slope;  // dq/dd1
   };
   constexpr Mean mean_at(Real d, Real s) const {
-    const Real fifth = number(0.2) * G;
+    const Real fifth = number(0.2) * stiffness;
     if (is_positive(r)) {
       const Real w = r / (s + r), rw = r * w;
       const Real q = fifth * (s * d + r * r * (s + rw));
@@ -91,10 +93,10 @@ struct EnergySolver {
     Real q = dt;
     if constexpr (is_damped) {
       q = (dt + dt) / pull;
-      const Real u = smaller(most(C * dt), Format::wide_root(number(3) * C * dt));
-      if (u < C * q) q = u / C;
+      const Real u = smaller(most(damping * dt), Format::wide_root(number(3) * damping * dt));
+      if (u < damping * q) q = u / damping;
     }
-    const Real n = q / G;
+    const Real n = q / stiffness;
     const Real s = is_positive(r)
                        ? root_above<3>(number(2.5) * n)
                        : larger(root_above<3>(number(5) * n), root_above<5>(number(5) * n * (number(0) - d0)));
@@ -107,11 +109,11 @@ struct EnergySolver {
       const Mean mean = mean_at(d, Format::wide_root(d));
       Real missed = d + mean.q - dt, slope = number(1) + mean.slope;
       if constexpr (is_damped) {
-        const Real u = C * mean.q;
+        const Real u = damping * mean.q;
         const auto slip = SlipFunction<Format>::at(u);
-        const Real K = u * slip.k, extra = C * (d - d0) + K + slip.k;
+        const Real slip_share = u * slip.k, extra = damping * (d - d0) + slip_share + slip.k;
         missed = missed + mean.q * extra;
-        slope = slope + u + mean.slope * (extra + (u + u * u) * slip.slope + K);
+        slope = slope + u + mean.slope * (extra + (u + u * u) * slip.slope + slip_share);
       }
       d = larger(d - missed / slope, number(1.0 / 64) * d);
     }
@@ -120,14 +122,14 @@ struct EnergySolver {
   }
 
   constexpr End leave(Real least, Real pull) const {
-    const Real m = is_damped ? -(D + C * least * d0) : -D, size = is_positive(m) ? m : -m;
+    const Real m = is_damped ? -(travel + damping * least * d0) : -travel, size = is_positive(m) ? m : -m;
     const Real sum = size + Format::wide_root(size * size + number(4) * least * d0);
     Real t = smaller(is_positive(m) ? (d0 + d0) / sum : sum / (least + least), number(1));
     if constexpr (is_damped) {
-      const Real whole = C * least, largest = most(C * (D + whole * d0));
+      const Real whole = damping * least, largest = most(damping * (travel + whole * d0));
       if (largest < whole * t) t = largest / whole;
       for (int pass = 0; pass < leaving_passes; ++pass) {
-        const Real u = C * least * t, ct = least * t;
+        const Real u = damping * least * t, ct = least * t;
         const auto slip = SlipFunction<Format>::at(u);
         const Real factor = number(1) + (number(1) + u) * slip.k;
         const Real slope = m + ct * (factor + factor + u * ((number(1) + u) * slip.slope + slip.k));
@@ -135,7 +137,7 @@ struct EnergySolver {
       }
     }
     const Real q = least * t;
-    return {number(0), taken(q, pull), is_damped ? q * SlipFunction<Format>::at(C * q).k : number(0)};
+    return {number(0), taken(q, pull), is_damped ? q * SlipFunction<Format>::at(damping * q).k : number(0)};
   }
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The moment-fitted contact for Hooke-Newton, f = d + C v in the units of law/terms.hpp (d: penetration, v: its
 // rate per step, C = c1/(k1 h)).
@@ -36,8 +37,8 @@ struct MomentLinear : ResolvedForces {
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const MomentResponse answer(terms);
-    const double C = terms.damping_time / terms.step;
-    const double G = terms.stiffness * terms.step * terms.step * (1 / terms.ball_mass + answer.g0);
+    const double damping = terms.damping_time / terms.step;
+    const double stiffness = terms.stiffness * terms.step * terms.step * (1 / terms.ball_mass + answer.g0);
     struct Moments {
       double impulse, moment;
     };
@@ -46,8 +47,8 @@ struct MomentLinear : ResolvedForces {
       double d[3] = {d0, change - sag, 0}, share = 1;
       Moments sum{};
       for (int n = 0; n < 40; ++n) {
-        const double force = d[0] + C * d[1];
-        d[2] = (n == 0 ? a : n == 1 ? jerk : 0) - G * force;
+        const double force = d[0] + damping * d[1];
+        d[2] = (n == 0 ? a : n == 1 ? jerk : 0) - stiffness * force;
         share /= n + 1;
         sum.impulse += share * force;
         sum.moment += share / (n + 2) * force;
@@ -60,7 +61,7 @@ struct MomentLinear : ResolvedForces {
                   by_sag = moments(0, 0, 0, 1);
     const int to = unit.force;
     return {answer.gains<Format>(terms, flow, unit),
-            Format::gain(C, unit.penetration, terms.damping_exponent),
+            Format::gain(damping, unit.penetration, terms.damping_exponent),
             {Format::gain(by_penetration.impulse, 0, to), Format::gain(by_change.impulse, 0, to),
              Format::gain(by_rate.impulse, 0, to), Format::gain(by_sag.impulse, 0, to)},
             {Format::gain(by_penetration.moment, 0, to), Format::gain(by_change.moment, 0, to),

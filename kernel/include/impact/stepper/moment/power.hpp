@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The moment-fitted contact for the power laws. With the roots r and s of the penetrations d0 and d1 at both ends of
 // the step, p = (s+r)/2, z = (s-r)/2, and the rates v0, v1 (their change without contact: g), the law
@@ -42,15 +43,16 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const MomentResponse response(terms);
     const double of_force = terms.force_unit * terms.step * terms.step * response.mobility(terms);
-    const double K = of_force * constant::power_of_two(-terms.damping_exponent - unit.kick);
-    const double C = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time / terms.step;
+    const double stiffness = of_force * constant::power_of_two(-terms.damping_exponent - unit.kick);
+    const double damping =
+        ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time / terms.step;
     const int from = ContactLaw::is_damped_per_impact ? 0 : unit.penetration;
     return {response.template shared<Format>(terms, flow, unit),
-            Format::constant(K),
-            Format::constant(0.4 * K),
-            Format::weight(K * C, from, 0),
-            Format::weight(0.4 * K * C, from, 0),
-            Format::weight(K * C / 6, unit.kick, 0),
+            Format::constant(stiffness),
+            Format::constant(0.4 * stiffness),
+            Format::weight(stiffness * damping, from, 0),
+            Format::weight(0.4 * stiffness * damping, from, 0),
+            Format::weight(stiffness * damping / 6, unit.kick, 0),
             Format::gain(1 / of_force, unit.kick, 0),
             unit.penetration - unit.kick,
             unit.kick - unit.increment};
@@ -91,9 +93,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     if (phase == Phase::apart) return enter(plan, trial, before, g);
     const Value rate = trial - penetration - Format::value(half(travel(plan, g)));
     const auto shape = root * without_sign(penetration);
-    const Value E = strength(plan, rate);
-    const Value force = Format::value(shape * E);
-    Value third_rise = Format::value(quarter(root * E * rate));  // of the force's change in half the step
+    const Value factor = strength(plan, rate);
+    const Value force = Format::value(shape * factor);
+    Value third_rise = Format::value(quarter(root * factor * rate));  // of the force's change in half the step
     if constexpr (ContactLaw::is_damped) third_rise = third_rise + damped_sixth(plan, g - force, shape);
     const Value d = trial - travel(plan, Format::value(half(force)) + third_rise);
     if (!is_positive(d)) return leave(plan, trial, g, d);
@@ -109,16 +111,17 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto n = p * (pp + zz + zz) + zz * e;
     const auto w = eighth(p + twice(e));
     const Value dd = d - penetration;
-    const auto E = positive_part(strength(plan, dd));
+    const auto factor = positive_part(strength(plan, dd));
     const auto by_change = plan.stiffness * w;
-    Value impulse = Format::value(n * E) - travel(plan, Format::value(by_change * dv));
-    Value moment = Format::value(half(impulse)) - Format::value(w * E * dd);
+    Value impulse = Format::value(n * factor) - travel(plan, Format::value(by_change * dv));
+    Value moment = Format::value(half(impulse)) - Format::value(w * factor * dd);
     if constexpr (ContactLaw::is_damped) moment = moment - damped_sixth(plan, dv, half(n));
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
     const Value missed = trial - travel(plan, moment) - d;
     const auto slope = p - quarter(root) + e;
-    Value correction = Format::value(slope * E * missed) - travel(plan, Format::value(by_change * (g - impulse - dv)));
+    Value correction =
+        Format::value(slope * factor * missed) - travel(plan, Format::value(by_change * (g - impulse - dv)));
     if constexpr (ContactLaw::is_damped) correction = correction + Format::value(damping(plan) * missed * n);
     return {impulse + correction, moment + Format::value(correction * Format::short_constant(1.0 / 3))};
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The response of both masses to an impulse J0 and a moment J1 of the contact force within a step, the main mass on its
 // spring and damper: exact for a force linear in time, up to terms of third order in h.
@@ -24,15 +25,15 @@ struct MomentResponse {
   template <class Format>
   constexpr Response<typename Format::Gain> gains(const ContactTerms& terms, const LinearFlow& flow,
                                                   const UnitExponents& unit) const {
-    const double F = terms.force_unit * terms.step * terms.step, ball = F / terms.ball_mass;
-    return {Format::gain(F * gx, 0, unit.push),
-            Format::gain(F * flow.e12 * g0, 0, unit.push),
-            Format::gain(F * (flow.e12 * hg1 + flow.e11 * gx), 0, unit.push),
+    const double scale = terms.force_unit * terms.step * terms.step, ball = scale / terms.ball_mass;
+    return {Format::gain(scale * gx, 0, unit.push),
+            Format::gain(scale * flow.e12 * g0, 0, unit.push),
+            Format::gain(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, unit.push),
             Format::gain(ball, 0, unit.push),
             Format::gain(ball, 0, unit.push),
-            Format::gain(ball + F * gx, 0, unit.penetration),
-            Format::gain(ball + F * g0, 0, unit.penetration),
-            Format::gain(F * hg1, 0, unit.penetration)};
+            Format::gain(ball + scale * gx, 0, unit.penetration),
+            Format::gain(ball + scale * g0, 0, unit.penetration),
+            Format::gain(scale * hg1, 0, unit.penetration)};
   }
   // The change of penetration by a moment.
   constexpr double mobility(const ContactTerms& terms) const { return 1 / terms.ball_mass + gx; }
@@ -40,13 +41,13 @@ struct MomentResponse {
   template <class Format>
   constexpr SharedResponse<typename Format::Weight> shared(const ContactTerms& terms, const LinearFlow& flow,
                                                            const UnitExponents& unit) const {
-    const double F = 1 / mobility(terms), ball = F / terms.ball_mass;
+    const double scale = 1 / mobility(terms), ball = scale / terms.ball_mass;
     return {Format::weight(ball, 0, 0),
-            Format::weight(F * (flow.e12 * g0 - gx), 0, 0),
-            Format::weight(F * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
+            Format::weight(scale * (flow.e12 * g0 - gx), 0, 0),
+            Format::weight(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
             Format::weight(1, unit.kick, unit.penetration),
-            Format::weight(ball + F * g0, unit.kick, unit.penetration),
-            Format::weight(F * hg1, unit.kick, unit.penetration)};
+            Format::weight(ball + scale * g0, unit.kick, unit.penetration),
+            Format::weight(scale * hg1, unit.kick, unit.penetration)};
   }
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The moment-fitted step with n sub-steps while in contact, for a contact of few steps. Free flight is that of Moment;
 // within a step in contact the free relative motion is the cubic through its penetrations and rates at both ends, and

@@ -83,6 +83,29 @@ double hertz_peak_penetration(const Impact& impact) { return penetration(impact,
 
 }  // namespace
 
+std::optional<double> damping_ratio(Damping damping, double e) {
+  if (!(e > 0 && e <= 1)) return std::nullopt;
+  switch (damping) {
+    case Damping::constant:
+      return 0;
+    case Damping::hunt_crossley:
+      return 3 * (1 - e) / 2;
+    case Damping::herbert_mcwhannell:
+      return 6 * (1 - e) / (std::pow(2 * e - 1, 2) + 3);
+    case Damping::lee_wang:
+      return 3 * (1 - e) / 4;
+    case Damping::lankarani_nikravesh:
+      return 3 * (1 - std::pow(e, 2)) / 4;
+    case Damping::flores:
+      return 8 * (1 - e) / (5 * e);
+    case Damping::hu_guo:
+      return 3 * (1 - e) / (2 * e);
+    case Damping::exact:
+      break;
+  }
+  return contact_damping({Law::hunt_crossley, 1, 0, 1, 1}, e);
+}
+
 std::optional<double> restitution(const Impact& impact) {
   if (!in_range(impact)) return std::nullopt;
   switch (impact.law) {
@@ -129,7 +152,8 @@ std::optional<double> paper_contact_damping(const Impact& impact, double e) {
   Impact undamped = impact;
   undamped.contact_damping = 0;
   if (!in_range(undamped) || !(e > 0 && e <= 1) || impact.law == Law::hertz) return std::nullopt;
-  if (impact.law == Law::hunt_crossley) return 1.5 * impact.contact_stiffness * (1 - e) / impact.speed;
+  if (impact.law == Law::hunt_crossley)
+    return *damping_ratio(Damping::hunt_crossley, e) * impact.contact_stiffness / impact.speed;
   const double zeta = -std::log(e) / std::hypot(pi, std::log(e));
   return 2 * zeta * std::sqrt(impact.contact_stiffness * impact.reduced_mass);
 }

@@ -18,6 +18,22 @@
 
 namespace impact::host {
 
+// How Hunt-Crossley's c1 is had: `constant`, or set at each impact from that impact's own speed, by a formula for the
+// damping ratio a that is named after its authors (impact/law/per_impact.hpp), or so that the restitution is e exactly.
+enum class Damping {
+  constant,
+  hunt_crossley,
+  herbert_mcwhannell,
+  lee_wang,
+  lankarani_nikravesh,
+  flores,
+  hu_guo,
+  exact
+};
+
+// a = c1 v0/k1 for the stated e, 0 < e <= 1; 0 for a constant one.
+std::optional<double> damping_ratio(Damping damping, double e);
+
 struct Impact {
   Law law = Law::hunt_crossley;
   double contact_stiffness = 32600.0;  // k1, N/m (Hooke-Newton) or N/m^(3/2)

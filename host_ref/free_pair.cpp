@@ -13,10 +13,14 @@ long most_steps(const FreePair& free) {
   return std::lround(4 * contact_time(impact_of(free)).value() / free.step) + 20;
 }
 
+Case case_of(const Request& request) {
+  return {request.law, request.scene, request.drive,
+          {},          request.step,  damping_ratio(request.damping, request.scene.restitution).value()};
+}
+
 class RungeKutta final : public Simulation {
  public:
-  explicit RungeKutta(const Request& request)
-      : method_({request.law, request.scene, request.drive, {}, request.step}, request.step) {}
+  explicit RungeKutta(const Request& request) : method_(case_of(request), request.step) {}
 
   void step(double) override { method_.step(); }
   Sample sample() const override { return method_.sample(); }
@@ -38,7 +42,11 @@ Impact impact_of(const FreePair& free) {
   impact.contact_damping = 0;
   impact.reduced_mass = free.main_mass * free.ball_mass / (free.main_mass + free.ball_mass);
   impact.speed = free.speed;
-  if (free.law != Law::hertz) impact.contact_damping = contact_damping(impact, free.restitution).value();
+  if (free.damping != Damping::constant)
+    impact.contact_damping =
+        damping_ratio(free.damping, free.restitution).value() * free.contact_stiffness / free.speed;
+  else if (free.law != Law::hertz)
+    impact.contact_damping = contact_damping(impact, free.restitution).value();
   return impact;
 }
 
@@ -58,6 +66,8 @@ Request request_for(const FreePair& free, Stepper stepper, Numeric numeric, doub
   scene.clearance = free.clearance;
   scene.contact_stiffness = impact.contact_stiffness;
   scene.contact_damping = impact.contact_damping;
+  request.damping = free.damping;
+  if (free.damping != Damping::constant) scene.restitution = free.restitution;
   scene.stops = free.stops;
   scene.v2 = free.speed;
   scene.x2 = free.clearance / 2 - free.speed * free.step * (1 + phase);

@@ -14,12 +14,13 @@ constexpr int phases_of_impact = 64;
 struct FreePair {
   Law law = Law::hunt_crossley;
   double contact_stiffness = 32600.0;  // k1, N/m (Hooke-Newton) or N/m^(3/2)
-  double restitution = 0.68;           // of the law, exactly; of no effect under Hertz
+  double restitution = 0.68;           // of the law, exactly, or stated to `damping`; of no effect under Hertz
   double speed = 0.8;                  // m/s: the ball's, towards the right stop of a main mass at rest
   double main_mass = 1, ball_mass = 0.3;
   double clearance = 0.02;  // m
   double step = 1e-4;       // h, s
   Stops stops = Stops::right;
+  Damping damping = Damping::constant;
 };
 
 // Rebound speed over approach speed, which is taken as `blown_up` where it is more or no number at all; negative where

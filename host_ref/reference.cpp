@@ -297,9 +297,9 @@ class Reference::Motion {
     }
     if (before != Phase::apart) return;
     ++impacts_;
-    if (run_.law == Law::hunt_crossley && run_.scene.damping == Damping::per_impact) {
+    if (run_.law == Law::hunt_crossley && run_.damping_ratio > 0) {
       const Real approach_speed = std::max(static_cast<Real>(side_) * now_.rate, real(least_approach_speed));
-      c1_ = 1.5L * scene_.k1 * (1 - real(run_.scene.restitution)) / approach_speed;
+      c1_ = real(run_.damping_ratio) * scene_.k1 / approach_speed;
     }
   }
 

@@ -17,17 +17,18 @@ namespace impact::host {
 // One run: what is computed. A sampled drive is linear between samples, samples[i] being the force at i sample_step,
 // and keeps its last value after them.
 //
-// Damping::per_impact sets Hunt-Crossley's c1 from the approach speed when a contact begins; a contact under way at t =
-// 0 has Scene::contact_damping.
+// A damping ratio a sets Hunt-Crossley's c1 = a k1/v0 from the approach speed v0 when a contact begins; a contact under
+// way at t = 0 has Scene::contact_damping, and without one (0) every contact has.
 struct Case {
   Law law = Law::hunt_crossley;
   Scene scene{};
   DriveKind drive = DriveKind::sine;
   std::vector<double> samples{};  // N
   double sample_step = 0;         // s
+  double damping_ratio = 0;       // a
 };
 
-constexpr double least_approach_speed = 1e-6;  // m/s; keeps (2.9) finite for a ball laid on its stop
+constexpr double least_approach_speed = 1e-6;  // m/s; keeps c1 finite for a ball laid on its stop
 
 double drive_force(const Case& run, double t);  // F(t), N
 

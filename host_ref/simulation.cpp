@@ -17,6 +17,14 @@ using Names = std::array<std::pair<std::string_view, Enumerator>, size>;
 
 constexpr Names<Law, 3> laws = {
     {{"hooke-newton", Law::hooke_newton}, {"hertz", Law::hertz}, {"hunt-crossley", Law::hunt_crossley}}};
+constexpr Names<Damping, 8> dampings = {{{"constant", Damping::constant},
+                                         {"hunt-crossley", Damping::hunt_crossley},
+                                         {"herbert-mcwhannell", Damping::herbert_mcwhannell},
+                                         {"lee-wang", Damping::lee_wang},
+                                         {"lankarani-nikravesh", Damping::lankarani_nikravesh},
+                                         {"flores", Damping::flores},
+                                         {"hu-guo", Damping::hu_guo},
+                                         {"exact", Damping::exact}}};
 constexpr Names<Stepper, 10> steppers = {{{"auto", Stepper::automatic},
                                           {"average", Stepper::average},
                                           {"linear", Stepper::linear},
@@ -63,7 +71,7 @@ Resolution resolution(const Request& request, const Bounds& bounds) {
     case Law::hunt_crossley:
       break;
   }
-  if (request.scene.damping == Damping::per_impact) return resolution_of<HuntCrossleyPerImpact>(request.scene, bounds);
+  if (request.damping != Damping::constant) return resolution_of<Exact>(request.scene, bounds);
   return resolution_of<HuntCrossley>(request.scene, bounds);
 }
 
@@ -231,6 +239,20 @@ std::string description(const Request& request, const Bounds& bounds, bool is_au
   return line;
 }
 
+// The scene's restitution, stated under a formula, as the one that comes out; none where no plan takes it.
+std::optional<double> true_restitution(Damping damping, double stated) {
+  if (!restitution_range.holds(stated)) return std::nullopt;
+  if (damping == Damping::exact) return stated;
+  const double ratio = *damping_ratio(damping, stated);
+  if (!damping_ratio_range.holds(ratio)) return std::nullopt;
+  return restitution({Law::hunt_crossley, 1, ratio, 1, 1});
+}
+Refusal refusal_of_restitution(Damping damping, double stated) {
+  double least = restitution_range.least;  // to four decimals
+  while (!true_restitution(damping, least)) least = std::round(least * 1e4 + 1) / 1e4;
+  return refusal("restitution", stated, {least, restitution_range.most});
+}
+
 class Described final : public Simulation {
  public:
   Described(std::unique_ptr<Simulation> simulation, std::string description)
@@ -251,11 +273,17 @@ std::optional<Law> law_named(std::string_view name) { return find(laws, name); }
 std::optional<Stepper> stepper_named(std::string_view name) { return find(steppers, name); }
 std::optional<Numeric> numeric_named(std::string_view name) { return find(numerics, name); }
 std::string_view name_of(Law law) { return name_in(laws, law); }
+std::string_view name_of(Damping damping) { return name_in(dampings, damping); }
 std::string_view name_of(Stepper stepper) { return name_in(steppers, stepper); }
 std::string_view name_of(Numeric numeric) { return name_in(numerics, numeric); }
 
 Outcome make_simulation(const Request& asked) {
   Request request = asked;
+  if (request.damping != Damping::constant) {
+    const auto known = true_restitution(request.damping, request.scene.restitution);
+    if (!known) return {nullptr, refusal_of_restitution(request.damping, request.scene.restitution)};
+    request.scene.restitution = *known;
+  }
   const bool is_automatic = request.stepper == Stepper::automatic;
   Bounds bounds = request.bounds ? *request.bounds : estimated_bounds(request);
   if (is_automatic) request.stepper = chosen(request, bounds);

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host_ref/closed_form.hpp"
+
 namespace impact::host {
 
 enum class Stepper { average, linear, fox_goodwin, central, moment, moment_4, moment_8, energy, impulsive, automatic };
@@ -20,6 +22,7 @@ struct Request {
   Stepper stepper = Stepper::automatic;
   Numeric numeric = Numeric::float64;
   DriveKind drive = DriveKind::sine;
+  Damping damping = Damping::constant;  // of Hunt-Crossley; all but constant by Scene::restitution
   Scene scene{};
   double step = 1e-4;              // h, s
   std::optional<Bounds> bounds{};  // fixed32: when absent, twice what a float64 run of `duration` reaches
@@ -65,6 +68,7 @@ std::optional<Stepper> stepper_named(std::string_view name);  // auto, average, 
                                                               // moment-4, moment-8, energy, impulsive
 std::optional<Numeric> numeric_named(std::string_view name);  // float32, float32-plain, fixed32, float64
 std::string_view name_of(Law law);
+std::string_view name_of(Damping damping);
 std::string_view name_of(Stepper stepper);
 std::string_view name_of(Numeric numeric);
 

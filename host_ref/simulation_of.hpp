@@ -27,8 +27,8 @@ extern template Planned plan_simulation<Float64>(const Request&, const Bounds&);
 // The law in double at a penetration and its rate, for what the tool prints beside the state.
 template <class ContactLaw>
 double law_force(const Scene& scene, double damping, double penetration, double rate) {
-  const double shape = ContactLaw::law == Law::hooke_newton ? 1 : penetration * std::sqrt(penetration);
-  const double elastic = scene.contact_stiffness * (ContactLaw::law == Law::hooke_newton ? penetration : shape);
+  const double shape = ContactLaw::is_linear ? 1 : penetration * std::sqrt(penetration);
+  const double elastic = scene.contact_stiffness * (ContactLaw::is_linear ? penetration : shape);
   return elastic + damping * shape * rate;
 }
 
@@ -78,10 +78,9 @@ class KernelSimulation final : public Simulation {
     } else if (kernel_.is_touching()) {
       sample.penetration = side * y - gap;
       // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
-      const double depth =
-          ContactLaw::law == Law::hooke_newton ? sample.penetration : std::max(sample.penetration, 0.0);
+      const double depth = ContactLaw::is_linear ? sample.penetration : std::max(sample.penetration, 0.0);
       sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, side * (now.v2 - now.v1));
-      if (scene.tension == Tension::clamp || ContactLaw::law != Law::hooke_newton)
+      if (scene.tension == Tension::clamp || !ContactLaw::is_linear)
         sample.contact_force = std::max(sample.contact_force, 0.0);
     }
     sample.energy_dissipated = state.dissipated.total() * pair_unit;
@@ -115,13 +114,14 @@ class KernelSimulation final : public Simulation {
     if constexpr (ContactLaw::is_damped_per_impact) {
       const auto& plan = kernel_.plan;
       const double v0 = plan.units.si_penetration(kernel_.state().impact_rate) / plan.step;
-      return v0 > 0 ? 1.5 * request_.scene.contact_stiffness * (1 - request_.scene.restitution) / v0 : 0;
+      return v0 > 0 ? damping_ratio_ * request_.scene.contact_stiffness / v0 : 0;
     }
     return ContactLaw::is_damped ? request_.scene.contact_damping : 0;
   }
 
   Request request_;
   double largest_force_, sample_unit_;
+  double damping_ratio_ = impact::damping_ratio<ContactLaw>(request_.scene);
   bool is_sample_beyond_ = false;
   Kernel kernel_;
   long steps_ = 0;
@@ -183,8 +183,8 @@ Planned plan_simulation(const Request& request, const Bounds& bounds) {
     case Law::hunt_crossley:
       break;
   }
-  if (request.scene.damping == Damping::per_impact)
-    return plan_with_stepper<Format, HuntCrossleyPerImpact>(request, bounds);
+  // By the restitution that comes out, `Exact` is every law that sets the damping at each impact: make_simulation.
+  if (request.damping != Damping::constant) return plan_with_stepper<Format, Exact>(request, bounds);
   return plan_with_stepper<Format, HuntCrossley>(request, bounds);
 }
 

@@ -122,9 +122,9 @@ void TextbookNewmark::step() {
   side_ = penetration(scene, side, end.displacement[0], end.displacement[1]) > 0 ? side : 0;
   double force = 0;
   if (side_ != 0) {
-    if (scene.damping == Damping::per_impact && side_before == 0) {
+    if (run_.damping_ratio > 0 && side_before == 0) {
       const double approach_speed = std::max(side_ * (before.v2 - before.v1), least_approach_speed);
-      scene.contact_damping = 1.5 * scene.contact_stiffness * (1 - scene.restitution) / approach_speed;
+      scene.contact_damping = run_.damping_ratio * scene.contact_stiffness / approach_speed;
     }
     const auto contact = [&](const VectorXd& x, const VectorXd& v) {
       return contact_force(run_.law, scene.contact_stiffness, scene.contact_damping,

@@ -94,6 +94,13 @@ std::vector<std::pair<std::string, Value>> named(std::initializer_list<Value> va
   return names;
 }
 
+std::vector<std::pair<std::string, Damping>> dampings() {
+  auto names = named({Damping::constant, Damping::hunt_crossley, Damping::herbert_mcwhannell, Damping::lee_wang,
+                      Damping::lankarani_nikravesh, Damping::flores, Damping::hu_guo, Damping::exact});
+  names.insert(names.begin() + 1, {"per-impact", Damping::hunt_crossley});
+  return names;
+}
+
 Option count(const char* name, const Field<long>& field, const char* help) {
   return {name,
           "N",
@@ -167,9 +174,9 @@ const std::vector<Option>& options() {
              "speed at which hunt-crossley is to show that restitution; no matter to the other laws"),
       flag("paper-damping", field(&Settings::paper_damping), true,
            "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
-      choice<Damping>("damping", {{"constant", Damping::constant}, {"per-impact", Damping::per_impact}},
-                      field(&Scene::damping),
-                      "per-impact: hunt-crossley with --restitution, the paper's (2.9) at each impact's own speed"),
+      choice("damping", dampings(), field(&Request::damping),
+             "of hunt-crossley. All but constant set it at each impact from its own speed and --restitution E, by the "
+             "formula of that name (hunt-crossley, or per-impact: the paper's (2.9)); exact: E is what comes out"),
       choice<Tension>("tension", {{"allow", Tension::allow}, {"clamp", Tension::clamp}}, field(&Scene::tension),
                       "allow: a stop may pull until the penetration ends; clamp: it lets go at zero force"),
 

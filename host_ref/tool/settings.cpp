@@ -81,10 +81,12 @@ void settle(Settings& settings, const Given& given) {
   refuse_unless(request.law != Law::hertz || scene.contact_damping == 0, "contact-damping", "0 with --law hertz");
   refuse_unless(has("restitution"), "impact-speed", "with --restitution");
   refuse_unless(has("restitution"), "paper-damping", "with --restitution");
-  const bool per_impact = scene.damping == Damping::per_impact;
+  const bool per_impact = request.damping != Damping::constant;
   refuse_unless(!per_impact || (has("restitution") && request.law == Law::hunt_crossley), "damping",
-                "constant; per-impact with --restitution and --law hunt-crossley");
-  refuse_unless(!per_impact, "impact-speed", "without --damping per-impact, which takes each impact's own");
+                "constant; others with --restitution and --law hunt-crossley");
+  refuse_unless(!per_impact, "impact-speed", "with --damping constant: the others take each impact's own");
+  refuse_unless(!per_impact || request.damping == Damping::hunt_crossley, "paper-damping",
+                "with --damping constant or hunt-crossley, which is (2.9)");
   if (has("restitution")) {
     scene.contact_damping = per_impact ? 0 : damping_from(settings, given.at("restitution"));
   } else if (!has("contact-damping")) {

@@ -153,7 +153,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       fuzz::with_law<HuntCrossley>(bytes);
       break;
     default:
-      fuzz::with_law<HuntCrossleyPerImpact>(bytes);
+      fuzz::with_law<Flores>(bytes);
   }
   return 0;
 }

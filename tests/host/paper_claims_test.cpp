@@ -56,7 +56,7 @@ Request request_with(Law law, Tension tension, double e, From from) {
   request.scene.contact_damping =
       from == From::law ? contact_damping(impact, e).value() : paper_contact_damping(impact, e).value();
   if (from == From::each_impact && law == Law::hunt_crossley) {
-    request.scene.damping = Damping::per_impact;
+    request.damping = Damping::hunt_crossley;
     request.scene.restitution = e;
   }
   return request;

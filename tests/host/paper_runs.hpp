@@ -56,6 +56,7 @@ inline Case case_of(const Request& request) {
   run.samples = request.samples;
   if (!run.samples.empty()) run.samples.insert(run.samples.begin(), 0);
   run.sample_step = request.step;
+  run.damping_ratio = damping_ratio(request.damping, request.scene.restitution).value();
   return run;
 }
 

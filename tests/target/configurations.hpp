@@ -81,7 +81,7 @@ constexpr Label make_label() {
 template <class Law, class Newmark, class Drive>
 constexpr Scene paper_scene() {
   Scene scene;
-  const bool is_linear = Law::law == impact::Law::hooke_newton;
+  constexpr bool is_linear = Law::is_linear;
   if (is_linear) scene.contact_damping = 20.81;
   if (is_impulsive<Newmark>) {
     scene.contact_stiffness *= 1e6;
@@ -107,7 +107,7 @@ constexpr void set(Signed<bits>& sample, int32_t fraction) {
 template <class Law, class Newmark, class Numeric, class Drive>
 struct Configuration {
   static constexpr Label label = make_label<Law, Newmark, Numeric, Drive>();
-  static constexpr bool is_linear = Law::law == impact::Law::hooke_newton;
+  static constexpr bool is_linear = Law::is_linear;
   static constexpr bool is_fixed = sizeof(typename Numeric::Gain) > sizeof(typename Numeric::Value);
   template <int microseconds>
   struct Rig {

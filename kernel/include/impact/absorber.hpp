@@ -14,7 +14,8 @@
 // A scene is a type. What its template arguments do not name is not compiled: no power table for Hooke-Newton, no
 // oscillator for a sampled drive, no ledger and no log unless asked for.
 //
-//     contact law   HookeNewton, Hertz, HuntCrossley
+//     contact law   HookeNewton, Hertz, HuntCrossley; with a damping set at each impact HuntCrossleyPerImpact,
+//                   HerbertMcWhannell, LeeWang, LankaraniNikravesh, Flores, HuGuo, Exact
 //     stepper       Moment, SubsteppedMoment<n>, EnergyConsistent, Impulsive, AverageAcceleration, LinearAcceleration,
 //                   FoxGoodwin, CentralDifference, or as the scene and the step ask: Chosen, see choice.hpp
 //     drive         NoDrive, Sine, Sampled
@@ -30,6 +31,7 @@
 #include <impact/law/hertz.hpp>
 #include <impact/law/hooke_newton.hpp>
 #include <impact/law/hunt_crossley.hpp>
+#include <impact/law/per_impact.hpp>
 #include <impact/motion/none.hpp>
 #include <impact/motion/sampled.hpp>
 #include <impact/motion/sine.hpp>
@@ -308,7 +310,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
                     state.contact.phase <= Phase::released && state.at_left <= 1 && state.fault <= Fault::sample;
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
-    if constexpr (ContactLaw::is_damped_per_impact) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
+    if constexpr (ContactLaw::is_damped_per_impact && !Contact::splits)
+      is_sound = is_sound && Format::is_sound(state.contact.own_damping);
     if constexpr (Contact::carries)
       is_sound = is_sound && Format::is_sound(plan.contact.w1_share * state.contact.force) &&
                  Format::is_sound(plan.contact.w2_share * state.contact.force);

@@ -37,7 +37,7 @@ constexpr Choice choice_for(const Resolution& contact, double step) {
   // An undamped Hooke-Newton contact gains 1e-5 of the impact's energy at 8 sub-steps, with the sixth power of the
   // step; twice that for safety.
   const double e = contact.restitution, loss = 1 - e * e, part = share / parts;
-  const double gain = contact.law == Law::hooke_newton ? 2e-5 * part * part * part * part * part * part : 0;
+  const double gain = contact.is_linear ? 2e-5 * part * part * part * part * part * part : 0;
   if (part > 1 || loss < gain) return Choice::energy;
   return parts == 1 ? Choice::moment : parts == 4 ? Choice::four_sub_steps : Choice::eight_sub_steps;
 }

@@ -55,7 +55,7 @@ struct Plan {
                               scene.v1,
                               scene.x2,
                               scene.v2,
-                              scene.restitution,
+                              damping_ratio<ContactLaw>(scene),
                               bounds.displacement,
                               bounds.speed,
                               bounds.penetration,
@@ -87,6 +87,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   PlanStatus status = status_of(scene, h, Stepper::longest_phase);
   if (status == PlanStatus::ok) status = status_of(scene, bounds);
   if (status != PlanStatus::ok) return refused(status);
+  if (!damping_ratio_range.holds(damping_ratio<ContactLaw>(scene))) return refused(PlanStatus::restitution);
   using constant::larger;
   status = status_of(Stepper::steps(resolution_of<ContactLaw>(scene, bounds)), h);
   if (status != PlanStatus::ok) return refused(status);

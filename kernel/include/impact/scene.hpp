@@ -24,10 +24,6 @@ enum class Stops { both, left, right };
 // law as the paper writes it, with separation at zero penetration.
 enum class Tension { clamp, allow };
 
-// How Hunt-Crossley's c1 is had: `constant` is Scene::contact_damping; `per_impact` sets it at each impact from that
-// impact's own speed by the paper's (2.9), c1 = 3 k1 (1 - e) / (2 v0), with e = Scene::restitution.
-enum class Damping { constant, per_impact };
-
 struct Scene {
   double main_mass = 1.0;              // M, kg
   double main_stiffness = 1000.0;      // k, N/m; 0 for a free main mass
@@ -44,8 +40,7 @@ struct Scene {
   double v2 = 0.0;                     // initial velocity of the ball, m/s
   Stops stops = Stops::both;
   Tension tension = Tension::clamp;
-  Damping damping = Damping::constant;
-  double restitution = 1.0;  // e, used by Damping::per_impact only
+  double restitution = 1.0;  // e, for a damping that is set at each impact: law/per_impact.hpp
 };
 
 // The largest values that the scene reaches, in SI units. Fixed32 chooses every format from them; beyond them it

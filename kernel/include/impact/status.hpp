@@ -47,6 +47,7 @@ constexpr Range clearance_range{0, 1e12};             // m
 constexpr Range contact_stiffness_range{1e-3, 1e18};  // N/m or N/m^(3/2)
 constexpr Range contact_damping_range{0, 1e18};       // N s/m or N s/m^(5/2)
 constexpr Range restitution_range{0.01, 1};
+constexpr Range damping_ratio_range{0, 100};            // c1 v0/k1 of a damping set per impact
 constexpr Range force_range{0, 1e9};                    // N
 constexpr Range initial_displacement_range{-1e3, 1e3};  // m
 constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s

@@ -100,13 +100,12 @@ constexpr FreeImpact power_law_impact(double stiffness_over_mass, double a, doub
 
 }  // namespace detail
 
-// An impact at `speed` > 0 m/s. ContactTerms::damping_time is c1/k1; a damping set per impact has a = 3 (1 - e)/2.
+// An impact at `speed` > 0 m/s. ContactTerms::damping_time is c1/k1.
 template <class ContactLaw>
 constexpr FreeImpact free_impact(const ContactTerms& terms, double speed) {
   const double mu = 1 / (1 / terms.ball_mass + 1 / terms.main_mass);
-  if (ContactLaw::law == Law::hooke_newton)
-    return detail::hooke_newton_impact(terms.stiffness, terms.damping_time, mu, terms.clamped);
-  const double a = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution)
+  if (ContactLaw::is_linear) return detail::hooke_newton_impact(terms.stiffness, terms.damping_time, mu, terms.clamped);
+  const double a = ContactLaw::is_damped_per_impact ? terms.damping_ratio
                    : ContactLaw::is_damped          ? terms.damping_time * speed
                                                     : 0;
   return detail::power_law_impact(terms.stiffness / mu, a, speed);

@@ -9,7 +9,7 @@ namespace impact {
 
 struct Hertz {
   static constexpr Law law = Law::hertz;
-  static constexpr bool is_damped = false, is_damped_per_impact = false;
+  static constexpr bool is_linear = false, is_damped = false, is_damped_per_impact = false;
 
   // Energy stored at a penetration, (2/5) k1 delta^(5/2), in the units of law/terms.hpp.
   template <class Format>

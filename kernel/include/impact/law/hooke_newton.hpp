@@ -10,7 +10,7 @@ namespace impact {
 
 struct HookeNewton {
   static constexpr Law law = Law::hooke_newton;
-  static constexpr bool is_damped = true, is_damped_per_impact = false;
+  static constexpr bool is_linear = true, is_damped = true, is_damped_per_impact = false;
 
   // Energy stored at a penetration, k1 delta^2 / 2, in the units of law/terms.hpp.
   template <class Format>

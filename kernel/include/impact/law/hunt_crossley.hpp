@@ -8,16 +8,10 @@
 
 namespace impact {
 
-// c1 is Scene::contact_damping.
+// c1 is Scene::contact_damping: the restitution falls with the impact's speed. Set at each impact: per_impact.hpp.
 struct HuntCrossley : Hertz {
   static constexpr Law law = Law::hunt_crossley;
   static constexpr bool is_damped = true;
-};
-
-// c1 is set at each impact from its speed v0 by the paper's (2.9), c1 = 3 k1 (1 - e) / (2 v0), with e =
-// Scene::restitution. The restitution that comes out is above e: 0.756 for e = 0.706, at any speed.
-struct HuntCrossleyPerImpact : HuntCrossley {
-  static constexpr bool is_damped_per_impact = true;
 };
 
 }  // namespace impact

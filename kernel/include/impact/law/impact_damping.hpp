@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact
-// from its own speed. A contact that begins slowly and is then driven in faster, by 2/(1 - e) times and more, leaves
+// from its own speed. A contact that begins slowly and is then driven in faster, by (2 + a)/a times and more, leaves
 // the range that 1 + c1/k1 v has in Fixed32: there c1/k1 v is held, between half that range and the whole.
 
 #include <impact/law/terms.hpp>
@@ -9,10 +9,10 @@
 
 namespace impact {
 
-// The plan's part: c1 / (k1 h), or 3 (1 - e) / 2, which the impact's speed divides.
+// The plan's part: c1 / (k1 h), or the damping ratio a, which the impact's speed divides.
 template <class Format, class ContactLaw>
 constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const UnitExponents& unit) {
-  if (ContactLaw::is_damped_per_impact) return Format::gain(1.5 * (1 - terms.restitution), 0, terms.damping_exponent);
+  if (ContactLaw::is_damped_per_impact) return Format::gain(terms.damping_ratio, 0, terms.damping_exponent);
   return Format::gain(terms.damping_time / terms.step, unit.penetration, terms.damping_exponent);
 }
 

@@ -16,7 +16,6 @@
 #include <impact/law/free_impact.hpp>
 #include <impact/law/hertz.hpp>
 #include <impact/law/hooke_newton.hpp>
-#include <impact/law/hunt_crossley.hpp>
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>
 
@@ -46,8 +45,12 @@ struct HuntCrossleyRebounds {
 template <class Format>
 inline constexpr HuntCrossleyRebounds<Format> hunt_crossley_rebounds{};
 
+template <class ContactLaw>
+constexpr bool restitution_falls_with_speed =
+    ContactLaw::is_damped && !ContactLaw::is_linear && !ContactLaw::is_damped_per_impact;
+
 // Of one restitution for all speeds.
-template <class Format, class ContactLaw>
+template <class Format, class ContactLaw, bool = restitution_falls_with_speed<ContactLaw>>
 struct Rebound {
   using Value = typename Format::Value;
 
@@ -60,15 +63,15 @@ struct Rebound {
     return {Format::gain(impact.centroid / terms.step, 0, 0), Format::sample((1 - impact.restitution) / 2)};
   }
   constexpr Bounce<Value> at(Value speed) const {
-    if constexpr (ContactLaw::law == Law::hooke_newton)
+    if constexpr (ContactLaw::is_linear)
       return {depth * speed, loss};
     else
       return {depth * Format::power_four_fifths(speed), ContactLaw::is_damped ? loss : Value{}};
   }
 };
 
-template <class Format>
-struct Rebound<Format, HuntCrossley> {
+template <class Format, class ContactLaw>
+struct Rebound<Format, ContactLaw, true> {
   using Value = typename Format::Value;
 
   typename Format::Gain depth;
@@ -95,8 +98,8 @@ struct Rebound<Format, HuntCrossley> {
 // m, for the fastest impact; damping makes it less.
 template <class ContactLaw>
 constexpr double deepest_rebound(const ContactTerms& terms) {
-  const FreeImpact impact = ContactLaw::law == Law::hooke_newton ? free_impact<HookeNewton>(terms, terms.largest_rate)
-                                                                 : free_impact<Hertz>(terms, terms.largest_rate);
+  const FreeImpact impact = ContactLaw::is_linear ? free_impact<HookeNewton>(terms, terms.largest_rate)
+                                                  : free_impact<Hertz>(terms, terms.largest_rate);
   return terms.largest_rate * impact.centroid;
 }
 

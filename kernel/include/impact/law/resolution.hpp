@@ -18,7 +18,7 @@
 namespace impact {
 
 struct Resolution {
-  Law law;
+  bool is_linear;
   double contact_time;  // s
   double restitution;   // the law's own, 0 to 1
   double detail;        // s
@@ -36,11 +36,11 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   const FreeImpact impact = free_impact<ContactLaw>(terms, terms.largest_rate);
   const double e = impact.restitution, time = impact.contact_time;
   double detail = time * constant::smaller(1, 4 * e / (1 + e));
-  if (ContactLaw::law == Law::hooke_newton) {
+  if (ContactLaw::is_linear) {
     const double mu = 1 / (1 / terms.ball_mass + 1 / terms.main_mass), c1 = terms.damping_time * terms.stiffness;
     detail = c1 * time > 6 * mu ? 6 * mu / c1 : time;
   }
-  return {ContactLaw::law, time, e, detail, constant::square_root(scene.main_stiffness / scene.main_mass) * time};
+  return {ContactLaw::is_linear, time, e, detail, constant::square_root(scene.main_stiffness / scene.main_mass) * time};
 }
 
 }  // namespace impact

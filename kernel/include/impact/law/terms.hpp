@@ -28,16 +28,24 @@ struct ContactTerms {
   double largest_penetration = 0, largest_rate = 0;  // m, m/s
   double force_unit = 0;                             // N
   int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
-  double restitution = 1;                            // for a damping set at each impact
+  double damping_ratio = 0;                          // a = c1 v0/k1, where it is set at each impact of a speed v0
   bool clamped = true;
 
   constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }
 };
 
 template <class ContactLaw>
+constexpr double damping_ratio(const Scene& scene) {
+  if constexpr (ContactLaw::is_damped_per_impact)
+    return ContactLaw::damping_ratio(scene.restitution);
+  else
+    return 0;
+}
+
+template <class ContactLaw>
 constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   ContactTerms terms{};
-  terms.is_linear = ContactLaw::law == Law::hooke_newton;
+  terms.is_linear = ContactLaw::is_linear;
   terms.is_damped = ContactLaw::is_damped;
   terms.stiffness = scene.contact_stiffness;
   terms.ball_mass = scene.ball_mass;
@@ -46,11 +54,11 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   terms.main_damping = scene.main_damping;
   terms.largest_penetration = bounds.penetration;
   terms.largest_rate = 2 * bounds.speed;
-  terms.restitution = scene.restitution;
+  terms.damping_ratio = damping_ratio<ContactLaw>(scene);
   terms.clamped = scene.tension == Tension::clamp;
-  // A damping set per impact is 3 (1 - e)/2 at the impact's own speed: here as one at the largest speed.
+  // A damping set per impact as that of an impact at the largest speed.
   if (ContactLaw::is_damped)
-    terms.damping_time = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) / terms.largest_rate
+    terms.damping_time = ContactLaw::is_damped_per_impact ? terms.damping_ratio / terms.largest_rate
                                                           : scene.contact_damping / terms.stiffness;
   return terms;
 }

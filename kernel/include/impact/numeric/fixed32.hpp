@@ -60,7 +60,11 @@ struct Fixed32 {
       const bool is_power_of_two = gain.mantissa == (1 << 30);
       const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
       if (places > 0) {
-        if (is_power_of_two) return {((x.raw >> (places - 1)) + 1) >> 1};
+        if (is_power_of_two) {
+          // Half up without a carry out of the largest number.
+          const int32_t twice = x.raw >> (places - 1);
+          return {(twice >> 1) + (twice & 1)};
+        }
         return {(high_product(x.raw, gain.mantissa) + (1 << (places - 1))) >> places};
       }
       // To the left before the product as far as it cannot overflow, to keep the product's low bits.
@@ -266,14 +270,16 @@ struct Fixed32 {
     return {static_cast<int32_t>(mantissa), -1 - e};
   }
   static constexpr Value term(Gain gain, Value x) { return gain * x; }
-  // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive and the gain in [0, 2).
+  // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive, the gain not negative; a gain that
+  // is 2^31 or more for a divisor of a few last places is held there.
   static constexpr Gain gain_over(Gain gain, Value divisor) {
+    if (gain.mantissa == 0) return {0, 0};
     const int zeros = leading_zeros(static_cast<uint32_t>(divisor.raw));
     const uint32_t inverse = reciprocal_q31(static_cast<uint32_t>(divisor.raw) << zeros);
-    const int32_t mantissa = (HeldGain{gain} * Value{static_cast<int32_t>(inverse >> 1)}).raw >> 1;
-    if (mantissa == 0) return {0, 0};
-    const int spare = leading_zeros(static_cast<uint32_t>(mantissa)) - 1;
-    return {mantissa << spare, spare - zeros - 2};
+    const int32_t mantissa = high_product(gain.mantissa, static_cast<int32_t>(inverse >> 1));  // 2^28 to 2^30
+    const int spare = leading_zeros(static_cast<uint32_t>(mantissa)) - 1, shift = gain.shift - zeros - 1 + spare;
+    if (shift < -32) return {INT32_MAX, -32};
+    return {mantissa << spare, shift};
   }
   // A Value that counts in 2^from as one that counts in 2^(from + places).
   static constexpr Value moved(Value x, int places) {
@@ -369,9 +375,9 @@ struct Fixed32 {
   // Numbers of a range that no unit holds.
   using Wide = Floating;
   static constexpr Wide wide(double x) { return Floating::of(x); }
-  static constexpr Wide wide_value(Value x) { return Floating::of(x.raw, 0); }
-  static constexpr Wide wide_root_of(Root x) { return Floating::of(static_cast<int32_t>(x.raw), 0); }
-  static constexpr Wide wide_gain(Gain gain) { return Floating::of(gain.mantissa, -1 - gain.shift); }
+  static constexpr Wide wide_value(Value x) { return Floating::held(x.raw, 0); }
+  static constexpr Wide wide_root_of(Root x) { return Floating::held(static_cast<int32_t>(x.raw), 0); }
+  static constexpr Wide wide_gain(Gain gain) { return Floating::held(gain.mantissa, -1 - gain.shift); }
   static constexpr Value narrow(Wide x) { return {x.fraction()}; }
   static constexpr Root narrow_root(Wide x) { return {static_cast<uint32_t>(x.fraction())}; }
   static constexpr Wide wide_root(Wide x) { return square_root(x); }

@@ -28,6 +28,8 @@ struct Floating {
     const int places = leading_zeros(static_cast<uint32_t>(m < 0 ? -m : m)) - 1;
     return {static_cast<int32_t>(static_cast<uint32_t>(m) << places), exponent - places};
   }
+  // Any m.
+  static constexpr Floating held(int32_t m, int32_t exponent) { return of(m == INT32_MIN ? -INT32_MAX : m, exponent); }
   // For the plan.
   static constexpr Floating of(double x) {
     if (!(x < 0 || x > 0)) return {};

@@ -160,9 +160,9 @@ struct RealFormat {
   static constexpr Value term(Gain gain, Value x) { return gain == 0 ? 0 : gain * x; }
   static constexpr Gain largest_gain =
       sizeof(Real) == sizeof(float) ? static_cast<Real>(0x1p100) : static_cast<Real>(0x1p900);
-  // gain in [0, 2). An impact at no speed at all has the damping of one at hardly any.
+  // gain in [0, 128). An impact at no speed at all has the damping of one at hardly any.
   static constexpr Gain gain_over(Gain gain, Value divisor) {
-    constexpr auto least = static_cast<Real>(0x1p-98);
+    constexpr auto least = static_cast<Real>(0x1p-92);
     return gain / (divisor > least ? divisor : least);
   }
   static constexpr Value moved(Value x, int) { return x; }

@@ -15,13 +15,13 @@
 namespace impact {
 
 namespace detail {
-template <Law law>
+template <bool is_linear>
 struct EnergyContact {
   template <class Format, class ContactLaw>
   using Type = EnergyPower<Format, ContactLaw>;
 };
 template <>
-struct EnergyContact<Law::hooke_newton> {
+struct EnergyContact<true> {
   template <class Format, class>
   using Type = EnergyLinear<Format>;
 };
@@ -36,11 +36,11 @@ struct EnergyConsistent {
   // The power laws' equation is solved at any stiffness. Hooke-Newton's quadratic is the difference of two numbers, of
   // which a stop much stiffer than the step leaves nothing but their rounding.
   static constexpr Range steps(const Resolution& contact) {
-    return contact.law == Law::hooke_newton ? Range{0, contact.contact_time} : any_step;
+    return contact.is_linear ? Range{0, contact.contact_time} : any_step;
   }
 
   template <class Format, class ContactLaw>
-  using Contact = typename detail::EnergyContact<ContactLaw::law>::template Type<Format, ContactLaw>;
+  using Contact = typename detail::EnergyContact<ContactLaw::is_linear>::template Type<Format, ContactLaw>;
 };
 
 }  // namespace impact

@@ -23,13 +23,13 @@
 namespace impact {
 
 namespace detail {
-template <Law law>
+template <bool is_linear>
 struct MomentContact {
   template <class Format, class ContactLaw>
   using Type = MomentPower<Format, ContactLaw>;
 };
 template <>
-struct MomentContact<Law::hooke_newton> {
+struct MomentContact<true> {
   template <class Format, class>
   using Type = MomentLinear<Format>;
 };
@@ -46,11 +46,11 @@ struct Moment {
   // An upper bound: 1.5e-3 (power laws) or 5e-5 (Hooke-Newton) at 8 steps.
   static constexpr double restitution_error(const Resolution& contact, double step) {
     const double share = precise_steps * step / contact.detail, fourth = share * share * share * share;
-    return (contact.law == Law::hooke_newton ? 5e-5 : 1.5e-3) * fourth * (share + 0.1);
+    return (contact.is_linear ? 5e-5 : 1.5e-3) * fourth * (share + 0.1);
   }
 
   template <class Format, class ContactLaw>
-  using Contact = typename detail::MomentContact<ContactLaw::law>::template Type<Format, ContactLaw>;
+  using Contact = typename detail::MomentContact<ContactLaw::is_linear>::template Type<Format, ContactLaw>;
 };
 
 }  // namespace impact

@@ -55,7 +55,7 @@ struct Pointwise {
       const double ball = terms.step * terms.step / terms.ball_mass;
       const double by_penetration = flow.b1 + beta * ball, by_rate = flow.c1 + ball / 2;
       double slope = k1 * by_penetration + k1 * damping * by_rate;
-      if (ContactLaw::law != Law::hooke_newton) {
+      if (!ContactLaw::is_linear) {
         const double d = terms.largest_penetration, root = constant::square_root(d);
         slope =
             k1 * root * (1.5 * by_penetration * (1 + terms.damping_time * terms.largest_rate) + damping * by_rate * d);
@@ -103,7 +103,7 @@ struct Pointwise {
     constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
       phase = Phase::touching;
-      if constexpr (ContactLaw::law == Law::hooke_newton) {
+      if constexpr (ContactLaw::is_linear) {
         force = units.elastic(at) + damping(plan) * at_rate;
         if (plan.clamped) force = Format::value(positive_part(force));
       } else {
@@ -129,7 +129,7 @@ struct Pointwise {
 
     [[gnu::always_inline]] constexpr Value found(const Plan& plan, const Units& units, Value trial,
                                                  Value trial_rate) const {
-      if constexpr (ContactLaw::law == Law::hooke_newton) {
+      if constexpr (ContactLaw::is_linear) {
         const Value f = plan.solution * (units.elastic(trial) + damping(plan) * trial_rate);
         return plan.clamped ? Format::value(positive_part(f)) : f;
       } else {

@@ -61,8 +61,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const double mobility = 1 / terms.ball_mass + 1 / terms.main_mass, h = terms.step, v = terms.largest_rate;
     const double peak = peak_of(terms);
     const double slope = terms.stiffness * h * h * mobility / 2 * constant::square_root(peak);
-    const double a = ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time * v;
-    return 1.5 * slope <= 0.02 && slope * peak * a <= 0.5 * v * h;
+    return 1.5 * slope <= 0.02 && slope * peak * (terms.damping_time * v) <= 0.5 * v * h;
   }
   // No force can do more in a step than to send the ball back at its own speed, and no penetration be more than an
   // impact's or a few steps' way.

@@ -44,8 +44,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const MomentResponse response(terms);
     const double of_force = terms.force_unit * terms.step * terms.step * response.mobility(terms);
     const double stiffness = of_force * constant::power_of_two(-terms.damping_exponent - unit.kick);
-    const double damping =
-        ContactLaw::is_damped_per_impact ? 1.5 * (1 - terms.restitution) : terms.damping_time / terms.step;
+    const double damping = ContactLaw::is_damped_per_impact ? terms.damping_ratio : terms.damping_time / terms.step;
     const int from = ContactLaw::is_damped_per_impact ? 0 : unit.penetration;
     return {response.template shared<Format>(terms, flow, unit),
             Format::constant(stiffness),

@@ -59,7 +59,7 @@ struct SubsteppedMoment {
       const ContactTerms sub = in_a_part(terms);
       const MomentResponse answer(sub);
       // Power laws' kicks are changes of the relative rate, Hooke-Newton's count in forces.
-      const bool is_linear = ContactLaw::law == Law::hooke_newton;
+      constexpr bool is_linear = ContactLaw::is_linear;
       const double scale = is_linear ? terms.force_unit * sub.step * sub.step : 1 / (1 / terms.ball_mass + answer.gx);
       const int from = is_linear ? 0 : unit.kick;
       const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step);

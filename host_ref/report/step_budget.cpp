@@ -1,5 +1,5 @@
 // step_budget OUTPUT.csv BUDGETS.csv FILE.csv...: instructions of a step with its budget and the configuration's
-// memory, one row a phase; `all` has the larger of the two worst cases, and no mean. FILE holds costs or footprints, as
+// memory, one row a phase; `all` has the larger of `free` and `contact`, and no mean. FILE holds costs or footprints, as
 // its columns say.
 
 #include <algorithm>
@@ -30,6 +30,7 @@ void write_step_budget(const std::vector<std::string>& paths) {
   }
   std::map<std::string, double> largest;
   for (const Row& row : costs) {
+    if (row.at("phase") == "iterating") continue;  // another scene
     double& worst = largest[configuration_of(row)];
     worst = std::max(worst, number(row, "instructions_max"));
   }

@@ -1,0 +1,68 @@
+#pragma once
+// What one step costs: instructions from the first of a function that steps a model to its return. A step is in contact
+// when the ball touches a stop before or after it. A row is target,LABEL,phase,mean,largest, with the columns
+// law,newmark,numeric,drive as its label.
+
+#include <stdint.h>
+
+#include <board/console.hpp>
+
+#include "instruction_counter.hpp"
+
+namespace impact::target {
+
+struct Cost {
+  uint32_t steps = 0, largest = 0;
+  uint64_t sum = 0;
+
+  void add(uint32_t instructions) {
+    ++steps;
+    sum += instructions;
+    if (instructions > largest) largest = instructions;
+  }
+};
+
+// Over `steps` of a Configuration at a step length (configurations.hpp).
+template <class Configuration, int microseconds>
+void measure(Cost& free, Cost& contact, uint32_t steps) {
+  struct Run {
+    typename Configuration::template Absorber<microseconds> absorber{};
+    uint32_t index = 0;
+  } run;
+  bool touched = run.absorber.is_touching();
+  for (; run.index < steps; ++run.index) {
+    const uint32_t instructions = instructions_of(
+        [](void* argument) {
+          auto& [absorber, index] = *static_cast<Run*>(argument);
+          Configuration::advance(absorber, index);
+        },
+        &run);
+    const bool touches = run.absorber.is_touching();
+    (touched || touches ? contact : free).add(instructions);
+    touched = touches;
+  }
+}
+
+inline void print(const char* label, const char* phase, const Cost& cost) {
+  const uint32_t tenths = cost.steps == 0 ? 0 : static_cast<uint32_t>((10 * cost.sum + cost.steps / 2) / cost.steps);
+  const char* const texts[] = {IMPACT_TARGET, ",", label, ",", phase, ","};
+  for (const char* text : texts) board::print(text);
+  board::print(tenths / 10);
+  board::print(".");
+  board::print(tenths % 10);
+  board::print(",");
+  board::print(cost.largest);
+  board::print("\n");
+}
+
+// Over one second at h = 1 ms and at 0.1 ms.
+template <class Configuration>
+void print_costs(const char* label) {
+  Cost free, contact;
+  measure<Configuration, 1000>(free, contact, 1000);
+  measure<Configuration, 100>(free, contact, 10000);
+  print(label, "free", free);
+  print(label, "contact", contact);
+}
+
+}  // namespace impact::target

@@ -69,14 +69,35 @@ test_targets() {
   done
 }
 
+# stage SECONDS WHAT TARGET...: builds targets of the report. SECONDS is what it takes of 480 where that was measured; the
+# time to go is what has passed, scaled.
+stage() {
+  weight=$1 what=$2 && shift 2
+  passed=$(($(date +%s) - began))
+  left=$((done_weight > 0 ? passed * (480 - done_weight) / done_weight : 480))
+  printf 'bootstrap: %d %%, %d:%02d so far, about %d min to go: %s\n' $((100 * done_weight / 480)) $((passed / 60)) \
+    $((passed % 60)) $(((left + 30) / 60)) "$what"
+  cmake --build build -j "$(nproc)" --target "$@"
+  done_weight=$((done_weight + weight))
+}
+
+make_report() {
+  began=$(date +%s) && done_weight=0
+  echo "bootstrap: first the paper's scene, then the report"
+  cmake -S . -B build -DCMAKE_BUILD_TYPE=Release
+  stage 10 "the paper's scene" report-first-look
+  stage 120 "the tool impact-sim" impact-sim
+  for target in $targets; do stage 40 "steps and memory on an emulated $target" "report-images-$target"; done
+  stage 100 "error, stability and the page" report
+  build/host_ref/impact-sim --output build/paper_scene.csv
+  echo "bootstrap: the paper's scene is in build/paper_scene.csv, the report in build/report/index.html"
+}
+
 case ${1-} in
   packages) install_packages report && install_packages test ;;
   report)
     install_packages report
-    cmake -S . -B build -DCMAKE_BUILD_TYPE=Release
-    cmake --build build -j "$(nproc)" --target impact-sim report
-    build/host_ref/impact-sim --output build/paper_scene.csv
-    echo "bootstrap: the paper's scene is in build/paper_scene.csv, the report in build/report/index.html"
+    make_report
     ;;
   test)
     install_packages test

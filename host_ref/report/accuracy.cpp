@@ -1,8 +1,8 @@
 // accuracy OUTPUT.csv: the error over 1 s of the paper's scene, |x1| every 10 ms, of every stepper and number format of
-// the kernel and of the baselines, parted into the method's (the same run in double) and rounding's
-// (error_measures.hpp). Time is the fastest of five runs; the kernel's is taken through its run-time interface, energy
-// ledger and impact log included. -vsqrt: with the processor's own square root. contact_share is the share of steps
-// with contact at either end, from the reference.
+// the kernel and, in float and in double, of the baselines, parted into the method's (the same run in double) and
+// rounding's (error_measures.hpp). Time is the fastest of five runs; the kernel's is taken through its run-time
+// interface, energy ledger and impact log included. -vsqrt: with the processor's own square root. contact_share is the
+// share of steps with contact at either end, from the reference.
 
 #include <algorithm>
 #include <chrono>
@@ -93,100 +93,107 @@ void write_row(Output& output, Law law, std::string_view method, std::string_vie
   output.write(row + "\n");
 }
 
-template <Law law, int steps_per_interval>
+// The rows of a law at a step length.
 class StepLength {
  public:
-  StepLength(Output& output, const LawReference& reference) : output_(output), reference_(reference) {}
-
-  void write() {
-    for (const Stepper stepper : {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
-                                  Stepper::moment, Stepper::energy, Stepper::impulsive})
-      write_kernel(stepper);
-    if constexpr (law != Law::hooke_newton) {
-      write_hardware_root<BasicFloat32<HardwareRoot>>("float32-vsqrt");
-      write_hardware_root<BasicFloat32Plain<HardwareRoot>>("float32-plain-vsqrt");
-    }
-    write_baseline<TextbookNewmark, LibraryPower>("textbook-newmark");
-    write_baseline<TextbookRk4, LibraryPower>("textbook-rk4");
-    if constexpr (law != Law::hooke_newton) {
-      write_baseline<TextbookNewmark, LibraryRoot>("textbook-newmark");
-      write_baseline<TextbookRk4, LibraryRoot>("textbook-rk4");
-      write_baseline<TextbookRk4, KernelLookup>("textbook-rk4");
-    }
+  StepLength(Output& output, const LawReference& reference, const Case& run, int steps_per_interval)
+      : output_(output), reference_(reference), steps_per_interval_(steps_per_interval) {
+    request_.law = run.law;
+    request_.scene = run.scene;
+    request_.step = interval / steps_per_interval;
+    request_.duration = duration;
   }
-
- private:
-  struct Rig {
-    static constexpr Scene scene = scene_under<law>();
-    static constexpr double step = interval / steps_per_interval;
-  };
 
   void write_kernel(Stepper stepper) {
     const Run exact = kernel_run(stepper, Numeric::float64);
-    for (const Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64})
+    for (const Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
       write_run(name_of(stepper), name_of(numeric), exact, kernel_run(stepper, numeric));
-  }
-  template <class Format>
-  void write_hardware_root(std::string_view numeric) {
-    using ContactLaw = std::conditional_t<law == Law::hertz, Hertz, HuntCrossley>;
-    const Run run = kernel_run(request_for(Stepper::moment, Numeric::float32), [](const Request& request) {
-      return plan_for<Format, ContactLaw, Moment, Sine>(request, Bounds{}).simulation;
-    });
-    write_run(name_of(Stepper::moment), numeric, kernel_run(Stepper::moment, Numeric::float64), run);
-  }
-  void write_run(std::string_view stepper, std::string_view numeric, const Run& exact, const Run& run) {
-    if (run.samples.empty() || exact.samples.empty()) return;
-    write_row(output_, law, stepper, numeric, Rig::step, error_parts(reference_.samples, exact.samples, run.samples),
-              run.nanoseconds_per_step, reference_.contact_share(Rig::step));
+    write_run(name_of(stepper), name_of(Numeric::float64), exact, exact);
+    if (stepper != Stepper::moment || request_.law == Law::hooke_newton) return;
+    write_run(name_of(stepper), "float32-vsqrt", exact, hardware_root_run<BasicFloat32<HardwareRoot>>());
+    write_run(name_of(stepper), "float32-plain-vsqrt", exact, hardware_root_run<BasicFloat32Plain<HardwareRoot>>());
   }
 
-  static Request request_for(Stepper stepper, Numeric numeric) {
-    Request request;
-    request.law = law;
+  // In float and in double.
+  template <template <class, class, Law, class> class Method, class Rig, Law law, class Power>
+  void write_baseline(const std::string& method) {
+    const Run exact = baseline_run<Method<double, Rig, law, Power>>();
+    write_run(method, name_of(Numeric::float32_plain), exact, baseline_run<Method<float, Rig, law, Power>>());
+    write_run(method, name_of(Numeric::float64), exact, exact);
+  }
+
+ private:
+  void write_run(std::string_view method, std::string_view numeric, const Run& exact, const Run& run) {
+    if (run.samples.empty() || exact.samples.empty()) return;
+    write_row(output_, request_.law, method, numeric, request_.step,
+              error_parts(reference_.samples, exact.samples, run.samples), run.nanoseconds_per_step,
+              reference_.contact_share(request_.step));
+  }
+
+  Run kernel_run(Stepper stepper, Numeric numeric) const {
+    Request request = request_;
     request.stepper = stepper;
     request.numeric = numeric;
-    request.scene = Rig::scene;
-    request.step = Rig::step;
-    request.duration = duration;
-    return request;
+    return kernel_run(request, [](const Request& of) { return make_simulation(of).simulation; });
   }
-  static Run kernel_run(Stepper stepper, Numeric numeric) {
-    return kernel_run(request_for(stepper, numeric),
-                      [](const Request& request) { return make_simulation(request).simulation; });
+  template <class Format>
+  Run hardware_root_run() const {
+    Request request = request_;
+    request.stepper = Stepper::moment;
+    request.numeric = Numeric::float32;
+    return kernel_run(request, [](const Request& of) {
+      return of.law == Law::hertz ? plan_for<Format, Hertz, Moment, Sine>(of, Bounds{}).simulation
+                                  : plan_for<Format, HuntCrossley, Moment, Sine>(of, Bounds{}).simulation;
+    });
   }
-
   // Without samples where `make` refuses the request or the run raises a fault.
   template <class Make>
-  static Run kernel_run(const Request& request, Make make) {
+  Run kernel_run(const Request& request, Make make) const {
     if (!make(request)) return {};
     bool is_sound = true;
     const Run run = timed_run(
-        steps_per_interval, [&] { return make(request); }, [](const auto& simulation) { simulation->step(0); },
+        steps_per_interval_, [&] { return make(request); }, [](const auto& simulation) { simulation->step(0); },
         [&is_sound](const auto& simulation) {
           is_sound = is_sound && !simulation->fault();
           return simulation->sample().x1;
         });
     return is_sound ? run : Run{};
   }
-
-  template <template <class, class, Law, class> class Method, class Power>
-  void write_baseline(const std::string& method) {
-    const Run exact = baseline_run<Method<double, Rig, law, Power>>();
-    const Run run = baseline_run<Method<float, Rig, law, Power>>();
-    write_row(output_, law, method + Power::suffix, name_of(Numeric::float32_plain), Rig::step,
-              error_parts(reference_.samples, exact.samples, run.samples), run.nanoseconds_per_step,
-              reference_.contact_share(Rig::step));
-  }
   template <class Model>
-  static Run baseline_run() {
+  Run baseline_run() const {
     return timed_run(
-        steps_per_interval, [] { return Model{}; }, [](Model& model) { model.step(); },
+        steps_per_interval_, [] { return Model{}; }, [](Model& model) { model.step(); },
         [](const Model& model) { return model.displacement(); });
   }
 
   Output& output_;
   const LawReference& reference_;
+  int steps_per_interval_;
+  Request request_;
 };
+
+template <Law law, int steps_per_interval>
+struct BaselineRig {
+  static constexpr Scene scene = scene_under<law>();
+  static constexpr double step = interval / steps_per_interval;
+};
+
+template <Law law, int steps_per_interval>
+void write_step_length(Output& output, const LawReference& reference, const Case& run) {
+  using Rig = BaselineRig<law, steps_per_interval>;
+  StepLength rows(output, reference, run, steps_per_interval);
+  for (const Stepper stepper : {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
+                                Stepper::moment, Stepper::moment_4, Stepper::energy, Stepper::impulsive})
+    rows.write_kernel(stepper);
+  rows.write_baseline<TextbookNewmark, Rig, law, LibraryPower>("textbook-newmark");
+  rows.write_baseline<TextbookRk4, Rig, law, LibraryPower>("textbook-rk4");
+  rows.write_baseline<TunedRk4, Rig, law, LibraryRoot>("tuned-rk4");
+  if constexpr (law != Law::hooke_newton) {
+    rows.write_baseline<TextbookNewmark, Rig, law, LibraryRoot>("textbook-newmark-sqrt");
+    rows.write_baseline<TextbookRk4, Rig, law, LibraryRoot>("textbook-rk4-sqrt");
+    rows.write_baseline<TextbookRk4, Rig, law, KernelLookup>("textbook-rk4-lookup");
+  }
+}
 
 template <Law law, int... steps_per_interval>
 void write_law(Output& output, Progress& progress, long done, std::integer_sequence<int, steps_per_interval...>) {
@@ -194,7 +201,7 @@ void write_law(Output& output, Progress& progress, long done, std::integer_seque
   run.law = law;
   run.scene = scene_under<law>();
   const LawReference reference(run);
-  ((progress.at(done++), StepLength<law, steps_per_interval>(output, reference).write()), ...);
+  ((progress.at(done++), write_step_length<law, steps_per_interval>(output, reference, run)), ...);
 }
 
 void write_accuracy(const std::string& path) {

@@ -23,17 +23,14 @@ inline float sine(float x) { return __builtin_sinf(x); }
 inline double sine(double x) { return __builtin_sin(x); }
 
 struct LibraryPower {
-  static constexpr const char* suffix = "";
   static float three_halves(float y) { return __builtin_powf(y, 1.5f); }
   static double three_halves(double y) { return __builtin_pow(y, 1.5); }
 };
 struct LibraryRoot {
-  static constexpr const char* suffix = "-sqrt";
   static float three_halves(float y) { return y * __builtin_sqrtf(y); }
   static double three_halves(double y) { return y * __builtin_sqrt(y); }
 };
 struct KernelLookup {
-  static constexpr const char* suffix = "-lookup";
   static float three_halves(float y) { return power_three_halves(y); }
   static double three_halves(double y) { return y * __builtin_sqrt(y); }
 };
@@ -125,10 +122,12 @@ class TextbookNewmark : public TextbookModel<Real, Rig, law, Power> {
 template <class Real, class Rig, Law law, class Power>
 class RungeKutta : public TextbookModel<Real, Rig, law, Power> {
   using Model = TextbookModel<Real, Rig, law, Power>;
-  using Model::c, Model::gap, Model::h, Model::k, Model::main_mass, Model::ball_mass, Model::real;
+  using Model::c, Model::gap, Model::k, Model::main_mass, Model::ball_mass;
   using Model::touching_, Model::v1_, Model::v2_, Model::x1_, Model::x2_;
 
  protected:
+  using Model::h, Model::real;
+
   // The drive's force at the start, the middle and the end of the step.
   void advance(Real force, Real middle, Real last) {
     touching_ = false;
@@ -165,24 +164,24 @@ class RungeKutta : public TextbookModel<Real, Rig, law, Power> {
 
 template <class Real, class Rig, Law law, class Power>
 class TextbookRk4 : public RungeKutta<Real, Rig, law, Power> {
-  using Model = RungeKutta<Real, Rig, law, Power>;
+  using Model = TextbookModel<Real, Rig, law, Power>;
   using Model::h, Model::steps_;
 
  public:
   void step() {
     const Real t = static_cast<Real>(steps_++) * h;
-    Model::advance(Model::drive(t), Model::drive(t + h / 2), Model::drive(t + h));
+    this->advance(Model::drive(t), Model::drive(t + h / 2), Model::drive(t + h));
   }
 };
 
 template <class Real, class Rig, Law law, class Power>
 class TunedRk4 : public RungeKutta<Real, Rig, law, Power> {
-  using Model = RungeKutta<Real, Rig, law, Power>;
+  using Model = TextbookModel<Real, Rig, law, Power>;
 
  public:
   void step() {
     const Phasor middle = turned(drive_), last = turned(middle);
-    Model::advance(drive_.sine, middle.sine, last.sine);
+    this->advance(drive_.sine, middle.sine, last.sine);
     drive_ = last;
   }
 

@@ -2,6 +2,9 @@
 // What one step costs: instructions from the first of a function that steps a model to its return. A step is in contact
 // when the ball touches a stop before or after it. A row is target,LABEL,phase,mean,largest, with the columns
 // law,newmark,numeric,drive as its label.
+//
+// How much the compiler inlines, and with it a count, depends on what else is in an image and on a function's linkage:
+// everything here is static, and a configuration is measured in one image only, by whoever needs its count.
 
 #include <stdint.h>
 
@@ -24,7 +27,7 @@ struct Cost {
 
 // Over `steps` of a Configuration at a step length (configurations.hpp).
 template <class Configuration, int microseconds>
-void measure(Cost& free, Cost& contact, uint32_t steps) {
+static void measure(Cost& free, Cost& contact, uint32_t steps) {
   struct Run {
     typename Configuration::template Absorber<microseconds> absorber{};
     uint32_t index = 0;
@@ -43,7 +46,7 @@ void measure(Cost& free, Cost& contact, uint32_t steps) {
   }
 }
 
-inline void print(const char* label, const char* phase, const Cost& cost) {
+static void print(const char* label, const char* phase, const Cost& cost) {
   const uint32_t tenths = cost.steps == 0 ? 0 : static_cast<uint32_t>((10 * cost.sum + cost.steps / 2) / cost.steps);
   const char* const texts[] = {IMPACT_TARGET, ",", label, ",", phase, ","};
   for (const char* text : texts) board::print(text);
@@ -57,7 +60,7 @@ inline void print(const char* label, const char* phase, const Cost& cost) {
 
 // Over one second at h = 1 ms and at 0.1 ms.
 template <class Configuration>
-void print_costs(const char* label) {
+static void print_costs(const char* label) {
   Cost free, contact;
   measure<Configuration, 1000>(free, contact, 1000);
   measure<Configuration, 100>(free, contact, 10000);

@@ -4,7 +4,7 @@ load 'style.gp'
 host = target eq 'host'
 set format x '10^{%T}'
 set format y '10^{%T}'
-set terminal svg size 520,560 dynamic font 'sans-serif,14' enhanced
+set terminal svg size 560,620 dynamic font 'sans-serif,14' enhanced
 set xlabel host ? 'nanoseconds per simulated second, this host' : 'instructions per simulated second, ' . target
 set ylabel 'largest error of x1 over 1 s, m'
 set key below center maxcols 2 samplen 2.5 width -4 font ',12' noenhanced height 1
@@ -35,6 +35,11 @@ do for [j = 1:words(numerics)] {
   f = word(numerics, j)
   if (has('[^,]*', f)) { command = command . sprintf(', keyentry with points pointtype %s linecolor rgb "black" title "%s"', word(markers, j), f) }
 }
+m_of(x) = host ? strcol(2) : strcol(3); f_of(x) = host ? strcol(3) : strcol(4); step_of(x) = host ? strcol(4) : strcol(5)
+here(x) = host ? strcol(1) eq law : strcol(1) eq target && strcol(2) eq law
+says(x) = sprintf('%s in %s · step %s s · error %.2g m · %.3g %s per simulated second', \
+  m_of(0), f_of(0), step_of(0), error(0), cost(0), host ? 'ns' : 'instructions')
+command = command . ', file using (here(0) ? cost(0) : NaN):(error(0)):(says(0)) skip 1 with labels hypertext noenhanced point pointtype 6 pointsize 1.2 notitle'
 set logscale xy
 set yrange [1e-10:1e-1]
 eval command

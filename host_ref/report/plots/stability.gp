@@ -23,6 +23,9 @@ is_shown(x) = strcol(1) eq law && strcol(2) eq stepper && strcol(3) eq numeric
 refused(x) = is_shown(0) && column(10) == 0
 gains(x) = is_shown(0) && column(9) > 1e-3
 step(is_wanted) = is_wanted ? column(4) : 1e-9  # or out of sight
+says(x) = sprintf('step %s s · stiffness %s · restitution %s to %s, exact %s · energy gain %s', \
+  strcol(4), strcol(5), strcol(6), strcol(7), strcol(8), strcol(9))
+first(x) = is_shown(0) && law eq 'hunt-crossley' && numeric eq 'float64' && strstrt('auto average textbook-rk4', stepper) > 0
 width = 10**0.125; height = 10**0.25
 
 do for [law in laws] { do for [stepper in 'auto ' . methods] { do for [numeric in 'float64 fixed32'] {
@@ -33,6 +36,7 @@ do for [law in laws] { do for [stepper in 'auto ' . methods] { do for [numeric i
            with boxxyerror fillstyle solid noborder linecolor palette, \
          '' using (step(gains(0))):5 skip 1 with points pointtype 2 pointsize 0.45 linecolor rgb '#111111', \
          '' using (step(refused(0))):5:(step(refused(0)) / width):(step(refused(0)) * width):($5 / height):($5 * height) skip 1 \
-           with boxxyerror fillstyle transparent solid 0.6 noborder linecolor rgb 'white'
+           with boxxyerror fillstyle transparent solid 0.6 noborder linecolor rgb 'white', \
+         '' using (step(first(0))):5:(says(0)) skip 1 with labels hypertext noenhanced point pointtype 4 pointsize 1.2
   }
 } } }

@@ -1,0 +1,60 @@
+#pragma once
+// What the page's parts share: the tables that they read, and the parts that one can buy.
+
+#include <host_ref/report/table.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace impact::report {
+
+using Table = std::vector<Row>;
+
+// A microcontroller as it is sold. cycles: what an instruction takes on average from memory without wait states, an
+// assumption.
+struct Part {
+  const char *target, *name;
+  double clock, cycles;  // Hz
+  bool has_fpu;
+};
+inline constexpr Part parts[] = {
+    {"cortex-m0", "STM32F030, 48 MHz", 48e6, 1.5, false},   {"cortex-m0plus", "STM32G0, 64 MHz", 64e6, 1.4, false},
+    {"cortex-m3", "STM32F103, 72 MHz", 72e6, 1.4, false},   {"cortex-m4f", "STM32F405, 168 MHz", 168e6, 1.4, true},
+    {"cortex-m7f", "STM32H743, 480 MHz", 480e6, 1.0, true}, {"rv32imac", "GD32VF103, 108 MHz", 108e6, 1.4, false}};
+inline constexpr const char* laws[] = {"hooke-newton", "hertz", "hunt-crossley"};
+
+// A configuration's rows of step_budget.csv.
+struct Configuration {
+  Row free, contact;
+  double worst() const;  // instructions
+  double worst_time(const Part& part) const { return worst() * part.cycles / part.clock; }
+};
+std::optional<Configuration> configuration(const Table& budget, const std::string& target, const std::string& law,
+                                           const std::string& newmark, const std::string& numeric);
+
+// The larger; what is not a number is larger than any.
+inline double worse(double a, double b) { return b > a || b != b ? b : a; }
+double restitution_error(const Row& stability);
+
+// A row of error_vs_time.csv or of accuracy.csv on the host, with its `cost` in instructions or nanoseconds per
+// simulated second.
+Table with_host(Table error_vs_time, const Table& accuracy);
+
+// The cheapest ways of the kernel and of the baselines to an error on a target; null where none reaches it.
+struct Duel {
+  const Row *kernel = nullptr, *baseline = nullptr;
+  double ratio() const { return number(*baseline, "cost") / number(*kernel, "cost"); }
+};
+Duel duel(const Table& points, const std::string& target, const std::string& law, double error);
+
+std::string advantage(const Table& points);
+void write_frontiers(const std::string& folder, const Table& points);
+std::string budget_table(const Table& budget, const std::string& worst_steps);
+std::string stability_table(const Table& stability);
+std::string coupled_section(const std::string& folder);
+std::string choices(const Table& budget, const Table& stability);
+std::string choice_table(const Table& budget, const Table& stability);
+std::string at_a_glance(const Table& points, const Table& budget, const Table& stability);
+void write_paper_sentences(const std::string& folder, const Table& figures);
+
+}  // namespace impact::report

@@ -1,0 +1,58 @@
+# Puts the page together: cmake -D FOLDER=... -D TEMPLATE=... -D OUTPUT=... -P page.cmake
+# @NAME@ in the template stands for FOLDER/NAME.svg or NAME.html.
+set(here ${CMAKE_CURRENT_LIST_DIR})
+file(READ ${here}/style.css style)
+file(READ ${here}/script.js script)
+
+# Ink, grid and series take the page's colours, which follow its light or dark.
+set(colours "rgb(  0, 114, 178)=blue" "rgb(213,  94,   0)=vermilion" "rgb(  0, 158, 115)=green"
+  "rgb(230, 159,   0)=orange" "rgb(204, 121, 167)=purple" "rgb( 86, 180, 233)=sky" "rgb(128, 128, 128)=middle")
+file(GLOB parts ${FOLDER}/*.svg ${FOLDER}/*.html)
+foreach(part ${parts})
+  get_filename_component(name ${part} NAME_WE)
+  file(READ ${part} content)
+  string(REGEX REPLACE "<\\?xml[^>]*\\?>" "" content "${content}")
+  string(REGEX REPLACE "rgb\\( *0, *0, *0\\)" "black" content "${content}")
+  string(REPLACE "rgb(190, 190, 190)" "gray" content "${content}")
+  foreach(colour ${colours})
+    string(REGEX MATCH "^(.*)=(.*)$" colour "${colour}")
+    string(REPLACE "${CMAKE_MATCH_1}" "var(--${CMAKE_MATCH_2})" content "${content}")
+  endforeach()
+  string(REGEX REPLACE "<title>Gnuplot</title>|<title>gnuplot_plot_[0-9]*</title>|<desc>[^<]*</desc>" "" content "${content}")
+  # A point's text, from gnuplot's hypertext to a title that needs no script.
+  string(REGEX REPLACE "<g onmousemove=\"gnuplot_svg.showHypertext\\(evt,'([^']*)'\\)\"[^>]*><title> </title>"
+    "<g class=\"point\"><title>\\1</title>" content "${content}")
+  string(REPLACE "gpPt" "${name}-pt" content "${content}")  # ids are the page's own
+  string(REPLACE "gpDot" "${name}-dot" content "${content}")
+  string(REPLACE "gnuplot_plot_" "${name}-plot-" content "${content}")
+  string(REPLACE "gnuplot_canvas" "${name}-canvas" content "${content}")
+  set(${name} "${content}")
+endforeach()
+
+foreach(law hooke-newton hertz hunt-crossley)
+  set(maps_${law} "")
+  file(GLOB maps ${FOLDER}/stability_${law}_*.svg)
+  foreach(map ${maps})
+    get_filename_component(name ${map} NAME_WE)
+    if(NOT name MATCHES "^stability_hunt-crossley_(auto|average|textbook-rk4)_float64$")  # shown before
+      string(APPEND maps_${law} "<figure>${${name}}</figure>\n")
+    endif()
+  endforeach()
+endforeach()
+set(other_frontiers "")
+foreach(law Hertz Hooke-Newton)
+  string(TOLOWER ${law} name)
+  foreach(target cortex-m4f cortex-m3 host)
+    string(APPEND other_frontiers "<figure class=\"best\">${frontier_${name}_${target}}<figcaption>${law}, ${target}</figcaption></figure>\n"
+      "<figure class=\"all\">${error_vs_time_${name}_${target}}<figcaption>${law}, ${target}</figcaption></figure>\n")
+  endforeach()
+endforeach()
+set(coupled_picture "")
+if(DEFINED coupled_scenes)
+  set(coupled_picture "<figure>${coupled_scenes}<figcaption>Dashed: the 1e-5 of an impact that rounding may add in 32 bits</figcaption></figure>")
+endif()
+set(explorer_link "")
+if(EXISTS ${FOLDER}/../explorer.html)
+  set(explorer_link "<p><a class=\"explorer\" href=\"explorer.html\">Try it: the kernel in this page's neighbour, live</a></p>")
+endif()
+configure_file(${TEMPLATE} ${OUTPUT} @ONLY)

@@ -18,9 +18,9 @@ std::string cost_tile(const Table& points) {
   const Duel fpu = duel(points, "cortex-m4f", "hunt-crossley", 1e-6),
              integer = duel(points, "cortex-m3", "hunt-crossley", 1e-6);
   const std::string baseline = fpu.baseline ? fpu.baseline->at("method") : "none";
-  return tile(times(fpu), "as many instructions does the best textbook method (" + baseline +
-                              ") need on a Cortex-M4F for an error of 1 \u00b5m; on a Cortex-M3, without FPU, " +
-                              times(integer) + ".");
+  return tile(times(fpu), "fewer instructions than the best textbook method (" + baseline +
+                              ") for an error of 1 \u00b5m on a Cortex-M4F, and " + times(integer) +
+                              " fewer on a Cortex-M3, which has no FPU.");
 }
 
 std::string budget_tile(const Table& budget) {

@@ -19,9 +19,11 @@ foreach(part ${parts})
     string(REPLACE "${CMAKE_MATCH_1}" "var(--${CMAKE_MATCH_2})" content "${content}")
   endforeach()
   string(REGEX REPLACE "<title>Gnuplot</title>|<title>gnuplot_plot_[0-9]*</title>|<desc>[^<]*</desc>" "" content "${content}")
+  string(REGEX REPLACE "<g fill=\"none\"[^>]*>[\n\t ]*</g>\n" "" content "${content}")  # empty groups
   # A point's text, from gnuplot's hypertext to a title that needs no script.
-  string(REGEX REPLACE "<g onmousemove=\"gnuplot_svg.showHypertext\\(evt,'([^']*)'\\)\"[^>]*><title> </title>"
-    "<g class=\"point\"><title>\\1</title>" content "${content}")
+  string(REGEX REPLACE
+    "<g fill=\"none\"[^>]*>[\n\t ]*<g onmousemove=\"gnuplot_svg.showHypertext\\(evt,'([^']*)'\\)\"[^>]*><title> </title>[\n\t ]*<use ([^>]*) color='[^']*'/></g>[\n\t ]*</g>"
+    "<g class=\"point\"><title>\\1</title><use \\2/></g>" content "${content}")
   string(REPLACE "gpPt" "${name}-pt" content "${content}")  # ids are the page's own
   string(REPLACE "gpDot" "${name}-dot" content "${content}")
   string(REPLACE "gnuplot_plot_" "${name}-plot-" content "${content}")

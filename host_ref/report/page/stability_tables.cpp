@@ -29,7 +29,7 @@ std::string stability_table(const Table& stability) {
     region.gain = worse(region.gain, number(row, "energy_gain_max"));
   }
   std::string text = table_head(
-      "Every law, stepper and format, over the cells that the plan accepts", "stability.csv",
+      "In numbers, over the cells that the plan accepts", "stability.csv",
       {"law", "stepper", "format", "accepted cells of 247", "largest restitution error", "largest energy gain"});
   for (const std::string& key : order) {
     const Region& region = regions[key];

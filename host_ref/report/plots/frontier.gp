@@ -4,10 +4,10 @@ output = ARG1; file = ARG2; what = ARG3
 load 'style.gp'
 set logscale xy
 set format '10^{%T}'
-set terminal svg size 560,450 dynamic font 'sans-serif,15' enhanced
+set terminal svg size 600,460 dynamic font 'sans-serif,15' enhanced
 set xlabel what . ' per simulated second' offset 0,0.3 noenhanced
 set ylabel 'largest error of x1 over 1 s, m'
-set key below center maxrows 1 samplen 3 width -2
+set key above center maxrows 1 samplen 2 width -5 height 0.5
 set yrange [1e-10:1e-1]
 pick(s) = strcol(1) eq s ? column(3) : NaN
 set offsets graph 0.03, graph 0.03, 0, 0

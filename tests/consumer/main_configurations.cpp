@@ -15,22 +15,46 @@ struct Rig {
   static constexpr double step = 2e-5;
 };
 
+struct RigOfStiffStops {
+  static constexpr impact::Scene scene = [] {
+    impact::Scene scene = stop_of_any_law();
+    scene.contact_stiffness = 1e9;
+    return scene;
+  }();
+  static constexpr impact::Bounds bounds{};
+  static constexpr double step = 1e-3;
+};
+
+template <class Stepper>
+struct RigOf : Rig {};
+template <>
+struct RigOf<impact::Impulsive> : RigOfStiffStops {};
+
 template <class ContactLaw, class Stepper, class Drive, class Format, class... Features>
 bool runs() {
-  impact::Absorber<Rig, ContactLaw, Stepper, Drive, Format, Features...> absorber;
-  for (int i = 0; i < 100; ++i) absorber.step();
-  return absorber.fault() == impact::Fault::none;
+  impact::Absorber<RigOf<Stepper>, ContactLaw, Stepper, Drive, Format, Features...> absorber;
+  for (int i = 0; i < 100; ++i) {
+    if constexpr (Drive::is_sampled)
+      absorber.step(absorber.sample_of(1.0f));
+    else
+      absorber.step();
+    absorber.correct({}, {});
+  }
+  return absorber.restore(absorber.save()) && absorber.fault() == impact::Fault::none;
 }
 
 }  // namespace
 
 int main() {
   using namespace impact;
-  return runs<HuntCrossley, Moment, Sine, Fixed32, EnergyLedger, ImpactLog>() &&
+  return runs<HuntCrossley, Moment, Sine, Fixed32, EnergyLedger, ImpactLog, ContactForce, Snapshots>() &&
                  runs<Hertz, Moment, Sampled, Float32>() && runs<HookeNewton, Moment, NoDrive, Float32Plain>() &&
                  runs<HuntCrossleyPerImpact, AverageAcceleration, Sine, Float64, EnergyLedger>() &&
                  runs<HookeNewton, CentralDifference, Sine, Fixed32>() &&
-                 runs<HuntCrossley, EnergyConsistent, Sine, Fixed32>() && runs<Hertz, FoxGoodwin, NoDrive, Fixed32>()
+                 runs<HuntCrossley, EnergyConsistent, Sine, Fixed32>() &&
+                 runs<HuntCrossley, Impulsive, Sine, Fixed32>() &&
+                 runs<HuntCrossleyPerImpact, Impulsive, Sine, Fixed32>() && runs<Hertz, Moment, Sampled, Fixed32>() &&
+                 runs<Hertz, FoxGoodwin, NoDrive, Fixed32>()
              ? 0
              : 1;
 }

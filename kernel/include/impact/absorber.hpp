@@ -20,13 +20,15 @@
 //                   FoxGoodwin, CentralDifference, or as the scene and the step ask: Chosen, see choice.hpp
 //     drive         NoDrive, Sine, Sampled
 //     format        Fixed32, Float32, Float32Plain, Float64 (host)
-//     features      EnergyLedger, ImpactLog
+//     features      EnergyLedger, ImpactLog, ContactForce, Snapshots
 //
 // A step is: both masses fly freely to its end (motion/linear_flow.hpp); where the ball then stands inside a stop, the
 // contact finds the force's impulse and moment, and both masses answer to them.
 
 #include <stdint.h>
 
+#include <impact/converter.hpp>
+#include <impact/fault.hpp>
 #include <impact/features.hpp>
 #include <impact/law/hertz.hpp>
 #include <impact/law/hooke_newton.hpp>
@@ -40,6 +42,7 @@
 #include <impact/plan.hpp>
 #include <impact/plan_source.hpp>
 #include <impact/scene.hpp>
+#include <impact/snapshot.hpp>
 #include <impact/stepper/energy.hpp>
 #include <impact/stepper/impulsive.hpp>
 #include <impact/stepper/moment.hpp>
@@ -48,35 +51,28 @@
 
 namespace impact {
 
-// Why a state is no longer to be trusted. Sticky: the first fault stays until clear_fault() or reset(). The kernel goes
-// on in any case, from a state that has been held at the end of its range: it is always finite, and no step takes
-// longer for it.
-//
-//     Fixed32            holds what passes Bounds, at a power of two less than twice the bound (a speed at more than
-//                        that where one step's acceleration passes the bound)
-//     floating point     holds displacements, and displacements per step, at 2^20 m whatever Bounds say; a number that
-//                        the contact's formulas could not hold becomes 0
-//
-// A hold lets go of the contact under way; recorded features leave such a step out. A sample counts in newtons in
-// floating point: beyond Bounds::force it is held there, and instead of one that is not a number the one before it goes
-// on. In Fixed32 it is a fraction of that bound, all of whose bits are good.
-enum class Fault : uint16_t {
-  none,
-  displacement,  // of a mass
-  speed,         // of a mass
-  penetration,   // Fixed32 only
-  sample,        // of a sampled drive, floating point only
-};
-
 template <class Rig, class ContactLaw, class Stepper, class Drive, class Format_, class... Features>
-class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Drive>> {
+class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Drive>>,
+                 private SnapshotWindow<typename Format_::Value, detail::is_one_of<Snapshots, Features...>> {
+  using Source = PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Drive>>;
+
  public:
   using Format = Format_;
   using Value = typename Format::Value;
   using Long = typename Format::Long;
   using PlanType = Plan<Format, ContactLaw, Stepper, Drive>;
   using Contact = typename Stepper::template Contact<Format, ContactLaw>;
-  using PlanSource<Rig, PlanType>::plan;
+  using Source::plan;
+
+  // The SI value of a native 1.0, which is a raw 2^31 in Fixed32; 1 in floating point. Of displacements in m, of
+  // velocities in m/s, of contact forces and of samples in N. Constants of the type, but where the plan is AtRunTime.
+  using Source::displacement_unit;
+  using Source::force_unit;
+  using Source::sample_unit;
+  using Source::velocity_unit;
+  // A force for step(): newtons as a constant in double, or while running as a float, which asks for an FPU or some
+  // hundred instructions.
+  using Source::sample_of;
 
   // All that changes from step to step. Plain: it can be copied, kept and given back.
   struct State : Features::template State<Format>... {
@@ -87,12 +83,169 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     Fault fault;
   };
 
-  constexpr Absorber() { reset(); }
-  explicit constexpr Absorber(const PlanType& made) : PlanSource<Rig, PlanType>(made) { reset(); }
+  constexpr Absorber() {
+    start();
+    if constexpr (publishes) see(Window::first(), begins_inside());
+  }
+  explicit constexpr Absorber(const PlanType& made) : Source(made) {
+    start();
+    if constexpr (publishes) see(Window::first(), begins_inside());
+  }
 
   // Back to the scene's initial state, without fault.
   constexpr void reset() {
+    start();
+    publish();
+  }
+
+  // Advances by one step.
+  template <class... Nothing>
+  constexpr void step() {
+    static_assert(!Drive::is_sampled || sizeof...(Nothing) > 0,
+                  "step() without a sample, but the drive is Sampled: pass the force at the step's end, as "
+                  "step(absorber.sample_of(newtons)) or from a converter, see converter.hpp");
+    advance(Value{});
+    publish();
+  }
+  // Advances a sampled drive by one step, with the sample at the step's end: newtons in a floating-point format, a
+  // fraction of Bounds::force in Q1.31 in Fixed32; the sample before the first is 0.
+  template <class Sample = Value>
+  constexpr void step(Sample sample) {
+    constexpr bool is_value = detail::is_one_of<Value, Sample>;
+    static_assert(Drive::is_sampled, "step(sample), but the drive takes none: name Sampled as the drive, or step()");
+    static_assert(is_value || !Drive::is_sampled,
+                  "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), step({raw}) in "
+                  "Fixed32, a float in Float32 and Float32Plain, or a converter's counts, see converter.hpp");
+    if constexpr (is_value && Drive::is_sampled) {
+      advance(sample);
+      publish();
+    }
+  }
+
+  // Now, in native numbers: valid in the context that steps. For any other, snapshot().
+  constexpr Value displacement() const { return plan.units.position(state_.x1); }  // of the main mass
+  constexpr Value velocity() const {
+    Value rate = plan.units.as_displacement(rate_ahead());
+    if constexpr (Contact::carries) rate = rate - carried(plan.contact.w1_share);
+    return plan.units.velocity(plan.units.displacement(state_.w1) + rate);
+  }
+  constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
+  constexpr Value ball_velocity() const {
+    Value rate = plan.units.displacement(state_.w2);
+    if constexpr (Contact::carries) rate = rate + carried(plan.contact.w2_share);
+    return plan.units.velocity(rate);
+  }
+  // On the main mass, along x, the mean of the last step; the ball feels the opposite.
+  constexpr Value contact_force() const {
+    constexpr bool is_named = detail::is_one_of<ContactForce, Features...>;
+    static_assert(is_named, "contact_force() needs the feature ContactForce: append it to the absorber's type");
+    if constexpr (is_named)
+      return plan.units.newtons(state_.contact_force);
+    else
+      return {};
+  }
+  constexpr bool is_touching() const { return state_.contact.phase == Phase::touching; }
+  constexpr const State& state() const { return state_; }
+
+  // Safe to ask and to wait for in any context: one aligned half word, read anew at each call.
+  Fault fault() const {
+    if (Source::is_refused()) return Fault::plan;
+    return *static_cast<const volatile Fault*>(&state_.fault);
+  }
+  constexpr void clear_fault() {
+    state_.fault = Fault::none;
+    publish();
+  }
+
+  // The last step whole, for a task that an interrupt may step under (snapshot.hpp).
+  Snapshot<Value> snapshot() const {
+    static_assert(publishes, "snapshot() needs the feature Snapshots: append it to the absorber's type");
+    if constexpr (publishes)
+      return Window::read();
+    else
+      return {};
+  }
+
+  // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
+  // of displacement() and velocity(). Held in range and faulted like a step, and for that at most half a unit. A
+  // contact under way goes on from the corrected penetration, with its damping; a ledger counts what a correction does
+  // to the stored energy as dissipated, and nothing as the drive's work.
+  constexpr void correct(Value dx, Value dv) {
+    if (Source::is_refused()) return;
+    const auto& units = plan.units;
+    Value du = units.per_step(dv);
+    if (units.hold_correction(dx)) raise(Fault::displacement);
+    if (units.hold_correction(du)) raise(Fault::speed);
+    units.add_position(state_.x1, dx);
+    units.add_displacement(state_.w1, du);
+    units.add(state_.w1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
+    if (!hold_in_range() && state_.contact.phase != Phase::apart) touch_anew();
+    (Features::after_correction(state_), ...);
+    publish();
+  }
+
+  // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same
+  // on every little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's
+  // version, the scene, the bounds, the step or a type differ, or when no step can have left the state: displacements,
+  // drive or kind of contact are out of range. (What a contact remembers of its forces is not judged: it cannot do
+  // more than raise a fault.)
+  static constexpr uint32_t state_version = 2;
+  struct Saved {
+    uint32_t version, plan_identity;
+    State state;
+  };
+  constexpr Saved save() const { return {state_version, identity(), state_}; }
+  constexpr bool restore(const Saved& saved) {
+    if (Source::is_refused() || saved.version != state_version || saved.plan_identity != identity()) return false;
+    if (!is_sound(saved.state)) return false;
+    state_ = saved.state;
+    publish();
+    return true;
+  }
+
+  // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the
+  // drive's phase do not jump (motion/handover.hpp); a drive that was off starts at phase 0, and ledger and log start
+  // anew. Refuses, and changes nothing, when bounds, step, clearance or stops differ, or during a contact when its
+  // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
+  constexpr bool retune(const PlanType& next) {
+    constexpr bool is_bound = Contact::carries || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
+    if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
+    if (is_bound && state_.contact.phase != Phase::apart) return false;
+    hand_over(plan, next, state_);
+    plan = next;
+    hold_in_range();
+    ((static_cast<typename Features::template State<Format>&>(state_) = {}, Features::start(plan, state_)), ...);
+    publish();
+    return true;
+  }
+
+  // In SI units, for a host: double arithmetic.
+  struct Reading {
+    double x1, v1, x2, v2;
+  };
+  constexpr Reading reading() const {
+    if (Source::is_refused()) return {};
+    double u1 = plan.units.si(state_.w1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.w2);
+    if constexpr (Contact::carries) {
+      const double side = state_.at_left ? -1 : 1;
+      u1 -= side * plan.units.si_penetration(plan.contact.w1_share * state_.contact.force);
+      u2 += side * plan.units.si_penetration(plan.contact.w2_share * state_.contact.force);
+    }
+    return {plan.units.si_at(state_.x1), u1 / plan.step, plan.units.si_at(state_.x2), u2 / plan.step};
+  }
+
+ private:
+  using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
+  static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
+  static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
+
+  // A shared kick changes a position by at most an eighth of 2^63, and a step's displacement by a quarter: where both
+  // come to a state in range before it is looked at, it does not wrap.
+  static constexpr bool judges_contact_once = decltype(PlanType::contact.response)::is_shared;
+
+  constexpr void start() {
     state_ = State{};
+    if (Source::is_refused()) return;
     state_.x1 = plan.x1;
     state_.w1 = plan.w1;
     state_.x2 = plan.x2;
@@ -107,9 +260,8 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     (Features::start(plan, state_), ...);
   }
 
-  // Advances by one step. A sampled drive takes the sample at the step's end: newtons in a floating-point format, a
-  // fraction of Bounds::force in Q1.31 in Fixed32; the sample before the first is 0.
-  constexpr void step(Value sample = Value{}) {
+  constexpr void advance(Value sample) {
+    if (Source::is_refused()) return;
     if constexpr (Drive::is_sampled)
       if (!state_.drive.accepts(plan.drive, sample)) hold_sample(sample);
     Long made = state_.w1;
@@ -134,64 +286,55 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
     }
     (Features::after_step(plan, state_), ...);
   }
-
-  constexpr Value displacement() const { return plan.units.position(state_.x1); }  // of the main mass
-  constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
-  constexpr bool is_touching() const { return state_.contact.phase == Phase::touching; }
-  constexpr Fault fault() const { return state_.fault; }
-  constexpr void clear_fault() { state_.fault = Fault::none; }
-  constexpr const State& state() const { return state_; }
-
-  // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same
-  // on every little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's
-  // version, the scene, the bounds, the step or a type differ, or when no step can have left the state: displacements,
-  // drive or kind of contact are out of range. (What a contact remembers of its forces is not judged: it cannot do
-  // more than raise a fault.)
-  static constexpr uint32_t state_version = 1;
-  struct Saved {
-    uint32_t version, plan_identity;
-    State state;
-  };
-  constexpr Saved save() const { return {state_version, plan.identity, state_}; }
-  constexpr bool restore(const Saved& saved) {
-    if (saved.version != state_version || saved.plan_identity != plan.identity || !is_sound(saved.state)) return false;
-    state_ = saved.state;
-    return true;
+  constexpr void publish() {
+    if constexpr (publishes) Window::publish([this](Snapshot<Value>& now) { see(now, is_touching()); });
+  }
+  constexpr void see(Snapshot<Value>& now, bool touches) const {
+    now.displacement = displacement();
+    now.velocity = velocity();
+    now.ball_displacement = ball_displacement();
+    now.ball_velocity = ball_velocity();
+    if constexpr (detail::is_one_of<ContactForce, Features...>) now.contact_force = contact_force();
+    now.steps = state_.steps;
+    now.fault = Source::is_refused() ? Fault::plan : state_.fault;
+    now.is_touching = touches;
   }
 
-  // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the
-  // drive's phase do not jump (motion/handover.hpp); a drive that was off starts at phase 0, and ledger and log start
-  // anew. Refuses, and changes nothing, when bounds, step, clearance or stops differ, or during a contact when its
-  // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
-  constexpr bool retune(const PlanType& next) {
-    constexpr bool is_bound = Contact::carries || ContactLaw::is_damped_per_impact || sizeof...(Features) > 0;
-    if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
-    if (is_bound && state_.contact.phase != Phase::apart) return false;
-    hand_over(plan, next, state_);
-    plan = next;
-    hold_in_range();
-    ((static_cast<typename Features::template State<Format>&>(state_) = {}, Features::start(plan, state_)), ...);
-    return true;
+  // is_touching() at the start. (GCC 12 cannot read the phase while it evaluates the constructor.)
+  constexpr bool begins_inside() const {
+    return !Source::is_refused() && is_positive(plan.units.penetration(mirrored(plan.x2 - plan.x1, is_at_left())));
   }
 
-  // In SI units, for a host: double arithmetic.
-  struct Reading {
-    double x1, v1, x2, v2;
-  };
-  constexpr Reading reading() const {
-    double u1 = plan.units.si(state_.w1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.w2);
-    if constexpr (Contact::carries) {
-      const double side = state_.at_left ? -1 : 1;
-      u1 -= side * plan.units.si_penetration(plan.contact.w1_share * state_.contact.force);
-      u2 += side * plan.units.si_penetration(plan.contact.w2_share * state_.contact.force);
+  // Scene, bounds, step, types and features.
+  constexpr uint32_t identity() const {
+    if constexpr (sizeof...(Features) == 0) {
+      return plan.identity;
+    } else {
+      Fingerprint fingerprint{plan.identity};
+      (fingerprint.add(Features::kind), ...);
+      return fingerprint.value;
     }
-    return {plan.units.si_at(state_.x1), u1 / plan.step, plan.units.si_at(state_.x2), u2 / plan.step};
   }
 
- private:
-  // A shared kick changes a position by at most an eighth of 2^63, and a step's displacement by a quarter: where both
-  // come to a state in range before it is looked at, it does not wrap.
-  static constexpr bool judges_contact_once = decltype(PlanType::contact.response)::is_shared;
+  // What a force of pointwise contact has to do yet, towards the stop as a displacement per step.
+  constexpr Value carried(typename Format::Gain share) const {
+    return plan.units.as_displacement(mirrored(share * state_.contact.force, at_left()));
+  }
+  constexpr bool at_left() const { return plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop; }
+
+  // The contact under way as if it stood so from its beginning; its damping stays.
+  constexpr void touch_anew() {
+    const Contact before = state_.contact;
+    const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left()));
+    if (is_positive(inside)) {
+      state_.contact.start(plan.contact, plan.units, inside, relative_rate(at_left()));
+      if constexpr (has_own_damping) state_.contact.own_damping = before.own_damping;
+      state_.contact.phase = before.phase;
+    } else {
+      state_.contact.phase = Phase::apart;
+      if constexpr (Contact::carries) state_.contact.force = Value{};
+    }
+  }
 
   // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
   constexpr Value rate_ahead() const {
@@ -310,8 +453,7 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
                     state.contact.phase <= Phase::released && state.at_left <= 1 && state.fault <= Fault::sample;
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
-    if constexpr (ContactLaw::is_damped_per_impact && !Contact::splits)
-      is_sound = is_sound && Format::is_sound(state.contact.own_damping);
+    if constexpr (has_own_damping) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
     if constexpr (Contact::carries)
       is_sound = is_sound && Format::is_sound(plan.contact.w1_share * state.contact.force) &&
                  Format::is_sound(plan.contact.w2_share * state.contact.force);

@@ -29,6 +29,9 @@ struct ContactStep {
 // are rounded to nearest, so that their errors do not add up to a drift: each is at most half a last place of these
 // units in Fixed32 (2^-32), and 2^-24 of itself in Float32.
 struct EnergyLedger {
+  static constexpr uint32_t kind = 1;     // a saved state is of one list of features
+  static constexpr bool is_bound = true;  // to the plan of a contact under way
+
   template <class Format>
   struct State {
     typename Format::Tally dissipated, drive_work;
@@ -62,6 +65,10 @@ struct EnergyLedger {
     state.drive_force = force;
     state.x1_before = state.x1;
   }
+  template <class State>
+  static constexpr void after_correction(State& state) {
+    state.x1_before = state.x1;
+  }
   // Whether a state from elsewhere can be gone on with.
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
@@ -75,6 +82,9 @@ struct EnergyLedger {
 // Contacts begun, the rate at which the last one began (2^penetration metres per step), and the largest mean force over
 // a step (force_unit).
 struct ImpactLog {
+  static constexpr uint32_t kind = 2;
+  static constexpr bool is_bound = true;
+
   template <class Format>
   struct State {
     uint32_t impacts;
@@ -93,11 +103,78 @@ struct ImpactLog {
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State&) {}
+  template <class State>
+  static constexpr void after_correction(State&) {}
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
     using Format = typename Plan::FormatType;
     return Format::is_sound(state.impact_rate) && Format::is_sound(state.peak_force);
   }
 };
+
+// The mean contact force of the last step: contact_force().
+struct ContactForce {
+  static constexpr uint32_t kind = 3;
+  static constexpr bool is_bound = true;
+
+  template <class Format>
+  struct State {
+    typename Format::Value contact_force, force_of_step;  // force_unit, on the main mass along x
+  };
+
+  template <class Plan, class State>
+  static constexpr void start(const Plan&, State&) {}
+  template <class Plan, class State, class Step>
+  static constexpr void after_contact(const Plan&, State& state, const Step& step) {
+    state.force_of_step = mirrored(step.force.impulse, state.at_left & 1);
+  }
+  template <class Plan, class State>
+  static constexpr void after_step(const Plan&, State& state) {
+    state.contact_force = state.force_of_step;
+    state.force_of_step = {};
+  }
+  template <class State>
+  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr bool is_sound(const Plan&, const State& state) {
+    using Format = typename Plan::FormatType;
+    return Format::is_sound(state.contact_force) && Format::is_sound(state.force_of_step);
+  }
+};
+
+// A window for snapshot(), of two snapshots: see snapshot.hpp. Of it a saved state has the number of steps.
+struct Snapshots {
+  static constexpr uint32_t kind = 4;
+  static constexpr bool is_bound = false;
+
+  template <class Format>
+  struct State {
+    uint32_t steps;
+  };
+
+  template <class Plan, class State>
+  static constexpr void start(const Plan&, State&) {}
+  template <class Plan, class State, class Step>
+  static constexpr void after_contact(const Plan&, State&, const Step&) {}
+  template <class Plan, class State>
+  static constexpr void after_step(const Plan&, State& state) {
+    ++state.steps;
+  }
+  template <class State>
+  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr bool is_sound(const Plan&, const State&) {
+    return true;
+  }
+};
+
+namespace detail {
+template <class One, class... List>
+constexpr bool is_one_of = false;
+template <class One, class First, class... Rest>
+constexpr bool is_one_of<One, First, Rest...> = is_one_of<One, Rest...>;
+template <class One, class... Rest>
+constexpr bool is_one_of<One, One, Rest...> = true;
+}  // namespace detail
 
 }  // namespace impact

@@ -18,6 +18,7 @@ namespace impact {
 template <class Format, class ContactLaw, class Stepper, class Drive>
 struct Plan {
   using FormatType = Format;
+  using DriveType = Drive;
   using Gain = typename Format::Gain;
   using Long = typename Format::Long;
   using Treatment = typename Stepper::template Contact<Format, ContactLaw>;
@@ -36,6 +37,23 @@ struct Plan {
   Handover<Format, Drive> handover;  // read by a change of plan only
 
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step);
+
+  // The SI values of native 1.0: m, m/s, and N of a contact force and of a sample.
+  constexpr double displacement_unit() const { return units.displacement_unit(); }
+  constexpr double velocity_unit() const { return units.velocity_unit(step); }
+  constexpr double contact_force_unit() const { return Format::sample_unit(force_unit); }
+  constexpr double sample_unit() const { return drive_unit; }
+
+  template <class Real>
+  constexpr typename Format::Value sample_of(Real newtons) const {
+    constexpr bool is_float = sizeof(Real) == sizeof(float);
+    static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
+    static_assert(static_cast<Real>(0.5) > 0, "newtons are a double (a constant) or a float");
+    if constexpr (is_float)
+      return Format::sample_of_float(newtons * drive.per_newton);
+    else
+      return Format::sample(drive_unit > 0 ? static_cast<double>(newtons) / drive_unit : 0);
+  }
   static constexpr Plan refused(PlanStatus why) {
     Plan plan{};
     plan.status = why;
@@ -69,6 +87,7 @@ struct Plan {
                               Stepper::kind,
                               Drive::is_sine,
                               Drive::is_sampled,
+                              Format::kind,
                               sizeof(typename Format::Value),
                               sizeof(Long),
                               sizeof(Gain),
@@ -117,7 +136,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
       !Format::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass), exponents.kick))
     return refused(PlanStatus::contact_stiffness);
 
-  const auto units = Format::Units::make(exponents, scene.clearance / 2);
+  const auto units = Format::Units::make(exponents, scene.clearance / 2, h, terms.force_unit);
   const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);
   Plan plan{};
   plan.status = status;

@@ -14,7 +14,17 @@ class PlanSource {
  public:
   static constexpr PlanType plan = PlanType::make(Rig::scene, Rig::bounds, Rig::step);
 
+  static constexpr double displacement_unit() { return plan.displacement_unit(); }
+  static constexpr double velocity_unit() { return plan.velocity_unit(); }
+  static constexpr double force_unit() { return plan.contact_force_unit(); }
+  static constexpr double sample_unit() { return plan.sample_unit(); }
+  template <class Real>
+  static constexpr auto sample_of(Real newtons) {
+    return plan.sample_of(newtons);
+  }
+
  protected:
+  static constexpr bool is_refused() { return false; }
   constexpr PlanSource() {
     constexpr PlanStatus status = plan.status;
     static_assert(status != PlanStatus::displacement_bound,
@@ -42,7 +52,18 @@ class PlanSource<AtRunTime, PlanType> {
  public:
   PlanType plan;
 
+  constexpr double displacement_unit() const { return plan.displacement_unit(); }
+  constexpr double velocity_unit() const { return plan.velocity_unit(); }
+  constexpr double force_unit() const { return plan.contact_force_unit(); }
+  constexpr double sample_unit() const { return plan.sample_unit(); }
+  template <class Real>
+  constexpr auto sample_of(Real newtons) const {
+    return plan.sample_of(newtons);
+  }
+
  protected:
+  // Of such a plan only the status means anything.
+  constexpr bool is_refused() const { return plan.status != PlanStatus::ok; }
   explicit constexpr PlanSource(const PlanType& made) : plan(made) {}
 };
 

@@ -17,6 +17,7 @@ struct Sampled {
   struct Plan {
     typename Format::Gain kick, increment_before, increment_now, rate;
     typename Format::Value largest;
+    float per_newton;  // native numbers
   };
 
   template <class Format>
@@ -25,9 +26,12 @@ struct Sampled {
     const double newtons = Format::sample_unit(bounds.force);
     const double before = flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0;
     const double now = flow.e12 * flow.c1 - (flow.e22 + flow.damping()) * flow.b1 + flow.b0;
-    return {Format::gain(newtons * flow.b1, 0, unit.increment), Format::gain(newtons * before, 0, unit.increment),
+    return {Format::gain(newtons * flow.b1, 0, unit.increment),
+            Format::gain(newtons * before, 0, unit.increment),
             Format::gain(newtons * now, 0, unit.increment),
-            Format::gain(newtons * flow.b0 / flow.e12, 0, unit.penetration), Format::largest_sample(bounds.force)};
+            Format::gain(newtons * flow.b0 / flow.e12, 0, unit.penetration),
+            Format::largest_sample(bounds.force),
+            static_cast<float>(newtons > 0 ? 1 / newtons : 0)};
   }
 
   template <class Format>

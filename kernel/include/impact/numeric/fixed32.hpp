@@ -23,6 +23,7 @@
 namespace impact {
 
 struct Fixed32 {
+  static constexpr uint32_t kind = 0;  // a saved state is of one kind of format
   using Value = Signed<31>;
   using Root = Unsigned<31>;
   using Oscillator = IntegerOscillator;
@@ -145,7 +146,7 @@ struct Fixed32 {
     int position_exponent, displacement_shift, increment_shift, push_shift, penetration_shift, penetration_exponent,
         force_bits;
 
-    static constexpr Units make(const UnitExponents& e, double gap) {
+    static constexpr Units make(const UnitExponents& e, double gap, double, double) {
       return {static_cast<int64_t>(gap * constant::power_of_two(63 - e.position)),
               e.position,
               32 - (e.position - e.displacement),
@@ -175,6 +176,26 @@ struct Fixed32 {
 
     static constexpr Value position(Long x) { return {opaque(static_cast<int32_t>(x.raw >> 32))}; }
     constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
+    // Of a displacement per step and of a force: their own units serve.
+    static constexpr Value velocity(Value per_step) { return per_step; }
+    static constexpr Value newtons(Value force) { return force; }
+    static constexpr Value per_step(Value velocity) { return velocity; }
+    constexpr double displacement_unit() const { return constant::power_of_two(position_exponent); }
+    constexpr double velocity_unit(double step) const {
+      return constant::power_of_two(position_exponent + displacement_shift - 32) / step;
+    }
+    // A penetration or its rate as a displacement per step counts.
+    constexpr Value as_displacement(Value rate) const { return moved(rate, displacement_shift - penetration_shift); }
+    // What is added from outside, at most as much as a state is held at.
+    static constexpr bool hold_correction(Value& x) {
+      constexpr int32_t most = 1 << 30;
+      const int32_t held = x.raw > most ? most : x.raw < -most ? -most : x.raw;
+      const bool is_beyond = held != x.raw;
+      x.raw = held;
+      return is_beyond;
+    }
+    static constexpr void add_position(Long& x, Value by) { x.raw += shifted_left(by.raw, 32); }
+    constexpr void add_displacement(Long& w, Value by) const { w.raw += shifted_left(by.raw, displacement_shift); }
     constexpr void add(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, increment_shift); }
     // Modulo 2^64: what a state beyond its bounds slips may be anything.
     constexpr void displace(Long& x, Value penetration) const {
@@ -285,6 +306,16 @@ struct Fixed32 {
   static constexpr Value moved(Value x, int places) {
     return {places > 0 ? x.raw >> places : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -places)};
   }
+  // A converter's counts as Values: of 2^31.
+  static constexpr int count_exponent = 31;
+  static constexpr Value counted(int32_t counts) { return {counts}; }
+  // The counts of 1, beyond which there is no Value.
+  static constexpr double most_counts(double per_one) { return constant::magnitude(per_one) * (1 - 0x1p-31); }
+  static constexpr HeldGain count_gain(double per_one) { return {gain(per_one, 0, count_exponent)}; }
+  static constexpr int32_t counts(HeldGain gain, Value x, int32_t least, int32_t most) {
+    const int32_t found = (gain * x).raw;
+    return found < least ? least : found > most ? most : found;
+  }
   static constexpr double sample_unit(double largest) { return largest; }
   static constexpr Value largest_sample(double) { return {INT32_MAX}; }
   static constexpr bool is_within(Value, Value) { return true; }
@@ -303,6 +334,12 @@ struct Fixed32 {
     return {fraction >= 1    ? INT32_MAX
             : fraction <= -1 ? -INT32_MAX
             : fraction > -1  ? static_cast<int32_t>(fraction * 2147483647.0)
+                             : 0};
+  }
+  static constexpr Value sample_of_float(float fraction) {
+    return {fraction >= 1    ? INT32_MAX
+            : fraction <= -1 ? -INT32_MAX
+            : fraction > -1  ? static_cast<int32_t>(fraction * 2147483648.0f)
                              : 0};
   }
   template <int bits>

@@ -72,6 +72,7 @@ inline uint64_t magnitude_bits(double x) {
 
 template <class RealType, template <class> class State, class OscillatorType, class RootPolicy>
 struct RealFormat {
+  static constexpr uint32_t kind = RootPolicy::kind;  // a saved state is of one kind of format
   using Real = RealType;
   using Value = Real;
   using Root = Real;
@@ -87,9 +88,26 @@ struct RealFormat {
   static constexpr bool resolves(double, int) { return true; }
 
   struct Units {
-    Long gap;  // m
+    Long gap;                          // m
+    Real per_second, step, of_forces;  // 1/s, s, N
 
-    static constexpr Units make(const UnitExponents&, double gap) { return {state(gap)}; }
+    static constexpr Units make(const UnitExponents&, double gap, double step, double force_unit) {
+      return {state(gap), static_cast<Real>(1 / step), static_cast<Real>(step), static_cast<Real>(force_unit)};
+    }
+    constexpr Value velocity(Value per_step) const { return per_step * per_second; }
+    constexpr Value newtons(Value force) const { return force * of_forces; }
+    constexpr Value per_step(Value velocity) const { return velocity * step; }
+    static constexpr double displacement_unit() { return 1; }
+    static constexpr double velocity_unit(double) { return 1; }
+    static constexpr Value as_displacement(Value rate) { return rate; }
+    // What is added from outside: no more than the range, and nothing where it is no number.
+    static constexpr bool hold_correction(Real& x) {
+      if (is_below_limit(x)) return false;
+      x = x > 0 || x < 0 ? (x > 0 ? Real{1048576} : Real{-1048576}) : Real{0};
+      return true;
+    }
+    static constexpr void add_position(Long& x, Value by) { x.add(by); }
+    static constexpr void add_displacement(Long& w, Value by) { w.add(by); }
 
     static constexpr Long state(double x) {
       Long result{};
@@ -166,6 +184,17 @@ struct RealFormat {
     return gain / (divisor > least ? divisor : least);
   }
   static constexpr Value moved(Value x, int) { return x; }
+  // A converter's counts are numbers like others.
+  static constexpr int count_exponent = 0;
+  static constexpr Value counted(int32_t counts) { return static_cast<Real>(counts); }
+  static constexpr double most_counts(double) { return 0x1p31; }
+  static constexpr Gain count_gain(double per_one) { return static_cast<Real>(per_one); }
+  static constexpr int32_t counts(Gain gain, Value x, int32_t least, int32_t most) {
+    const Real found = gain * x;
+    if (!(found > static_cast<Real>(least))) return least;
+    if (!(found < static_cast<Real>(most))) return most;
+    return static_cast<int32_t>(found + (found < 0 ? static_cast<Real>(-0.5) : static_cast<Real>(0.5)));
+  }
   static constexpr double sample_unit(double) { return 1; }
   static constexpr Value largest_sample(double bound) { return static_cast<Real>(bound); }
   static constexpr bool is_within(Value x, Value bound) { return magnitude_bits(x) <= magnitude_bits(bound); }
@@ -180,6 +209,7 @@ struct RealFormat {
   static constexpr Value reading(Real native) { return native; }
   static constexpr Value reading(int32_t native) { return static_cast<Real>(native); }
   static constexpr auto native(Value reading) { return static_cast<decltype(Oscillator{}.value_head())>(reading); }
+  static constexpr Value sample_of_float(float force) { return static_cast<Real>(force); }
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
   static constexpr Value rounded_product(Real x, Real y) { return x * y; }
@@ -231,6 +261,7 @@ struct RealFormat {
 
 // Host only.
 struct DoubleRoot {
+  static constexpr uint32_t kind = 2;
   static double square_root(double x) { return __builtin_sqrt(x); }
 };
 

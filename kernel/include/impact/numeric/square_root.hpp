@@ -127,12 +127,14 @@ inline float square_root(float y) {
 
 // The square root of a float as a policy: by table, or by the processor's own instruction.
 struct LookupRoot {
+  static constexpr uint32_t kind = 0;  // of a saved state
   static float square_root(float y) { return impact::square_root<>(y); }
 };
 
 // One correctly rounded instruction, written out because for the sake of errno a compiler adds a call to sqrtf. NaN for
 // y < 0.
 struct HardwareRoot {
+  static constexpr uint32_t kind = 1;  // of a saved state
 #if (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__aarch64__) || defined(__SSE2__) || \
     defined(__riscv_flen)
   static float square_root(float y) {

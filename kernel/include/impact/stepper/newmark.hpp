@@ -26,7 +26,8 @@ namespace impact {
 
 template <int beta_numerator, int beta_denominator>
 struct Pointwise {
-  static constexpr uint32_t kind = 34;  // a saved state is of one kind of stepper
+  // A saved state is of one kind of stepper, and of one beta.
+  static constexpr uint32_t kind = 34 | beta_numerator << 8 | beta_denominator << 16;
   static constexpr double beta = static_cast<double>(beta_numerator) / beta_denominator;
   // Radians of the main mass's own vibration in a step: 2/sqrt(1 - 4 beta) is where the scheme turns unstable (Hughes
   // 1987), for the average acceleration never.

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Between the kernel's numbers and a converter's counts, one multiplication each way, with a constant that the compiler
+// makes:
+//
+//     constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095};     // the middle is 0 m, full scale 0.05 m
+//     constexpr impact::ToCounts<Absorber::Format> to_dac(dac, Absorber::displacement_unit());
+//     DAC = to_dac(absorber.displacement());
+//
+//     constexpr impact::Converter adc{2048, 2048 / 10.0, 0, 4095};     // the middle is 0 N, full scale 10 N
+//     constexpr impact::FromCounts<Absorber::Format> from_adc(adc, Absorber::sample_unit());
+//     absorber.step(from_adc(ADC));
+//
+// Out: to the nearest count, held at the converter's ends. In: within 2^-29 of the unit (Fixed32) or 2^-22 of
+// itself; in Fixed32 counts are held at the last one below the unit.
+
+#include <stdint.h>
+
+#include <impact/numeric/constant_math.hpp>
+
+namespace impact {
+
+// As its circuit has it.
+struct Converter {
+  int32_t zero;               // counts at 0
+  double counts_per_si_unit;  // below 0 where it counts backwards
+  int32_t least, most;        // counts
+};
+
+namespace detail {
+constexpr int32_t held_in_32_bits(double x) {
+  return static_cast<int32_t>(constant::larger(-2147483647.0, constant::smaller(x, 2147483647.0)));
+}
+}  // namespace detail
+
+template <class Format>
+class ToCounts {
+ public:
+  using Value = typename Format::Value;
+
+  constexpr ToCounts(const Converter& converter, double unit)
+      : gain_(Format::count_gain(converter.counts_per_si_unit * unit)),
+        zero_(converter.zero),
+        least_(detail::held_in_32_bits(static_cast<double>(converter.least) - converter.zero)),
+        most_(detail::held_in_32_bits(static_cast<double>(converter.most) - converter.zero)) {}
+
+  constexpr int32_t operator()(Value x) const { return zero_ + Format::counts(gain_, x, least_, most_); }
+
+ private:
+  typename Format::HeldGain gain_;
+  int32_t zero_, least_, most_;  // the ends from zero
+};
+
+template <class Format>
+class FromCounts {
+ public:
+  using Value = typename Format::Value;
+
+  constexpr FromCounts(const Converter& converter, double unit)
+      : gain_(Format::gain(1 / (converter.counts_per_si_unit * unit), Format::count_exponent, 0)),
+        zero_(converter.zero),
+        least_(detail::held_in_32_bits(static_cast<double>(zero_) - most(converter, unit))),
+        most_(detail::held_in_32_bits(static_cast<double>(zero_) + most(converter, unit))) {}
+
+  constexpr Value operator()(int32_t counts) const {
+    return gain_ * Format::counted((counts < least_ ? least_ : counts > most_ ? most_ : counts) - zero_);
+  }
+
+ private:
+  // Whole counts that a Value holds.
+  static constexpr int32_t most(const Converter& converter, double unit) {
+    return detail::held_in_32_bits(Format::most_counts(converter.counts_per_si_unit * unit));
+  }
+
+  typename Format::Gain gain_;
+  int32_t zero_, least_, most_;
+};
+
+}  // namespace impact

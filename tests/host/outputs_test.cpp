@@ -1,0 +1,362 @@
+// What a loop reads and writes between two steps, in native numbers: outputs, converters, corrections, snapshots, and
+// what becomes of a refused plan and of another absorber's bytes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <impact/absorber.hpp>
+#include <limits>
+#include <type_traits>
+
+namespace impact {
+namespace {
+
+constexpr double h = 1e-4;
+
+template <class Value>
+double si(Value x, double unit) {
+  if constexpr (std::is_floating_point_v<Value>)
+    return static_cast<double>(x) * unit;
+  else
+    return x.raw * 0x1p-31 * unit;
+}
+template <class Format>
+typename Format::Value native(double x, double unit) {
+  if constexpr (std::is_floating_point_v<typename Format::Value>)
+    return static_cast<typename Format::Value>(x / unit);
+  else
+    return {static_cast<int32_t>(std::lround(x / unit * 0x1p31))};
+}
+// Of a number as large as `size`, whose unit is known.
+template <class Format>
+double last_place(double size, double unit) {
+  if constexpr (std::is_same_v<Format, Fixed32>)
+    return unit * 0x1p-31;
+  else
+    return size * static_cast<double>(std::numeric_limits<typename Format::Value>::epsilon());
+}
+
+// A law's own stop, so that one scene serves for all of them.
+template <class ContactLaw>
+constexpr Scene scene_of() {
+  Scene scene;
+  if (ContactLaw::law == Law::hooke_newton) scene.contact_damping = 20.81;
+  scene.restitution = 0.7;
+  return scene;
+}
+
+template <class Format_, class ContactLaw_, class Stepper_, class Drive_>
+struct Case {
+  using Format = Format_;
+  using Law = ContactLaw_;
+  using Drive = Drive_;
+  using Kernel = Absorber<AtRunTime, ContactLaw_, Stepper_, Drive_, Format_, ContactForce, Snapshots>;
+
+  static Kernel made() { return Kernel(Kernel::PlanType::make(scene_of<Law>(), Bounds{}, h)); }
+  static void step(Kernel& kernel, int n) {
+    if constexpr (Drive::is_sampled)
+      kernel.step(kernel.sample_of(8 * std::sin(0.004 * n)));
+    else
+      kernel.step();
+  }
+};
+template <class Format>
+using CasesOf = testing::Types<
+    Case<Format, HuntCrossley, Moment, Sine>, Case<Format, HuntCrossley, Moment, Sampled>,
+    Case<Format, HookeNewton, Moment, Sine>, Case<Format, Hertz, SubsteppedMoment<4>, Sine>,
+    Case<Format, HuntCrossley, EnergyConsistent, Sine>, Case<Format, HookeNewton, EnergyConsistent, NoDrive>,
+    Case<Format, HuntCrossley, AverageAcceleration, Sine>, Case<Format, HuntCrossleyPerImpact, Moment, Sine>>;
+template <class Case>
+struct Outputs : testing::Test {};
+TYPED_TEST_SUITE_P(Outputs);
+
+// reading() is in double from the whole state; a native number is within some last places of its own.
+TYPED_TEST_P(Outputs, AreTheReadingInTheirUnits) {
+  using Format = typename TypeParam::Format;
+  auto kernel = TypeParam::made();
+  if constexpr (!TypeParam::Drive::is_sine && !TypeParam::Drive::is_sampled)
+    kernel.correct(native<Format>(0.02, kernel.displacement_unit()), native<Format>(1.0, kernel.velocity_unit()));
+  int touched = 0;
+  for (int n = 0; n < 20000; ++n) {
+    TypeParam::step(kernel, n);
+    const auto now = kernel.reading();
+    const double place = last_place<Format>(0.1, kernel.displacement_unit());
+    ASSERT_NEAR(si(kernel.displacement(), kernel.displacement_unit()), now.x1, place) << n;
+    ASSERT_NEAR(si(kernel.ball_displacement(), kernel.displacement_unit()), now.x2, place) << n;
+    // Rates count in the unit of penetrations within a step: 2^-5 m here.
+    const double rate_place = last_place<Format>(2, 0x1p-5 / h);
+    ASSERT_NEAR(si(kernel.velocity(), kernel.velocity_unit()), now.v1, 3 * rate_place) << n;
+    ASSERT_NEAR(si(kernel.ball_velocity(), kernel.velocity_unit()), now.v2, 3 * rate_place) << n;
+    const auto seen = kernel.snapshot();
+    ASSERT_TRUE(seen.is_whole);
+    ASSERT_EQ(seen.steps, static_cast<uint32_t>(n + 1));
+    ASSERT_EQ(si(seen.displacement, 1), si(kernel.displacement(), 1));
+    ASSERT_EQ(si(seen.velocity, 1), si(kernel.velocity(), 1));
+    ASSERT_EQ(si(seen.ball_displacement, 1), si(kernel.ball_displacement(), 1));
+    ASSERT_EQ(si(seen.ball_velocity, 1), si(kernel.ball_velocity(), 1));
+    ASSERT_EQ(si(seen.contact_force, 1), si(kernel.contact_force(), 1));
+    ASSERT_EQ(seen.is_touching, kernel.is_touching());
+    touched += kernel.is_touching();
+  }
+  EXPECT_GT(touched, 10);
+  EXPECT_EQ(kernel.fault(), Fault::none);
+}
+
+// The ball feels nothing else: what it has of momentum, the force has given it.
+TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
+  using Format = typename TypeParam::Format;
+  auto kernel = TypeParam::made();
+  if constexpr (!TypeParam::Drive::is_sine && !TypeParam::Drive::is_sampled)
+    kernel.correct(native<Format>(0.02, kernel.displacement_unit()), native<Format>(1.0, kernel.velocity_unit()));
+  const double m = scene_of<typename TypeParam::Law>().ball_mass;
+  double momentum = 0, largest = 0;
+  int touched = 0;
+  for (int n = 0; n < 20000; ++n) {
+    TypeParam::step(kernel, n);
+    const double force = si(kernel.contact_force(), kernel.force_unit());
+    momentum -= force * h;
+    largest = std::max(largest, std::abs(force));
+    touched += force != 0;
+    if (kernel.is_touching() || force != 0) continue;
+    // Each step in contact rounds its force, and the ball's velocity, to some of their places.
+    const double place = last_place<Format>(largest, kernel.force_unit()) * h,
+                 rate_place = last_place<Format>(2, 0x1p-5 / h) * m;
+    ASSERT_NEAR(kernel.reading().v2 * m, momentum, 4 * (place + rate_place) * std::sqrt(1.0 + touched)) << n;
+  }
+  EXPECT_GT(largest, 1);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(Outputs, AreTheReadingInTheirUnits, ContactForceIsTheBallsChangeOfMomentum);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFixed32, Outputs, CasesOf<Fixed32>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Outputs, CasesOf<Float32>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Outputs, CasesOf<Float32Plain>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Outputs, CasesOf<Float64>);
+
+template <class Format>
+struct Formats : testing::Test {};
+using EveryFormat = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
+TYPED_TEST_SUITE(Formats, EveryFormat);
+
+// A correction moves the state by what it says, and the motion that follows is that of a state set so from the start.
+TYPED_TEST(Formats, ACorrectionAddsToDisplacementAndVelocity) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>;
+  Scene there;
+  there.x1 = 0.003;
+  there.v1 = -0.4;
+  Kernel kernel(Kernel::PlanType::make(Scene{}, Bounds{}, h)), heir(Kernel::PlanType::make(there, Bounds{}, h));
+  const double xu = kernel.displacement_unit(), vu = kernel.velocity_unit();
+  kernel.correct(native<TypeParam>(0.003, xu), native<TypeParam>(-0.4, vu));
+  const double place = last_place<TypeParam>(0.4, 0x1p-5 / h), x_place = last_place<TypeParam>(0.003, xu);
+  for (int n = 0; n < 100; ++n) {
+    EXPECT_NEAR(kernel.reading().x1, heir.reading().x1, x_place + n * h * 4 * place) << n;
+    EXPECT_NEAR(kernel.reading().v1, heir.reading().v1, 4 * place * (1 + 0.1 * n)) << n;
+    kernel.step();
+    heir.step();
+  }
+  EXPECT_EQ(kernel.fault(), Fault::none);
+}
+
+// An observer of the bare displacement keeps the model with a plant that began elsewhere.
+TYPED_TEST(Formats, CorrectionsPullTheModelToItsPlant) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, EnergyLedger>;
+  Scene elsewhere;
+  elsewhere.x1 = 0.002;
+  elsewhere.clearance = 0.2;  // no impacts, which would make it chaotic
+  Scene scene = elsewhere;
+  scene.x1 = 0;
+  Kernel model(Kernel::PlanType::make(scene, {0.1, 2, 0.03, 10}, h)),
+      plant(Kernel::PlanType::make(elsewhere, {0.1, 2, 0.03, 10}, h));
+  const double xu = model.displacement_unit(), vu = model.velocity_unit();
+  for (int n = 0; n < 20000; ++n) {
+    const double error = plant.reading().x1 - model.reading().x1;
+    model.correct(native<TypeParam>(0.01 * error, xu), native<TypeParam>(0.5 * error, vu));
+    model.step();
+    plant.step();
+  }
+  // In Fixed32 a hundredth of the error ends below half a place.
+  EXPECT_NEAR(model.reading().x1, plant.reading().x1, last_place<TypeParam>(0.1, xu) * 60);
+  EXPECT_EQ(model.fault(), Fault::none);
+}
+
+TYPED_TEST(Formats, ACorrectionOutOfRangeIsHeldAndFaulted) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>;
+  using Value = typename TypeParam::Value;
+  const Kernel fresh(Kernel::PlanType::make(Scene{}, Bounds{}, h));
+  Value far{}, none{};
+  if constexpr (std::is_same_v<TypeParam, Fixed32>)
+    far = {INT32_MIN};
+  else
+    far = static_cast<Value>(-1e30);
+  for (const bool is_velocity : {false, true}) {
+    Kernel kernel = fresh;
+    for (int n = 0; n < 1000; ++n) {
+      kernel.correct(is_velocity ? none : far, is_velocity ? far : none);
+      ASSERT_TRUE(std::isfinite(kernel.reading().x1) && std::isfinite(kernel.reading().v1));
+      kernel.step();
+      ASSERT_LE(kernel.reading().x1, 0);
+    }
+    EXPECT_EQ(kernel.fault(), is_velocity ? Fault::speed : Fault::displacement);
+  }
+  if constexpr (!std::is_same_v<TypeParam, Fixed32>) {
+    Kernel kernel = fresh;
+    for (int n = 0; n < 100; ++n) kernel.step();
+    const auto before = kernel.reading();
+    kernel.correct(std::numeric_limits<Value>::quiet_NaN(), none);
+    EXPECT_EQ(kernel.reading().x1, before.x1);
+    EXPECT_EQ(kernel.fault(), Fault::displacement);
+  }
+}
+
+// Corrections in mid-contact, small and large, either way: no fault within the bounds, and the contact ends.
+TYPED_TEST(Formats, ACorrectionInContactLeavesAContact) {
+  const auto run = [](auto fresh) {
+    for (const double dx : {-1e-4, -1e-5, 1e-7, 1e-5, 1e-4}) {
+      auto kernel = fresh;
+      for (int n = 0; n < 20000; ++n) {
+        kernel.step();
+        if (kernel.is_touching() && n % 7 == 0)
+          kernel.correct(native<TypeParam>(n % 2 ? dx : -dx, kernel.displacement_unit()), {});
+      }
+      EXPECT_EQ(kernel.fault(), Fault::none) << dx;
+      EXPECT_LT(std::abs(kernel.reading().x1), 0.08);
+    }
+  };
+  Scene linear;
+  linear.contact_damping = 20.81;
+  using Power = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>;
+  run(Power(Power::PlanType::make(Scene{}, Bounds{}, h)));
+  using Energy = Absorber<AtRunTime, HuntCrossleyPerImpact, EnergyConsistent, Sine, TypeParam>;
+  run(Energy(Energy::PlanType::make(Scene{}, Bounds{}, h)));
+  using Linear = Absorber<AtRunTime, HookeNewton, Moment, Sine, TypeParam>;
+  run(Linear(Linear::PlanType::make(linear, Bounds{}, h)));
+  using Pointwise = Absorber<AtRunTime, HuntCrossley, AverageAcceleration, Sine, TypeParam>;
+  run(Pointwise(Pointwise::PlanType::make(Scene{}, Bounds{}, h)));
+}
+
+TYPED_TEST(Formats, AnAbsorberFromARefusedPlanHoldsStill) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, ContactForce, Snapshots, EnergyLedger>;
+  Scene scene;
+  scene.main_mass = -1;
+  scene.x1 = 0.01;
+  Kernel kernel(Kernel::PlanType::make(scene, Bounds{}, h));
+  EXPECT_EQ(kernel.fault(), Fault::plan);
+  kernel.clear_fault();
+  for (int n = 0; n < 100; ++n) kernel.step();
+  kernel.correct(native<TypeParam>(0.3, 1), native<TypeParam>(0.3, 1));
+  kernel.reset();
+  const auto now = kernel.reading();
+  EXPECT_EQ(now.x1, 0);
+  EXPECT_EQ(now.v1, 0);
+  EXPECT_EQ(now.x2, 0);
+  EXPECT_EQ(now.v2, 0);
+  EXPECT_EQ(si(kernel.displacement(), 1), 0);
+  EXPECT_EQ(si(kernel.velocity(), 1), 0);
+  EXPECT_EQ(kernel.fault(), Fault::plan);
+  EXPECT_EQ(kernel.snapshot().fault, Fault::plan);
+  EXPECT_FALSE(kernel.restore(kernel.save()));
+  EXPECT_FALSE(kernel.retune(Kernel::PlanType::make(Scene{}, Bounds{}, h)));
+}
+
+// Counts and samples.
+
+TYPED_TEST(Formats, CountsOutAreTheNearestAndHeldAtTheEnds) {
+  constexpr double unit = std::is_same_v<TypeParam, Fixed32> ? 0.25 : 1;
+  for (const double full_scale : {0.05, 0.1, -0.07})
+    for (const int32_t bits : {8, 12, 16}) {
+      const int32_t zero = 1 << (bits - 1), most = (1 << bits) - 1;
+      const ToCounts<TypeParam> to_counts({zero, zero / full_scale, 0, most}, unit);
+      for (int n = -1000; n <= 1000; ++n) {
+        const auto x = native<TypeParam>(n * 0.11e-3 + 1e-9, unit);
+        const double exact = zero + si(x, unit) * zero / full_scale;
+        const double held = std::min(std::max(exact, 0.0), static_cast<double>(most));
+        ASSERT_NEAR(to_counts(x), held, 0.5 + 1e-2) << n;
+      }
+    }
+  const ToCounts<TypeParam> whole({0, -0x1p31, -INT32_MAX, INT32_MAX}, 1);
+  EXPECT_NEAR(whole(native<TypeParam>(0.5, 1)), -(1 << 30), 128);
+}
+
+TYPED_TEST(Formats, CountsInAreSamples) {
+  constexpr double unit = std::is_same_v<TypeParam, Fixed32> ? 10 : 1;
+  for (const double full_scale : {10.0, 8.0, -12.5})
+    for (const int32_t bits : {8, 12, 16, 24}) {
+      const int32_t zero = 1 << (bits - 1);
+      const FromCounts<TypeParam> from_counts({zero, zero / full_scale, 0, 2 * zero - 1}, unit);
+      for (int32_t n = 0; n <= 4096; ++n) {
+        const auto counts = static_cast<int32_t>(static_cast<int64_t>(n) * (2 * zero - 1) / 4096);
+        double exact = (counts - zero) * full_scale / zero;
+        // Held at the last whole count below the unit.
+        const double most = (std::ceil(unit * zero / std::abs(full_scale)) - 1) * std::abs(full_scale) / zero;
+        if (std::is_same_v<TypeParam, Fixed32>) exact = std::min(std::max(exact, -most), most);
+        const double place = std::is_same_v<TypeParam, Fixed32> ? 10 * 0x1p-29 : std::abs(exact) * 0x1p-22;
+        ASSERT_NEAR(si(from_counts(counts), unit), exact, place) << n << " of " << bits << " bits";
+      }
+      for (const int32_t wild : {INT32_MIN, INT32_MAX})
+        ASSERT_GT(std::abs(si(from_counts(wild), unit)), std::min(std::abs(full_scale), unit) * 0.99);
+    }
+}
+
+TYPED_TEST(Formats, SamplesFromNewtons) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>;
+  Bounds bounds;
+  bounds.force = 12;
+  const Kernel kernel(Kernel::PlanType::make(Scene{}, bounds, h));
+  for (const double newtons : {-12.0, -3.3, 0.0, 1e-3, 5.5}) {
+    EXPECT_NEAR(si(kernel.sample_of(newtons), kernel.sample_unit()), newtons, 12 * 0x1p-23);
+    EXPECT_NEAR(si(kernel.sample_of(static_cast<float>(newtons)), kernel.sample_unit()), newtons, 12 * 0x1p-22);
+  }
+}
+
+// What another absorber saved.
+
+template <class From, class To>
+bool takes_over(const From& from, To to) {
+  const auto sent = from.save();
+  typename To::Saved received{};
+  std::memcpy(&received, &sent, std::min(sizeof sent, sizeof received));
+  return to.restore(received);
+}
+template <class Kernel>
+Kernel run(double stiffness = 32600) {
+  Scene scene;
+  scene.contact_stiffness = stiffness;
+  scene.restitution = 0.7;
+  Kernel kernel(Kernel::PlanType::make(scene, Bounds{}, h));
+  EXPECT_EQ(kernel.fault(), Fault::none);
+  for (int n = 0; n < 5000; ++n) kernel.step();
+  return kernel;
+}
+template <class Format, class Stepper, class... Features>
+using Saver = Absorber<AtRunTime, HuntCrossley, Stepper, Sine, Format, Features...>;
+
+TEST(Restoring, RefusesAnotherListOfFeatures) {
+  const auto plain = run<Saver<Fixed32, Moment>>();
+  const auto logged = run<Saver<Fixed32, Moment, ImpactLog>>();
+  const auto ledgered = run<Saver<Fixed32, Moment, EnergyLedger>>();
+  const auto both = run<Saver<Fixed32, Moment, EnergyLedger, ImpactLog>>();
+  const auto other_order = run<Saver<Fixed32, Moment, ImpactLog, EnergyLedger>>();
+  EXPECT_TRUE(takes_over(plain, plain) && takes_over(logged, logged) && takes_over(both, both));
+  EXPECT_FALSE(takes_over(logged, plain) || takes_over(plain, logged));
+  EXPECT_FALSE(takes_over(ledgered, plain) || takes_over(plain, ledgered));
+  EXPECT_FALSE(takes_over(ledgered, logged) || takes_over(logged, ledgered));
+  EXPECT_FALSE(takes_over(both, other_order) || takes_over(both, logged));
+}
+
+TEST(Restoring, RefusesAnotherBetaOrRoot) {
+  const auto average = run<Saver<Fixed32, Pointwise<1, 4>>>();
+  EXPECT_TRUE(takes_over(average, average));
+  EXPECT_FALSE(takes_over(average, run<Saver<Fixed32, Pointwise<1, 3>>>()));
+  const auto lookup = run<Saver<BasicFloat32<LookupRoot>, Moment>>();
+  EXPECT_TRUE(takes_over(lookup, lookup));
+  EXPECT_FALSE(takes_over(lookup, run<Saver<BasicFloat32<HardwareRoot>, Moment>>()));
+}
+
+TEST(Restoring, IsPossibleForImpulsiveSteppersOfEveryLaw) {
+  using Kernel = Absorber<AtRunTime, HuntCrossleyPerImpact, Impulsive, Sine, Fixed32>;
+  const auto kernel = run<Kernel>(1e9);
+  EXPECT_TRUE(takes_over(kernel, kernel));
+}
+
+}  // namespace
+}  // namespace impact

@@ -103,6 +103,8 @@ class KernelSimulation final : public Simulation {
         return "a speed beyond its bound";
       case Fault::penetration:
         return "a penetration beyond its bound";
+      case Fault::plan:  // not met: what is refused is not made
+        return "a plan that was refused";
     }
     return nullptr;
   }

@@ -5,6 +5,7 @@
 #include "trajectory.hpp"
 
 #include <board/console.hpp>
+#include <impact/self_test.hpp>
 
 #include "configurations.hpp"
 
@@ -73,6 +74,12 @@ bool passes(Configuration configuration) {
   return false;
 }
 
+// The power-on test agrees with the golden bits, format by format.
+template <class... Formats>
+bool self_tests() {
+  return (self_test<Formats>() && ...);
+}
+
 }  // namespace
 }  // namespace impact::target
 
@@ -90,7 +97,8 @@ int main(int count, char** words) {
 #else
 int main() {
 #endif
-  bool all_pass = true;
+  bool all_pass = self_tests<IMPACT_NUMERICS>();
+  if (!all_pass) impact::board::print("# the self-test fails\n");
   for_each(all_configurations<IMPACT_NUMERICS>(), [&all_pass](auto configuration) {
     if (!passes(configuration)) all_pass = false;
   });

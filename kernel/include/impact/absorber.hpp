@@ -27,6 +27,7 @@
 
 #include <stdint.h>
 
+#include <impact/contracts.hpp>
 #include <impact/converter.hpp>
 #include <impact/fault.hpp>
 #include <impact/features.hpp>
@@ -51,16 +52,48 @@
 
 namespace impact {
 
-template <class Rig, class ContactLaw, class Stepper, class Drive, class Format_, class... Features>
-class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Drive>>,
-                 private SnapshotWindow<typename Format_::Value, detail::is_one_of<Snapshots, Features...>> {
-  using Source = PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Drive>>;
+namespace detail {
+// Each argument as the contracts let it through.
+template <class Rig, class ContactLaw, class Stepper, class Drive, class Format>
+using CheckedSource =
+    PlanSource<contract::KeptRig<Rig>, Plan<contract::KeptFormat<Format>, contract::KeptLaw<ContactLaw>,
+                                            contract::KeptStepper<Stepper>, contract::KeptDrive<Drive>>>;
+}  // namespace detail
+
+template <class Rig, class Law_, class Stepper_, class Drive_, class Format_, class... Features>
+class Absorber
+    : private detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_>,
+      private SnapshotWindow<typename contract::KeptFormat<Format_>::Value, detail::is_one_of<Snapshots, Features...>> {
+  using Source = detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_>;
+
+  // impact/contracts.hpp; one message for one mistake.
+  static constexpr bool is_at_run_time = detail::is_one_of<Rig, AtRunTime>, has_scene = contract::has_scene<Rig>,
+                        has_bounds = contract::has_bounds<Rig>, has_law = contract::is_law<Law_>,
+                        has_stepper = contract::is_stepper<Stepper_>;
+  static_assert(is_at_run_time || has_scene,
+                "the rig has no scene: static constexpr impact::Scene scene = ...; or name AtRunTime");
+  static_assert(is_at_run_time || !has_scene || has_bounds,
+                "the rig has no bounds: static constexpr impact::Bounds bounds = ...;");
+  static_assert(is_at_run_time || !has_scene || !has_bounds || contract::has_step<Rig>,
+                "the rig has no step: static constexpr double step = 1e-4;  // s");
+  static_assert(has_law, "the second argument must be a law, such as HuntCrossley: see impact/contracts.hpp");
+  static_assert(!has_law || has_stepper, "the third argument must be a stepper, such as Moment: see contracts.hpp");
+  static_assert(!has_stepper || contract::is_drive<Drive_>,
+                "the fourth argument must be a drive, such as NoDrive, Sine or Sampled: see impact/contracts.hpp");
+  static_assert(!contract::is_drive<Drive_> || contract::is_format<Format_>,
+                "the fifth argument must be a format, such as Fixed32 or Float32, and not a number's own type: see "
+                "impact/contracts.hpp");
+  static_assert((contract::is_feature<Features> && ...),
+                "from the sixth on the arguments must be features, such as EnergyLedger: see impact/contracts.hpp");
 
  public:
-  using Format = Format_;
+  using PlanType = typename Source::PlanType;
+  using ContactLaw = typename PlanType::LawType;
+  using Stepper = typename PlanType::StepperType;
+  using Drive = typename PlanType::DriveType;
+  using Format = typename PlanType::FormatType;
   using Value = typename Format::Value;
   using Long = typename Format::Long;
-  using PlanType = Plan<Format, ContactLaw, Stepper, Drive>;
   using Contact = typename Stepper::template Contact<Format, ContactLaw>;
   using Source::plan;
 
@@ -208,11 +241,13 @@ class Absorber : private PlanSource<Rig, Plan<Format_, ContactLaw, Stepper, Driv
   // anew. Refuses, and changes nothing, when bounds, step, clearance or stops differ, or during a contact when its
   // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
+    static_assert(!Source::is_constant,
+                  "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
     constexpr bool is_bound = Contact::carries || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && state_.contact.phase != Phase::apart) return false;
     hand_over(plan, next, state_);
-    plan = next;
+    if constexpr (!Source::is_constant) plan = next;
     hold_in_range();
     ((static_cast<typename Features::template State<Format>&>(state_) = {}, Features::start(plan, state_)), ...);
     publish();

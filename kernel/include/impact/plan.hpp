@@ -18,6 +18,8 @@ namespace impact {
 template <class Format, class ContactLaw, class Stepper, class Drive>
 struct Plan {
   using FormatType = Format;
+  using LawType = ContactLaw;
+  using StepperType = Stepper;
   using DriveType = Drive;
   using Gain = typename Format::Gain;
   using Long = typename Format::Long;

@@ -4,14 +4,16 @@
 // a constant of the image, or AtRunTime, with a plan that the constructor is given.
 
 #include <impact/plan.hpp>
+#include <impact/refusal.hpp>
 
 namespace impact {
 
 struct AtRunTime {};
 
-template <class Rig, class PlanType>
+template <class Rig, class PlanType_>
 class PlanSource {
  public:
+  using PlanType = PlanType_;
   static constexpr PlanType plan = PlanType::make(Rig::scene, Rig::bounds, Rig::step);
 
   static constexpr double displacement_unit() { return plan.displacement_unit(); }
@@ -25,31 +27,14 @@ class PlanSource {
 
  protected:
   static constexpr bool is_refused() { return false; }
-  constexpr PlanSource() {
-    constexpr PlanStatus status = plan.status;
-    static_assert(status != PlanStatus::displacement_bound,
-                  "Bounds::displacement does not hold the clearance or the initial state, or is out of range");
-    static_assert(
-        status != PlanStatus::speed_bound,
-        "Bounds::speed does not hold the initial state, or a step at that speed is longer than Bounds::displacement, "
-        "or c1/k1 times it passes 2^20");
-    static_assert(
-        status != PlanStatus::penetration_bound,
-        "Bounds::penetration is above Bounds::displacement, or its force moves a mass by as much in one step");
-    static_assert(status != PlanStatus::force_bound, "Bounds::force is out of range");
-    static_assert(status != PlanStatus::step, "Rig::step is out of range: see longest_step in status.hpp");
-    static_assert(status != PlanStatus::steps_per_contact,
-                  "Rig::step has too few steps per contact for this stepper: take impact::Chosen, or a step within "
-                  "Stepper::steps(resolution_of<Law>(scene, bounds))");
-    static_assert(status != PlanStatus::contact_time,
-                  "contact lasts too long for this stepper, whatever the step: take impact::Chosen");
-    static_assert(status == PlanStatus::ok, "a value of Rig::scene is out of range: see plan.status and status.hpp");
-  }
+  static constexpr bool is_constant = true;
+  constexpr PlanSource() { (void)refusal::explain<Rig, PlanType, plan.status>(); }
 };
 
-template <class PlanType>
-class PlanSource<AtRunTime, PlanType> {
+template <class PlanType_>
+class PlanSource<AtRunTime, PlanType_> {
  public:
+  using PlanType = PlanType_;
   PlanType plan;
 
   constexpr double displacement_unit() const { return plan.displacement_unit(); }
@@ -62,9 +47,16 @@ class PlanSource<AtRunTime, PlanType> {
   }
 
  protected:
+  static constexpr bool is_constant = false;
   // Of such a plan only the status means anything.
   constexpr bool is_refused() const { return plan.status != PlanStatus::ok; }
   explicit constexpr PlanSource(const PlanType& made) : plan(made) {}
+  constexpr PlanSource() : plan{} {
+    static_assert(
+        sizeof(PlanType) == 0,
+        "an absorber AtRunTime is made from a plan: Absorber absorber(Absorber::PlanType::make(scene, bounds, "
+        "step));");
+  }
 };
 
 }  // namespace impact

@@ -11,6 +11,8 @@
 // Chehaibi, Mrad & Nasri, "Collision modeling of single unit impact absorber for mechanical systems vibration
 // attenuation"; the defaults below are that paper's Hunt-Crossley scene (Table 2), driven at 40 rad/s.
 
+#include <impact/requirements.hpp>
+
 namespace impact {
 
 // Hooke-Newton: Fc = k1 delta + c1 delta'               (2.1), Kelvin-Voigt

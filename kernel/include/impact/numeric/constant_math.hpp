@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include <impact/requirements.hpp>
+
 namespace impact::constant {
 
 constexpr double magnitude(double x) { return x < 0 ? -x : x; }

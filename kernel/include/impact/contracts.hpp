@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What the template arguments of Absorber must be, in words, and as conditions of which Absorber says in one message
+// each that they fail. The rest is then compiled with an argument of the kernel's own, so that the message stands
+// alone.
+//
+// Rig       scene, bounds and step as static constexpr members: Scene, Bounds, double (s). Or AtRunTime.
+//
+// Law       law                        which of scene.hpp's Law its constants are counted as
+//           is_linear                  the elastic force goes with delta, not with delta^(3/2)
+//           is_damped                  c1 is read
+//           is_damped_per_impact       c1 is set at each impact, c1 = a k1/v0, from
+//           damping_ratio(e)             a, for the restitution that the scene states; only then
+//           stored<Format>(units, d)   the energy stored at the penetration d, in the units of law/terms.hpp
+//
+// Stepper   kind                       uint32_t, another one for each stepper: saved states are of one kind
+//           longest_phase              radians of the main mass's own vibration that a step may have
+//           flow(scene, h)             LinearFlow: how the main mass moves in a step that nothing touches
+//           steps(resolution)          Range, s: the steps with which it is right for such contacts
+//           Contact<Format, Law>       the contact treatment
+//
+// Drive     is_sine, is_sampled        at most one of them
+//           Plan<Format>, State<Format>, Handover<Format>    constants, what changes from step to step, and what a
+//                                      change of plan needs
+//           make_plan, make_handover   <Format>(scene, bounds, h, flow, exponents)
+//           force_unit<Format>(scene, bounds)    N: what State::force counts in
+//
+// Format    Value, Long                a number of a step, of 32 bits for 32-bit cores; a state, of twice the digits
+//           Gain, HeldGain, Weight     a constant that multiplies a Value; the same where it may carry it out of range
+//           Root, Tally, Oscillator    a square root; a sum without end; the sine drive's recurrence
+//           Units                      the powers of two that Values count in
+//           kind                       uint32_t, another one for each way to compute the same
+//           and the functions of numeric/fixed32.hpp's Fixed32, which has them all
+//
+// Feature   kind                       uint32_t, not 0, another one for each
+//           is_bound                   what it records depends on the plan's forces
+//           State<Format>              a base of the absorber's state
+//           start(plan, state), after_contact(plan, state, step), after_step(plan, state), after_correction(state),
+//           is_sound(plan, state)      see features.hpp
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <impact/features.hpp>
+#include <impact/law/hunt_crossley.hpp>
+#include <impact/law/resolution.hpp>
+#include <impact/motion/linear_flow.hpp>
+#include <impact/motion/none.hpp>
+#include <impact/numeric/fixed32.hpp>
+#include <impact/plan_source.hpp>
+#include <impact/scene.hpp>
+#include <impact/status.hpp>
+#include <impact/stepper/moment.hpp>
+
+namespace impact::contract {
+
+template <class...>
+using Void = void;
+template <class One, class Other>
+constexpr bool is_same = detail::is_one_of<One, Other>;
+template <class Type>
+const Type& value_of();
+
+template <bool, class One, class>
+struct Either {
+  using Type = One;
+};
+template <class One, class Other>
+struct Either<false, One, Other> {
+  using Type = Other;
+};
+
+template <class Type, class = void>
+constexpr bool has_scene = false;
+template <class Type>
+constexpr bool has_scene<Type, Void<decltype(&Type::scene)>> = is_same<const Scene*, decltype(&Type::scene)>;
+template <class Type, class = void>
+constexpr bool has_bounds = false;
+template <class Type>
+constexpr bool has_bounds<Type, Void<decltype(&Type::bounds)>> = is_same<const Bounds*, decltype(&Type::bounds)>;
+template <class Type, class = void>
+constexpr bool has_step = false;
+template <class Type>
+constexpr bool has_step<Type, Void<decltype(&Type::step)>> = is_same<const double*, decltype(&Type::step)>;
+
+struct PaperRig {
+  static constexpr Scene scene{};
+  static constexpr Bounds bounds{};
+  static constexpr double step = 1e-4;
+};
+
+template <class Type>
+constexpr bool is_rig = is_same<Type, AtRunTime> || (has_scene<Type> && has_bounds<Type> && has_step<Type>);
+template <class Type>
+using KeptRig = typename Either<is_rig<Type>, Type, PaperRig>::Type;
+
+template <class Type, class = void>
+constexpr bool is_law = false;
+template <class Type>
+constexpr bool is_law<
+    Type, Void<decltype(Type::law), decltype(Type::is_linear), decltype(Type::is_damped),
+               decltype(Type::is_damped_per_impact),
+               decltype(Type::template stored<Fixed32>(value_of<Fixed32::Units>(), value_of<Fixed32::Value>()))>> =
+    is_same<const Law, decltype(Type::law)>;
+template <class Type>
+using KeptLaw = typename Either<is_law<Type>, Type, HuntCrossley>::Type;
+
+template <class Type, class = void>
+constexpr bool is_stepper = false;
+template <class Type>
+constexpr bool is_stepper<
+    Type, Void<decltype(Type::kind), decltype(Type::longest_phase), decltype(Type::flow(value_of<Scene>(), 1.0)),
+               decltype(Type::steps(value_of<Resolution>())), typename Type::template Contact<Fixed32, HuntCrossley>>> =
+    is_same<LinearFlow, decltype(Type::flow(value_of<Scene>(), 1.0))>;
+template <class Type>
+using KeptStepper = typename Either<is_stepper<Type>, Type, Moment>::Type;
+
+template <class Type, class = void>
+constexpr bool is_drive = false;
+template <class Type>
+constexpr bool
+    is_drive<Type, Void<decltype(Type::is_sine), decltype(Type::is_sampled), typename Type::template Plan<Fixed32>,
+                        typename Type::template State<Fixed32>, typename Type::template Handover<Fixed32>>> =
+        !(Type::is_sine && Type::is_sampled);
+template <class Type>
+using KeptDrive = typename Either<is_drive<Type>, Type, NoDrive>::Type;
+
+template <class Type, class = void>
+constexpr bool is_format = false;
+template <class Type>
+constexpr bool
+    is_format<Type, Void<typename Type::Value, typename Type::Long, typename Type::Gain, typename Type::HeldGain,
+                         typename Type::Weight, typename Type::Root, typename Type::Tally, typename Type::Oscillator,
+                         typename Type::Units, decltype(Type::kind), decltype(Type::gain(1.0, 0, 0))>> = true;
+template <class Type>
+using KeptFormat = typename Either<is_format<Type>, Type, Fixed32>::Type;
+
+template <class Type, class = void>
+constexpr bool is_feature = false;
+template <class Type>
+constexpr bool
+    is_feature<Type, Void<decltype(Type::kind), decltype(Type::is_bound), typename Type::template State<Fixed32>>> =
+        true;
+
+}  // namespace impact::contract

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a rig that cannot be planned says to its compiler: one message, that names the value and its range (status.hpp).
+// Where a range depends on the scene, its end stands in the name of the template just above or below the message.
+
+#include <stdint.h>
+
+#include <impact/law/resolution.hpp>
+#include <impact/scene.hpp>
+#include <impact/status.hpp>
+
+namespace impact::refusal {
+
+template <int64_t longest_step_in_nanoseconds, bool is_in_range>
+struct Step {
+  static_assert(is_in_range,
+                "Rig::step: from 1e-9 s to the longest_step_in_nanoseconds named here, which is 0.1 s, 3 rad of the "
+                "drive, or what the stepper allows of the main mass's own vibration and damping");
+};
+template <int64_t longest_step_in_nanoseconds, bool is_in_range>
+struct StepsPerContact {
+  static_assert(is_in_range,
+                "Rig::step: too few steps per contact for this stepper, which takes steps up to the "
+                "longest_step_in_nanoseconds named here; or take impact::Chosen<Rig, Law> as the stepper");
+};
+
+// A Hooke-Newton stop of a hundred times its critical damping has another law's c1.
+template <class ContactLaw>
+constexpr bool has_anothers_damping(const Scene& scene) {
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), critical_by_2 = scene.contact_stiffness * mu;
+  return ContactLaw::is_linear && scene.contact_damping > 0 &&
+         scene.contact_damping / 200 * (scene.contact_damping / 200) > critical_by_2;
+}
+
+template <class Rig, class PlanType, PlanStatus status>
+constexpr bool explain() {
+  static_assert(status != PlanStatus::main_mass, "Rig::scene.main_mass: 1e-9 to 1e9 kg");
+  static_assert(status != PlanStatus::main_stiffness, "Rig::scene.main_stiffness: 0 to 1e12 N/m");
+  static_assert(status != PlanStatus::main_damping, "Rig::scene.main_damping: 0 to 1e9 N s/m");
+  static_assert(status != PlanStatus::ball_mass, "Rig::scene.ball_mass: 1e-9 to 1e9 kg");
+  static_assert(status != PlanStatus::clearance, "Rig::scene.clearance: 0 to 1e12 m");
+  constexpr bool is_soft = contact_stiffness_range.holds(Rig::scene.contact_stiffness);
+  static_assert(status != PlanStatus::contact_stiffness || is_soft,
+                "Rig::scene.contact_stiffness: 1e-3 to 1e18, in N/m for HookeNewton and N/m^(3/2) for the other laws");
+  static_assert(status != PlanStatus::contact_stiffness || !is_soft,
+                "Rig::scene.contact_stiffness: so soft beside the bounds that Fixed32 has no place for its force: take "
+                "a longer step, tighter Bounds or Float32");
+  static_assert(status != PlanStatus::contact_damping,
+                "Rig::scene.contact_damping: 0 to 1e18, in N s/m for HookeNewton and N s/m^(5/2) for HuntCrossley");
+  static_assert(status != PlanStatus::restitution, "Rig::scene.restitution: 0.01 to 1, and within the law's own range");
+  static_assert(status != PlanStatus::drive_amplitude, "Rig::scene.drive_amplitude: 0 to 1e9 N");
+  static_assert(status != PlanStatus::drive_pulsation,
+                "Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s");
+  static_assert(status != PlanStatus::initial_displacement, "Rig::scene.x1 and x2: -1e3 to 1e3 m");
+  static_assert(status != PlanStatus::initial_velocity, "Rig::scene.v1 and v2: -1e3 to 1e3 m/s");
+  static_assert(status != PlanStatus::displacement_bound,
+                "Bounds::displacement: 1e-9 to 1e6 m, and no less than the initial displacements, the way of a step at "
+                "Bounds::speed and, in Fixed32, the clearance");
+  static_assert(status != PlanStatus::speed_bound,
+                "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, with a step at that speed no "
+                "longer than Bounds::displacement and c1/k1 times it below 2^20");
+  static_assert(status != PlanStatus::penetration_bound,
+                "Bounds::penetration: 1e-9 to 1e6 m, in Fixed32 no more than Bounds::displacement, with a force that "
+                "moves no mass by as much in one step");
+  static_assert(status != PlanStatus::force_bound, "Bounds::force: 0 to 1e9 N");
+  static_assert(
+      status != PlanStatus::contact_time,
+      "Rig::scene: a contact lasts too long for this stepper, whatever the step: take impact::Chosen<Rig, Law>");
+
+  using Stepper = typename PlanType::StepperType;
+  using ContactLaw = typename PlanType::LawType;
+  if constexpr (status == PlanStatus::step) {
+    constexpr double longest = longest_step(Rig::scene, Stepper::longest_phase);
+    (void)sizeof(Step<static_cast<int64_t>(longest * 1e9), false>);
+  }
+  if constexpr (status == PlanStatus::steps_per_contact) {
+    constexpr bool is_anothers = has_anothers_damping<ContactLaw>(Rig::scene);
+    static_assert(!is_anothers,
+                  "Rig::scene.contact_damping: a hundred times critical for HookeNewton, whose c1 is in N s/m: the "
+                  "default, 19560, is HuntCrossley's in N s/m^(5/2)");
+    if constexpr (!is_anothers) {
+      constexpr double longest = Stepper::steps(resolution_of<ContactLaw>(Rig::scene, Rig::bounds)).most;
+      (void)sizeof(StepsPerContact<static_cast<int64_t>(longest * 1e9), false>);
+    }
+  }
+  return status == PlanStatus::ok;
+}
+
+}  // namespace impact::refusal

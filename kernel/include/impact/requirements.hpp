@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What the kernel needs of a compiler, said at once. A missing header ends the compilation: no other error follows.
+
+#if __cplusplus < 201703L
+#error \
+    "impact needs C++17: compile with -std=c++17 or -std=gnu++17 (Arduino: compiler.cpp.extra_flags in platform.local.txt)"
+#include <impact/compilation_ends_here>
+#elif defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "impact needs IEEE arithmetic: compile without -ffast-math, -Ofast and -ffinite-math-only"
+#include <impact/compilation_ends_here>
+#elif !defined(__DBL_MANT_DIG__) || __DBL_MANT_DIG__ < 53
+#error \
+    "impact needs a double of 64 bits to make its constants: AVR has none, and -fshort-double or -mdouble=32 is not for it"
+#include <impact/compilation_ends_here>
+#endif
+
+static_assert(sizeof(0.1) == sizeof(double),
+              "impact needs its constants in double: without -fsingle-precision-constant");

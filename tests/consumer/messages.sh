@@ -1,0 +1,122 @@
+#!/bin/sh
+# Wrong programs, and the first message that each gets: messages.sh COMPILER PROJECT
+# A mistake in a value or a call gets one message and no other; one in an argument its own first, in under ten lines.
+set -eu
+compiler=$1 project=$2
+command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+failures=0
+
+# wrong COUNT MESSAGE FLAG...: the program on the input has COUNT errors ("any", or "short": under ten lines of them), and the first says MESSAGE.
+wrong() {
+  count=$1 message=$2 && shift 2
+  cat >"$folder/program.cpp"
+  if "$compiler" -std=c++17 -fsyntax-only -I "$project/kernel/include" "$@" "$folder/program.cpp" 2>"$folder/errors"; then
+    echo "compiles, instead of: $message" && failures=1 && return
+  fi
+  first=$(grep -E 'error: ' "$folder/errors" | head -n 1)
+  errors=$(grep -cE 'error: ' "$folder/errors")
+  case $first in *"$message"*) ;; *) echo "instead of: $message" && echo "  $first" && failures=1 ;; esac
+  [ "$count" != short ] || {
+    count=any lines=$(wc -l <"$folder/errors")
+    [ "$lines" -lt 10 ] || { echo "$lines lines for: $message" && cat "$folder/errors" && failures=1; }
+  }
+  [ "$count" = any ] || [ "$count" = "$errors" ] || {
+    echo "$errors errors for: $message" && grep 'error: ' "$folder/errors" | sed 's/^/  /' && failures=1
+  }
+}
+
+# scene COUNT MESSAGE CHANGES [LAW [STEP [BOUNDS]]]
+scene() {
+  wrong "$1" "$2" <<END
+#include <impact/absorber.hpp>
+constexpr impact::Scene scene() {
+  impact::Scene s;
+  $3
+  return s;
+}
+constexpr impact::Bounds bounds() {
+  impact::Bounds b;
+  ${6-}
+  return b;
+}
+struct Rig {
+  static constexpr impact::Scene scene = ::scene();
+  static constexpr impact::Bounds bounds = ::bounds();
+  static constexpr double step = ${5:-1e-4};
+};
+impact::Absorber<Rig, impact::${4:-HuntCrossley}, impact::Moment, impact::Sine, impact::Fixed32> absorber;
+END
+}
+scene 1 'Rig::scene.main_mass: 1e-9 to 1e9 kg' 's.main_mass = -1;'
+scene 1 'Rig::scene.main_mass: 1e-9 to 1e9 kg' 's.main_mass = __builtin_nan("");'
+scene 1 'Rig::scene.main_stiffness: 0 to 1e12 N/m' 's.main_stiffness = -1;'
+scene 1 'Rig::scene.main_damping: 0 to 1e9 N s/m' 's.main_damping = -1;'
+scene 1 'Rig::scene.ball_mass: 1e-9 to 1e9 kg' 's.ball_mass = 0;'
+scene 1 'Rig::scene.clearance: 0 to 1e12 m' 's.clearance = -0.02;'
+scene 1 'Rig::scene.contact_stiffness: 1e-3 to 1e18' 's.contact_stiffness = 0;'
+scene 1 'Rig::scene.contact_damping: 0 to 1e18' 's.contact_damping = -1;'
+scene 1 'Rig::scene.restitution: 0.01 to 1' 's.restitution = 1.5;'
+scene 1 'Rig::scene.drive_amplitude: 0 to 1e9 N' 's.drive_amplitude = -1;'
+scene 1 'Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s' 's.drive_pulsation = 1e7;'
+scene 1 'Rig::scene.x1 and x2: -1e3 to 1e3 m' 's.x1 = 1e4;'
+scene 1 'Rig::scene.v1 and v2: -1e3 to 1e3 m/s' 's.v2 = 1e4;'
+scene 1 'Bounds::displacement: 1e-9 to 1e6 m' 's.x1 = 1;'
+scene 1 'Bounds::speed: 1e-9 to 1e6 m/s' 's.v1 = 3;'
+scene 1 'Bounds::force: 0 to 1e9 N' '' HuntCrossley 1e-4 'b.force = -1;'
+scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCrossley 0.1
+scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCrossley 0
+scene 1 'Rig::step: too few steps per contact for this stepper' '' HuntCrossley 20e-3
+grep -Eq 'StepsPerContact<[0-9]+, false>' "$folder/errors" || { echo "no longest step is said" && failures=1; }
+# Another law's c1.
+scene 1 'Rig::scene.contact_damping: a hundred times critical for HookeNewton' '' HookeNewton
+
+# absorber COUNT MESSAGE ARGUMENTS [STATEMENTS]: of the paper's rig.
+absorber() {
+  wrong "$1" "$2" <<END
+#include <impact/absorber.hpp>
+struct Rig {
+  static constexpr impact::Scene scene{};
+  static constexpr impact::Bounds bounds{};
+  static constexpr double step = 1e-4;
+};
+struct NoBounds {
+  static constexpr impact::Scene scene{};
+  static constexpr double step = 1e-4;
+};
+struct NotStatic {
+  impact::Scene scene{};
+  impact::Bounds bounds{};
+  double step = 1e-4;
+};
+struct NoTraits {};
+using namespace impact;
+Absorber<$3> absorber;
+void use() { ${4-} }
+END
+}
+absorber short 'the rig has no bounds: static constexpr impact::Bounds bounds' 'NoBounds, HuntCrossley, Moment, Sine, Fixed32'
+absorber short 'the rig has no scene: static constexpr impact::Scene scene' 'NotStatic, HuntCrossley, Moment, Sine, Fixed32'
+absorber short 'the fifth argument must be a format, such as Fixed32 or Float32' 'Rig, HuntCrossley, Moment, Sine, float'
+absorber short 'the second argument must be a law' 'Rig, NoTraits, Moment, Sine, Fixed32'
+absorber short 'the third argument must be a stepper' 'Rig, HuntCrossley, Sine, Moment, Fixed32'
+absorber any 'arguments must be features' 'Rig, HuntCrossley, Moment, Sine, Fixed32, Float32'
+absorber 1 'an absorber AtRunTime is made from a plan' 'AtRunTime, HuntCrossley, Moment, Sine, Fixed32'
+absorber 1 'step() without a sample, but the drive is Sampled' 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step();'
+absorber 1 'step(sample), but the drive takes none' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.step({100});'
+absorber 1 "a sample of another type than the format's" 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step(1.5f);'
+absorber 1 "a sample of another type than the format's" 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step(int32_t{7});'
+absorber 1 "a sample of another type than the format's" 'Rig, HuntCrossley, Moment, Sampled, Float32' 'absorber.step(100);'
+absorber 1 'retune() of an absorber whose plan is a constant' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.retune(absorber.plan);'
+absorber 1 'contact_force() needs the feature ContactForce' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.contact_force();'
+absorber 1 'snapshot() needs the feature Snapshots' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.snapshot();'
+
+# The compiler's own setting.
+echo '#include <impact/absorber.hpp>' >"$folder/include.cpp"
+for flag in -std=gnu++11 -std=gnu++14; do wrong 2 'impact needs C++17' $flag <"$folder/include.cpp"; done
+for flag in -ffast-math -Ofast -ffinite-math-only; do wrong 2 'impact needs IEEE arithmetic' $flag <"$folder/include.cpp"; done
+case $compiler in *clang*) ;; *)
+  wrong any 'without -fsingle-precision-constant' -fsingle-precision-constant <"$folder/include.cpp" ;;
+esac
+exit $failures

@@ -1,0 +1,28 @@
+#!/bin/sh
+# The power-on self-test passes as the README compiles, and says so where a multiply-add is contracted, which no header
+# can see: self_test.sh COMPILER PROJECT
+set -eu
+compiler=$1 project=$2
+command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+cat >"$folder/main.cpp" <<'END'
+#include <impact/self_test.hpp>
+#include <stdio.h>
+int main() {
+  using namespace impact;
+  printf("%d%d%d%d%d\n", self_test<Fixed32>(), self_test<Float32>(), self_test<Float32Plain>(),
+         self_test<BasicFloat32<HardwareRoot>>(), self_test<BasicFloat32Plain<HardwareRoot>>());
+}
+END
+expect() {  # RESULT FLAG...
+  result=$1 && shift
+  "$compiler" -std=c++17 -Wall -Wextra -I "$project/kernel/include" "$@" "$folder/main.cpp" -o "$folder/main"
+  found=$("$folder/main")
+  [ "$found" = "$result" ] || { echo "$found instead of $result with $*" && exit 1; }
+}
+expect 11111 -O0 -ffp-contract=off
+expect 11111 -O2 -ffp-contract=off
+expect 11111 -O3 -ffp-contract=off
+grep -qw fma /proc/cpuinfo || { echo "this processor has no FMA to contract with" && exit 0; }
+expect 10000 -O2 -mfma -ffp-contract=fast

@@ -311,4 +311,12 @@ Outcome make_simulation(const Request& asked) {
   return {std::make_unique<Described>(std::move(planned.simulation), description(request, bounds, is_automatic)), {}};
 }
 
+double restitution_at(const Request& request, double speed) {
+  if (request.damping != Damping::constant)
+    return true_restitution(request.damping, request.scene.restitution).value_or(0);
+  Bounds bounds{};
+  bounds.speed = speed / 2;  // of either mass
+  return resolution(request, bounds).restitution;
+}
+
 }  // namespace impact::host

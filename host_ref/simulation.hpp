@@ -36,8 +36,10 @@ struct Sample {
   double penetration = 0;        // negative while apart, m
   double contact_force = 0;      // >= 0 when tension is clamped, N
   double energy_dissipated = 0;  // by contact since the start, J
+  double energy_stored = 0;      // by contact now, J
   double drive_work = 0;         // by the drive since the start, J
   long impacts = 0;              // contacts begun since the start
+  double impact_speed = 0;       // rate of penetration at which the last one began, m/s
   double peak_force = 0;         // largest contact force since the start, N
 };
 
@@ -62,6 +64,9 @@ struct Outcome {
   Refusal refusal;
 };
 Outcome make_simulation(const Request& request);
+
+// The law's own, at an impact of this speed of two free masses.
+double restitution_at(const Request& request, double speed);
 
 std::optional<Law> law_named(std::string_view name);          // hooke-newton, hertz, hunt-crossley
 std::optional<Stepper> stepper_named(std::string_view name);  // auto, average, linear, fox-goodwin, central, moment,

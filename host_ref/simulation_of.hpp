@@ -84,8 +84,10 @@ class KernelSimulation final : public Simulation {
         sample.contact_force = std::max(sample.contact_force, 0.0);
     }
     sample.energy_dissipated = state.dissipated.total() * pair_unit;
+    if (kernel_.is_touching()) sample.energy_stored = plan.units.fraction(state.stored) * pair_unit;
     sample.drive_work = state.drive_work.total() * plan.drive_unit * plan.units.si_penetration_unit();
-    sample.impacts = state.impacts;
+    sample.impacts = static_cast<long>(state.impacts);
+    sample.impact_speed = plan.units.si_penetration(state.impact_rate) / plan.step;
     sample.peak_force = plan.units.fraction(state.peak_force) * plan.force_unit;
     return sample;
   }

@@ -1,0 +1,93 @@
+// The kernel in WebAssembly (binding.cpp): scenes go in as text, numbers come out where they lie in its memory. All
+// physics is on that side.
+
+export const rowWidth = 12;
+export const column = {
+  t: 0, x1: 1, v1: 2, x2: 3, v2: 4, penetration: 5, force: 6,
+  dissipated: 7, lost: 8, found: 9, supplied: 10, side: 11,
+};
+export const contactWidth = 3;  // t, penetration, force
+export const impactWidth = 3;   // t, speed, restitution
+
+// What a page holds as base64 of a gzip file.
+export async function unpacked(base64) {
+  const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(stream).arrayBuffer();
+}
+
+export class Kernel {
+  static async load(bytes) {
+    // The C library's standard output, which nothing writes to.
+    const silent = { fd_write: () => 0, fd_close: () => 0, fd_seek: () => 0 };
+    const { instance } = await WebAssembly.instantiate(bytes, { wasi_snapshot_preview1: silent });
+    instance.exports._initialize();
+    return new Kernel(instance.exports);
+  }
+
+  constructor(calls) {
+    this.calls = calls;
+  }
+
+  defaultScene() {
+    this.calls.default_scene();
+    return Object.fromEntries(this.#textAt(this.calls.text()).trim().split('\n').map((line) => line.split(' ')));
+  }
+
+  // { stepper, why, contactDamping }, or { refusal: { option, value, allowed } }.
+  plan(slot, options, withAbsorber) {
+    const text = new TextEncoder().encode(options.map(([name, value]) => `${name} ${value}\n`).join('') + '\0');
+    new Uint8Array(this.calls.memory.buffer, this.calls.text(), text.length).set(text);
+    const isPlanned = this.calls.plan(slot, withAbsorber);
+    const [, ...lines] = this.#textAt(this.calls.text()).split('\n');
+    if (!isPlanned) return { refusal: { option: lines[0], value: lines[1], allowed: lines[2] } };
+    return { stepper: lines[0], why: lines[1], contactDamping: Number(lines[2]) };
+  }
+  forget(slot) {
+    this.calls.forget(slot);
+  }
+
+  // Whether there is more to do.
+  advance(slot, steps) {
+    return this.calls.advance(slot, steps) !== 0;
+  }
+  fault(slot) {
+    return this.calls.fault(slot) ? this.#textAt(this.calls.text()) : '';
+  }
+
+  // Views: of no use after the next call that records.
+  rows(slot) {
+    return this.#table(this.calls.rows(slot), this.calls.row_count(slot), rowWidth);
+  }
+  contacts(slot) {
+    return this.#table(this.calls.contacts(slot), this.calls.contact_count(slot), contactWidth);
+  }
+  impacts(slot) {
+    return this.#table(this.calls.impacts(slot), this.calls.impact_count(slot), impactWidth);
+  }
+  rowEvery(slot) {
+    return this.calls.row_every(slot);
+  }
+  totals(slot) {
+    const [steps, largest, rms, dissipated, impacts, peakForce, energyError] =
+      new Float64Array(this.calls.memory.buffer, this.calls.totals(slot), 7);
+    return { steps, largest, rms, dissipated, impacts, peakForce, energyError };
+  }
+  attenuation(slot, bareSlot) {
+    return this.calls.attenuation(slot, bareSlot);
+  }
+  lawRestitution(slot, speed) {
+    return this.calls.law_restitution(slot, speed);
+  }
+  csv(slot) {
+    return this.#textAt(this.calls.csv(slot));
+  }
+
+  #table(address, count, width) {
+    return { data: new Float64Array(this.calls.memory.buffer, address, count * width), count, width };
+  }
+  #textAt(address) {
+    const bytes = new Uint8Array(this.calls.memory.buffer, address);
+    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+  }
+}

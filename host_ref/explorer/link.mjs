@@ -1,0 +1,28 @@
+// The page's state in its address: what differs from the defaults, as #a.law=hertz&b.newmark=average.
+
+import { valueNamed } from './scene.mjs';
+
+export function hashOf({ a, b, part }, initial) {
+  const words = new URLSearchParams();
+  for (const [name, value] of Object.entries(a)) if (value !== initial[name]) words.set(`a.${name}`, value);
+  if (b) {
+    words.set('b', '');
+    for (const [name, value] of Object.entries(b)) words.set(`b.${name}`, value);
+  }
+  words.set('part', part);
+  return `#${words}`;
+}
+
+// What is not of this page is passed over.
+export function stateFrom(hash, initial) {
+  const state = { a: { ...initial }, b: null, part: null };
+  for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ''))) {
+    const [run, name] = key.split(/\.(.*)/), value = valueNamed(name);
+    if (key === 'part') state.part = text;
+    if (run === 'b') state.b ??= {};
+    if (!value || !(run === 'a' || run === 'b')) continue;
+    const stated = value.choices ? (text in value.choices ? text : null) : text.trim() !== '' && Number.isFinite(Number(text)) ? Number(text) : null;
+    if (stated !== null) state[run][name] = stated;
+  }
+  return state;
+}

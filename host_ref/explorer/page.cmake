@@ -1,0 +1,23 @@
+# Puts the page together: cmake -D FOLDER=... -D OUTPUT=... -D KERNEL=... -D TRAJECTORIES=... -D STEP_BUDGET=... -P page.cmake
+# The modules become one script, in the order of their imports; KERNEL and TRAJECTORIES are base64 of gzip files.
+# STEP_BUDGET may be absent.
+
+set(script "")
+foreach(module kernel numbers scene run plot plots machine sweep cost link self_test controls words presets main)
+  file(READ ${FOLDER}/${module}.mjs text)
+  string(REGEX REPLACE "(^|\n)import [^\n]*" "\\1" text "${text}")
+  string(REGEX REPLACE "(^|\n)export (async |class |const |function )" "\\1\\2" text "${text}")
+  string(APPEND script "// ${module}.mjs\n${text}")
+endforeach()
+file(READ ${FOLDER}/style.css style)
+file(READ ${KERNEL} kernel)
+file(READ ${TRAJECTORIES} trajectories)
+set(step_budget "")
+if(EXISTS ${STEP_BUDGET})
+  file(READ ${STEP_BUDGET} step_budget)
+endif()
+file(READ ${FOLDER}/page.html.in page)
+foreach(part style script kernel trajectories step_budget)
+  string(REPLACE "@${part}@" "${${part}}" page "${page}")
+endforeach()
+file(WRITE ${OUTPUT} "${page}")

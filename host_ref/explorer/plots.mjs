@@ -1,0 +1,171 @@
+// The plots of the runs: each draws anew when what it shows has changed, and else only moves its cursor.
+
+import { column } from './kernel.mjs';
+import { Plot, theme } from './plot.mjs';
+
+const dashes = [[], [6, 4]];  // of run A and run B
+export const marks = ['dot', 'cross'];
+const letters = ['a', 'b'];
+const bareStyle = () => ({ colour: theme.bare, thickness: 1, dash: [2, 3] });
+
+const versionOf = (runs) => runs.map(({ version }) => version).join();
+
+function extremes({ data, count, width }, columnIndex) {
+  let least = 0, most = 0;
+  for (let i = columnIndex; i < count * width; i += width) {
+    if (data[i] < least) least = data[i];
+    if (data[i] > most) most = data[i];
+  }
+  return [least, most];
+}
+// With some room, and never empty.
+function roomy(least, most) {
+  const room = 0.06 * (most - least) || 1e-6;
+  return { bottom: least < 0 ? least - room : 0, top: most + room };
+}
+
+export class DisplacementPlot extends Plot {
+  constructor(figure) {
+    super(figure, { x: { label: 't, s' }, y: { label: 'x1, mm', scale: 1e3 } });
+  }
+  draw(runs, window, cursor) {
+    const range = { ...window, ...this.remember(versionOf(runs), () => this.#heights(runs)) };
+    if (this.begin(versionOf(runs), range)) {
+      if (runs[0].hasBare) this.line(runs[0].bareRows(), column.t, column.x1, bareStyle());
+      runs.forEach((run, i) => this.line(run.rows(), column.t, column.x1, { colour: theme[run.letter], dash: dashes[i], thickness: 1.6 }));
+      this.end();
+    }
+    this.mark(cursor);
+  }
+  #heights(runs) {
+    const ends = runs.map((run) => extremes(run.rows(), column.x1));
+    if (runs[0].hasBare) ends.push(extremes(runs[0].bareRows(), column.x1));
+    return roomy(Math.min(...ends.map(([least]) => least)), Math.max(...ends.map(([, most]) => most)));
+  }
+}
+
+// What has been lost, to contact and to the main damper, and what is in motion and springs; above them, as a line, what
+// the start and the drive have supplied: where that is not their sum, the step has made or lost energy.
+export class EnergyPlot extends Plot {
+  constructor(figure) {
+    super(figure, { x: { label: 't, s' }, y: { label: 'energy, J' } });
+  }
+  draw(run, window, cursor) {
+    const rows = run.rows();
+    const heights = this.remember(run.version, () => {
+      // A stop that is far too stiff for the step takes and gives more than all the rest: that is cut off.
+      const [supplied, found] = [column.supplied, column.found].map((index) => extremes(rows, index)[1]);
+      const [least] = extremes(rows, column.dissipated);
+      return roomy(Math.max(least, -supplied), Math.max(supplied, Math.min(found, 2 * supplied)));
+    });
+    const range = { ...window, ...heights };
+    if (this.begin(run.version, range)) {
+      this.area(rows, column.t, null, column.dissipated, { colour: theme.lost });
+      this.area(rows, column.t, column.dissipated, column.lost, { colour: theme.damped });
+      this.area(rows, column.t, column.lost, column.found, { colour: theme.moving });
+      this.line(rows, column.t, column.supplied, { colour: theme.ink, dash: [5, 3] });
+      this.end();
+    }
+    this.mark(cursor);
+  }
+}
+
+// Each contact is a loop; that of the instant shown, or the last before it, stands out. An impulsive step has no force
+// over penetration to show: its impact is at an instant.
+export class LoopPlot extends Plot {
+  constructor(figure) {
+    super(figure, { x: { label: 'penetration, mm', scale: 1e3 }, y: { label: 'contact force, N' } });
+  }
+  draw(runs, time) {
+    const tables = runs.map((run) => run.kernel.contacts(run.slot));
+    const { range, loops } = this.remember(versionOf(runs), () => {
+      const deepest = Math.max(1e-9, ...tables.map((table) => extremes(table, 1)[1]));
+      const forces = tables.map((table) => extremes(table, 2));
+      const heights = roomy(Math.min(...forces.map(([least]) => least)), Math.max(1e-9, ...forces.map(([, most]) => most)));
+      return { range: { left: -0.08 * deepest, right: 1.05 * deepest, ...heights }, loops: tables.map((table, i) => runs[i].plan.stepper === 'impulsive' ? [] : loopsOf(table)) };
+    });
+    const shown = loops.map((list, i) => lastBefore(list, tables[i], time));
+    if (this.begin(`${versionOf(runs)} ${shown}`, range)) {
+      runs.forEach((run, i) => {
+        const style = { colour: theme[run.letter], dash: dashes[i] };
+        this.pen.globalAlpha = 0.25;
+        for (const [from, to] of loops[i]) this.path(tables[i], from, to, 1, 2, { ...style, thickness: 1, dash: [] });
+        this.pen.globalAlpha = 1;
+        const [from, to] = loops[i][shown[i]] ?? [0, 0];
+        this.path(tables[i], from, to, 1, 2, { ...style, thickness: 2.2 });
+        if (to - from < 60) this.points({ ...tables[i], count: to }, 1, 2, { ...style, shape: marks[i] }, from);
+      });
+      const isImpulsive = runs.some((run) => run.plan.stepper === 'impulsive');
+      if (loops.every((list) => list.length === 0)) this.note(isImpulsive ? 'an impulsive step has no loop' : 'no impact yet');
+      this.end();
+    }
+  }
+}
+// A contact begins where its table has a point outside after another point.
+function loopsOf({ data, count, width }) {
+  const loops = [];
+  let from = 0;
+  for (let i = 1; i <= count; ++i) {
+    const begins = i < count && data[i * width + 2] === 0 && data[(i - 1) * width + 2] === 0;
+    if (i < count && !begins) continue;
+    if (i - from > 1) loops.push([from, i]);
+    from = i;
+  }
+  return loops;
+}
+function lastBefore(loops, { data, width }, time) {
+  let found = loops.length > 0 ? 0 : -1;
+  for (let i = 0; i < loops.length && data[loops[i][0] * width] <= time; ++i) found = i;
+  return found;
+}
+
+// Each impact of the runs over its speed, and the law's own restitution as a line.
+export class RestitutionPlot extends Plot {
+  constructor(figure) {
+    super(figure, { x: { label: 'speed of the impact, m/s' }, y: { label: 'restitution' } });
+  }
+  draw(runs) {
+    const tables = runs.map((run) => run.kernel.impacts(run.slot));
+    const fastest = Math.max(0.1, ...tables.map((table) => extremes(table, 1)[1]));
+    const highest = Math.max(1, ...tables.map((table) => extremes(table, 2)[1]));
+    const range = { left: 0, right: 1.05 * fastest, bottom: 0, top: Math.min(3, 1.08 * highest) };
+    if (this.begin(versionOf(runs), range)) {
+      runs.forEach((run, i) => this.line(this.#lawOf(run, fastest), 0, 1, { colour: theme[run.letter], dash: dashes[i], thickness: 1 }));
+      runs.forEach((run, i) => this.points(tables[i], 1, 2, { colour: theme[run.letter], shape: marks[i] }));
+      this.end();
+    }
+  }
+  #lawOf(run, fastest) {
+    const count = 60, data = new Float64Array(2 * count);
+    for (let i = 0; i < count; ++i) {
+      const speed = 1.05 * fastest * (i + 0.5) / count;
+      data[2 * i] = speed;
+      data[2 * i + 1] = run.kernel.lawRestitution(run.slot, speed);
+    }
+    return { data, count, width: 2 };
+  }
+}
+
+export class SweepPlot extends Plot {
+  constructor(figure) {
+    super(figure, { x: { label: 'pulsation of the drive, rad/s' }, y: { label: 'largest |x1|, mm', scale: 1e3 } });
+  }
+  // `curves`: one per run, with bare and own points.
+  draw(sweep, runs) {
+    const { least, most } = sweep;
+    const highest = Math.max(1e-6, ...sweep.curves.flatMap(({ own, bare }) => [extremes(own, 1)[1], extremes(bare, 1)[1]]));
+    // Near resonance the bare mass goes through the roof: the runs are to fill the picture.
+    const own = Math.max(1e-6, ...sweep.curves.map((curve) => extremes(curve.own, 1)[1]));
+    const range = { left: least, right: most, bottom: 0, top: 1.06 * Math.min(highest, 3 * own) };
+    if (this.begin(sweep.version, range)) {
+      sweep.curves.forEach(({ own, bare }, i) => {
+        if (i === 0) this.line(bare, 0, 1, bareStyle());
+        this.line(own, 0, 1, { colour: theme[letters[i]], dash: dashes[i] });
+        this.points(own, 0, 1, { colour: theme[letters[i]], shape: marks[i] });
+      });
+      if (sweep.note) this.note(sweep.note);
+      this.end();
+    }
+    this.mark(runs[0]?.scene.drive === 'sine' ? runs[0].scene['drive-pulsation'] : null);
+  }
+}

@@ -1,0 +1,100 @@
+#include "host_ref/explorer/recorded_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace impact::host {
+namespace {
+
+constexpr long most_rows = 40000, most_contact_steps = 400000;
+
+double half_square(double factor, double x) { return factor * x * x / 2; }
+
+bool is_in_contact(const Sample& sample) { return sample.contact_force != 0 || sample.penetration > 0; }
+
+}  // namespace
+
+RecordedRun::RecordedRun(const Request& request, std::unique_ptr<Simulation> simulation)
+    : request_(request),
+      simulation_(std::move(simulation)),
+      steps_(std::lround(request.duration / request.step)),
+      every_(steps_ / most_rows + 1),
+      contact_every_(steps_ / most_contact_steps + 1) {
+  before_ = simulation_->sample();
+  initial_energy_ = motion_energy(before_);
+  note(before_);
+}
+
+bool RecordedRun::is_done() const { return done_ >= steps_ || simulation_->fault() != nullptr; }
+
+void RecordedRun::advance(long steps) {
+  for (; steps > 0 && !is_done(); --steps) {
+    simulation_->step(0);
+    if (simulation_->fault()) return;
+    ++done_;
+    const Sample now = simulation_->sample();
+    damper_loss_ += request_.step * (half_square(request_.scene.main_damping, before_.v1) +
+                                     half_square(request_.scene.main_damping, now.v1));
+    note_impact(now);
+    note_contact(now);
+    note(now);
+    before_ = now;
+  }
+}
+
+void RecordedRun::note(const Sample& now) {
+  largest_x1_ = std::max(largest_x1_, std::abs(now.x1));
+  squares_ += now.x1 * now.x1;
+  const double lost = now.energy_dissipated + damper_loss_, found = lost + motion_energy(now);
+  const double supplied = initial_energy_ + now.drive_work;
+  energy_error_ = std::max(energy_error_, std::abs(found - supplied));
+  if (done_ % every_ != 0) return;
+  const double side = !is_in_contact(now) ? 0 : now.x2 < now.x1 ? -1 : 1;
+  rows_.push_back({now.t, now.x1, now.v1, now.x2, now.v2, now.penetration, now.contact_force, now.energy_dissipated,
+                   lost, found, supplied, side});
+}
+
+// With the step before a contact and the one after it, so that a loop is seen to close.
+void RecordedRun::note_contact(const Sample& now) {
+  if (!is_in_contact(now) && !is_in_contact(before_)) return;
+  if (done_ % contact_every_ != 0) return;
+  if (!is_in_contact(before_)) contacts_.push_back({before_.t, before_.penetration, before_.contact_force});
+  contacts_.push_back({now.t, now.penetration, now.contact_force});
+}
+
+// An impact is over once the ball is outside and no force is left; one that follows at once ends it too.
+void RecordedRun::note_impact(const Sample& now) {
+  const bool begins = now.impacts != before_.impacts;
+  if (in_impact_ && begins) end_impact(before_);
+  if (begins) {
+    in_impact_ = true;
+    dissipated_at_impact_ = before_.energy_dissipated;
+  }
+  if (in_impact_ && now.penetration <= 0 && now.contact_force == 0) end_impact(now);
+}
+
+void RecordedRun::end_impact(const Sample& now) {
+  in_impact_ = false;
+  const double mu = 1 / (1 / request_.scene.main_mass + 1 / request_.scene.ball_mass);
+  const double brought = half_square(mu, now.impact_speed), lost = now.energy_dissipated - dissipated_at_impact_;
+  if (brought > 0) impacts_.push_back({now.t, now.impact_speed, std::sqrt(std::max(0.0, 1 - lost / brought))});
+}
+
+double RecordedRun::motion_energy(const Sample& now) const {
+  const Scene& scene = request_.scene;
+  return half_square(scene.main_mass, now.v1) + half_square(scene.main_stiffness, now.x1) +
+         half_square(scene.ball_mass, now.v2) + now.energy_stored;
+}
+
+Totals RecordedRun::totals() const {
+  const double samples = static_cast<double>(done_) + 1;
+  return {static_cast<double>(done_),
+          largest_x1_,
+          std::sqrt(squares_ / samples),
+          before_.energy_dissipated,
+          static_cast<double>(before_.impacts),
+          before_.peak_force,
+          energy_error_};
+}
+
+}  // namespace impact::host

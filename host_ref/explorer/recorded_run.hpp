@@ -1,0 +1,65 @@
+#pragma once
+// A simulation with what the page draws of it: its motion in rows, its contacts as force over penetration, its impacts
+// as restitution over speed. Everything is in SI units.
+
+#include <host_ref/simulation.hpp>
+#include <vector>
+
+namespace impact::host {
+
+// The columns of a motion's row.
+struct Row {
+  double t, x1, v1, x2, v2, penetration, contact_force, energy_dissipated;
+  double energy_lost;      // J: to contact and, c v1^2 by the trapezoidal rule, to the main damper
+  double energy_found;     // J: lost, kinetic of both masses, in the main spring and in the contact
+  double energy_supplied;  // J: at the start, and by the drive since then; what was supplied must be found
+  double side;             // of the contact under way: -1 left, 1 right, 0 apart
+};
+struct ContactPoint {
+  double t, penetration, force;
+};
+// By the energy that the ledger says it has lost: e^2 = 1 - loss / (mu V^2/2), which holds whatever else pushes the
+// main mass meanwhile; above 1 where contact has created energy.
+struct ImpactPoint {
+  double t, speed, restitution;
+};
+struct Totals {
+  double steps, largest_x1, rms_x1, energy_dissipated, impacts, peak_force, energy_error;  // J, of the ledger's balance
+};
+
+class RecordedRun {
+ public:
+  RecordedRun(const Request& request, std::unique_ptr<Simulation> simulation);
+
+  void advance(long steps);  // not beyond the request's duration, and not beyond a fault
+  bool is_done() const;
+
+  const char* fault() const { return simulation_->fault(); }
+  std::string description() const { return simulation_->description(); }
+  const Request& request() const { return request_; }
+  long every() const { return every_; }
+  const std::vector<Row>& rows() const { return rows_; }
+  const std::vector<ContactPoint>& contacts() const { return contacts_; }
+  const std::vector<ImpactPoint>& impacts() const { return impacts_; }
+  Totals totals() const;
+
+ private:
+  void note(const Sample& sample);
+  void note_contact(const Sample& sample);
+  void note_impact(const Sample& sample);
+  void end_impact(const Sample& sample);
+  double motion_energy(const Sample& sample) const;
+
+  Request request_;
+  std::unique_ptr<Simulation> simulation_;
+  long steps_, every_, contact_every_, done_ = 0;
+  Sample before_{};
+  double initial_energy_ = 0, damper_loss_ = 0, dissipated_at_impact_ = 0, largest_x1_ = 0, squares_ = 0;
+  double energy_error_ = 0;
+  bool in_impact_ = false;
+  std::vector<Row> rows_;
+  std::vector<ContactPoint> contacts_;
+  std::vector<ImpactPoint> impacts_;
+};
+
+}  // namespace impact::host

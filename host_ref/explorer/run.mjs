@@ -1,0 +1,77 @@
+// A run of the machine and the same main mass without absorber, computed a slice at a time so that the page stays awake.
+
+import { optionsOf } from './scene.mjs';
+
+// The page's own limit: beyond, impact-sim is the place.
+const mostSteps = 2e6;
+export const stepsBetweenLooksAtTheClock = 500;
+
+export class Run {
+  constructor(kernel, slot) {
+    this.kernel = kernel;
+    this.slot = slot;
+    this.bareSlot = slot + 1;
+    this.version = 0;  // counts what there is to draw
+  }
+
+  start(scene) {
+    this.scene = scene;
+    this.isReady = this.isDone = false;
+    ++this.version;
+    this.kernel.forget(this.slot);
+    this.refusal = this.#pageRefusal(scene);
+    if (this.refusal) return;
+    const options = optionsOf(scene);
+    this.plan = this.kernel.plan(this.slot, options, true);
+    this.refusal = this.plan.refusal;
+    if (this.refusal) return;
+    this.hasBare = !this.kernel.plan(this.bareSlot, options, false).refusal;
+    this.isReady = true;
+  }
+  stop() {
+    this.kernel.forget(this.slot);
+    this.isReady = false;
+    ++this.version;
+  }
+
+  // Until `deadline` of performance.now(); whether it has done anything.
+  work(deadline) {
+    if (!this.isReady || this.isDone) return false;
+    let more = true;
+    while (more && performance.now() < deadline) {
+      more = this.kernel.advance(this.slot, stepsBetweenLooksAtTheClock);
+      if (this.hasBare) more = this.kernel.advance(this.bareSlot, stepsBetweenLooksAtTheClock) || more;
+    }
+    this.isDone = !more;
+    ++this.version;
+    return true;
+  }
+
+  rows() {
+    return this.kernel.rows(this.slot);
+  }
+  bareRows() {
+    return this.kernel.rows(this.bareSlot);
+  }
+  // Steps from a row to the next.
+  get every() {
+    return this.kernel.rowEvery(this.slot);
+  }
+  totals() {
+    return this.kernel.totals(this.slot);
+  }
+  bareLargest() {
+    return this.hasBare ? this.kernel.totals(this.bareSlot).largest : NaN;
+  }
+  attenuation() {
+    return this.hasBare ? this.kernel.attenuation(this.slot, this.bareSlot) : NaN;
+  }
+  fault() {
+    return this.kernel.fault(this.slot);
+  }
+
+  #pageRefusal({ step, duration }) {
+    if (duration / step <= mostSteps) return null;
+    return { option: 'duration', value: String(duration), allowed: `${step} to ${mostSteps * step}`, why: `this page takes up to ${mostSteps} steps, impact-sim up to 1e9` };
+  }
+}

@@ -1,0 +1,90 @@
+// The values of a scene, by the names of impact-sim's options: what the controls show, what the kernel is asked, the
+// command and the link are all made from this one list. A slider's range is what is of use; the kernel's own is wider,
+// and it says so itself.
+
+export const groups = [
+  { title: 'Contact', values: [
+    { name: 'law', label: 'Contact law', choices: { 'hunt-crossley': 'Hunt-Crossley', 'hertz': 'Hertz', 'hooke-newton': 'Hooke-Newton' } },
+    { name: 'contact-stiffness', label: 'Stiffness of a stop, k1', unit: (scene) => scene.law === 'hooke-newton' ? 'N/m' : 'N/m^1.5', least: 1e2, most: 1e12, log: true },
+    { name: 'damping-by', label: 'Damping of a stop by', choices: { 'c1': 'its coefficient c1', 'restitution': 'a restitution, exactly', 'paper': "a restitution, the paper's (2.3), (2.9)", 'hunt-crossley': "each impact's speed: Hunt-Crossley, (2.9)", 'herbert-mcwhannell': "each impact's speed: Herbert-McWhannell", 'lee-wang': "each impact's speed: Lee-Wang", 'lankarani-nikravesh': "each impact's speed: Lankarani-Nikravesh", 'flores': "each impact's speed: Flores", 'hu-guo': "each impact's speed: Hu-Guo", 'exact': "each impact's speed: exactly" }, shown: (scene) => scene.law !== 'hertz' },
+    { name: 'contact-damping', label: 'Damping, c1', unit: (scene) => scene.law === 'hooke-newton' ? 'N s/m' : 'N s/m^2.5', least: 1, most: 1e12, log: true, shown: (scene) => scene.law !== 'hertz' && scene['damping-by'] === 'c1' },
+    { name: 'restitution', label: 'Restitution, e', unit: () => '', least: 0.05, most: 1, shown: (scene) => scene.law !== 'hertz' && scene['damping-by'] !== 'c1' },
+    { name: 'impact-speed', label: 'at an impact speed of', unit: () => 'm/s', least: 0.01, most: 10, log: true, shown: (scene) => scene.law !== 'hertz' && ['restitution', 'paper'].includes(scene['damping-by']) },
+    { name: 'tension', label: 'A stop may pull', choices: { clamp: 'no, it lets go at zero force', allow: 'yes, as the paper writes it' } },
+    { name: 'stops', label: 'Stops', choices: { both: 'both', left: 'left', right: 'right' } },
+  ] },
+  { title: 'Masses and spring', values: [
+    { name: 'main-mass', label: 'Main mass, M', unit: () => 'kg', least: 0.01, most: 100, log: true },
+    { name: 'main-stiffness', label: 'Its spring, k', unit: () => 'N/m', least: 1, most: 1e6, log: true },
+    { name: 'main-damping', label: 'Its damper, c', unit: () => 'N s/m', least: 1e-3, most: 100, log: true },
+    { name: 'ball-mass', label: 'Ball, m', unit: () => 'kg', least: 1e-3, most: 10, log: true },
+    { name: 'clearance', label: 'Clearance, d', unit: () => 'm', least: 1e-4, most: 0.2, log: true },
+  ] },
+  { title: 'Drive', values: [
+    { name: 'drive', label: 'Drive', choices: { sine: 'sine', none: 'none' } },
+    { name: 'drive-amplitude', label: 'Amplitude', unit: () => 'N', least: 0.1, most: 1000, log: true, shown: (scene) => scene.drive === 'sine' },
+    { name: 'drive-pulsation', label: 'Pulsation', unit: () => 'rad/s', least: 1, most: 1000, log: true, shown: (scene) => scene.drive === 'sine' },
+  ] },
+  { title: 'Start', values: [
+    { name: 'x1', label: 'Main mass at x1', unit: () => 'm', least: -0.1, most: 0.1 },
+    { name: 'v1', label: 'with the velocity v1', unit: () => 'm/s', least: -2, most: 2 },
+    { name: 'x2', label: 'Ball at x2', unit: () => 'm', least: -0.1, most: 0.1 },
+    { name: 'v2', label: 'with the velocity v2', unit: () => 'm/s', least: -2, most: 2 },
+  ] },
+  { title: 'Computation', values: [
+    { name: 'newmark', label: 'Stepper', choices: { 'auto': 'auto: by the rule', 'moment': 'moment-fitted', 'moment-4': 'moment-fitted, 4 sub-steps', 'moment-8': 'moment-fitted, 8 sub-steps', 'energy': 'energy-consistent', 'impulsive': 'impulsive', 'average': "average acceleration (the paper's)", 'linear': 'linear acceleration', 'fox-goodwin': 'Fox-Goodwin', 'central': 'central difference' } },
+    { name: 'numeric', label: 'Number format', choices: { 'fixed32': 'Fixed32', 'float32': 'Float32', 'float32-plain': 'Float32Plain', 'float64': 'Float64 (host)' } },
+    { name: 'step', label: 'Step, h', unit: () => 's', least: 2e-6, most: 1e-2, log: true },
+    { name: 'duration', label: 'Simulated time', unit: () => 's', least: 0.1, most: 20, log: true },
+    { name: 'bounds', label: 'Bounds', choices: { found: 'found by a run in Float64', stated: 'stated' }, shown: (scene) => scene.numeric === 'fixed32' },
+    { name: 'bound-displacement', label: 'Largest displacement', unit: () => 'm', least: 1e-3, most: 10, log: true, shown: statesBounds },
+    { name: 'bound-speed', label: 'Largest speed', unit: () => 'm/s', least: 1e-2, most: 100, log: true, shown: statesBounds },
+    { name: 'bound-penetration', label: 'Largest penetration', unit: () => 'm', least: 1e-6, most: 1, log: true, shown: statesBounds },
+  ] },
+];
+export const values = groups.flatMap((group) => group.values);
+export const valueNamed = (name) => values.find((value) => value.name === name);
+
+function statesBounds(scene) {
+  return scene.numeric === 'fixed32' && scene.bounds === 'stated';
+}
+export const isShown = (value, scene) => !value.shown || value.shown(scene);
+
+// The kernel's defaults, and what only the page has.
+export function initialScene(kernel) {
+  const pageOnly = {
+    'damping-by': 'c1', 'impact-speed': 0.8, 'tension': 'clamp', 'stops': 'both', 'drive': 'sine', 'duration': 2,
+    'bounds': 'found', 'bound-displacement': 0.1, 'bound-speed': 2, 'bound-penetration': 0.03,
+  };
+  const scene = { ...pageOnly, ...kernel.defaultScene(), restitution: 0.68 };
+  for (const { name, choices } of values) if (!choices) scene[name] = Number(scene[name]);
+  return scene;
+}
+
+// The paper's, tables 1 and 2.
+export const usualDamping = { 'hooke-newton': 20.81, 'hertz': 0, 'hunt-crossley': 19560 };
+
+// As [option, value] pairs, those that the scene depends on.
+export function optionsOf(scene) {
+  const options = [];
+  for (const value of values) {
+    if (!isShown(value, scene) || value.name === 'damping-by' || value.name === 'bounds') continue;
+    options.push([value.name, String(scene[value.name])]);
+  }
+  if (scene.law === 'hertz') options.push(['contact-damping', '0']);
+  else if (scene['damping-by'] === 'paper') options.push(['paper-damping', 'yes']);
+  else if (!['c1', 'restitution'].includes(scene['damping-by'])) options.push(['damping', scene['damping-by']]);
+  return options;
+}
+
+// impact-sim's own defaults are left out, but for the damping, which depends on the law.
+const toolDefaults = { duration: '1', tension: 'clamp', stops: 'both', drive: 'sine' };
+export function commandOf(scene, initial, every) {
+  const isDefault = (name, text) =>
+    name !== 'contact-damping' && name !== 'restitution' && text === (toolDefaults[name] ?? String(initial[name]));
+  const words = optionsOf(scene)
+    .filter(([name, text]) => !isDefault(name, text))
+    .map(([name, text]) => name === 'paper-damping' ? '--paper-damping' : `--${name}=${text}`);
+  if (every > 1) words.push(`--every=${every}`);
+  return ['impact-sim', ...words].join(' ');
+}

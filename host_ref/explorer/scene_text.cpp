@@ -1,0 +1,156 @@
+#include "host_ref/explorer/scene_text.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "host_ref/closed_form.hpp"
+
+namespace impact::host {
+namespace {
+
+struct SceneValue {
+  const char* option;
+  double Scene::*member;
+};
+constexpr SceneValue scene_values[] = {{"main-mass", &Scene::main_mass},
+                                       {"main-stiffness", &Scene::main_stiffness},
+                                       {"main-damping", &Scene::main_damping},
+                                       {"ball-mass", &Scene::ball_mass},
+                                       {"clearance", &Scene::clearance},
+                                       {"contact-stiffness", &Scene::contact_stiffness},
+                                       {"contact-damping", &Scene::contact_damping},
+                                       {"restitution", &Scene::restitution},
+                                       {"drive-amplitude", &Scene::drive_amplitude},
+                                       {"drive-pulsation", &Scene::drive_pulsation},
+                                       {"x1", &Scene::x1},
+                                       {"v1", &Scene::v1},
+                                       {"x2", &Scene::x2},
+                                       {"v2", &Scene::v2}};
+struct BoundValue {
+  const char* option;
+  double Bounds::*member;
+};
+constexpr BoundValue bound_values[] = {{"bound-displacement", &Bounds::displacement},
+                                       {"bound-speed", &Bounds::speed},
+                                       {"bound-penetration", &Bounds::penetration}};
+
+constexpr Damping dampings[] = {Damping::constant,
+                                Damping::hunt_crossley,
+                                Damping::herbert_mcwhannell,
+                                Damping::lee_wang,
+                                Damping::lankarani_nikravesh,
+                                Damping::flores,
+                                Damping::hu_guo,
+                                Damping::exact};
+
+// How the contact damping is stated: by c1 itself, or by a restitution.
+struct Stated {
+  bool restitution = false, by_paper = false;
+  double impact_speed = 0.8;  // m/s
+};
+
+std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+// False where the value is none of the option's.
+bool store(Request& request, Stated& stated, std::string_view option, const std::string& text) {
+  Scene& scene = request.scene;
+  if (option == "law") {
+    const auto law = law_named(text);
+    return law && (request.law = *law, true);
+  }
+  if (option == "newmark") {
+    const auto stepper = stepper_named(text);
+    return stepper && (request.stepper = *stepper, true);
+  }
+  if (option == "numeric") {
+    const auto numeric = numeric_named(text);
+    return numeric && (request.numeric = *numeric, true);
+  }
+  if (option == "drive") return request.drive = text == "none" ? DriveKind::none : DriveKind::sine, true;
+  if (option == "stops")
+    return scene.stops = text == "left" ? Stops::left : text == "right" ? Stops::right : Stops::both, true;
+  if (option == "tension") return scene.tension = text == "allow" ? Tension::allow : Tension::clamp, true;
+  if (option == "damping") {
+    for (const Damping damping : dampings)
+      if (name_of(damping) == text) return request.damping = damping, true;
+    return false;
+  }
+  if (option == "paper-damping") return stated.by_paper = text == "yes", true;
+
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || *end != 0) return false;
+  if (option == "restitution") stated.restitution = true;
+  for (const auto& [name, member] : scene_values)
+    if (option == name) return scene.*member = value, true;
+  for (const auto& [name, member] : bound_values) {
+    if (option != name) continue;
+    if (!request.bounds) request.bounds.emplace();
+    return (*request.bounds).*member = value, true;
+  }
+  if (option == "step") return request.step = value, true;
+  if (option == "duration") return request.duration = value, true;
+  if (option == "impact-speed") return stated.impact_speed = value, true;
+  return false;
+}
+
+// The damping coefficient with which the law has the stated restitution.
+std::optional<double> damping_of(const Request& request, const Stated& stated) {
+  const Scene& scene = request.scene;
+  if (request.law == Law::hertz) return scene.restitution == 1 ? std::optional<double>(0) : std::nullopt;
+  const double reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
+  const Impact impact{request.law, scene.contact_stiffness, 0, reduced_mass, stated.impact_speed, scene.tension};
+  return stated.by_paper ? paper_contact_damping(impact, scene.restitution)
+                         : contact_damping(impact, scene.restitution);
+}
+
+}  // namespace
+
+ScenePlan scene_from(std::string_view text) {
+  ScenePlan plan;
+  Stated stated;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(line.size() < text.size() ? line.size() + 1 : text.size());
+    const size_t space = line.find(' ');
+    const std::string_view option = line.substr(0, space);
+    const std::string value(space == line.npos ? std::string_view{} : line.substr(space + 1));
+    if (!store(plan.request, stated, option, value)) {
+      plan.refusal = {std::string(option), value.empty() ? "nothing" : value, "a value of --help"};
+      return plan;
+    }
+  }
+  Scene& scene = plan.request.scene;
+  if (plan.request.damping != Damping::constant) {
+    scene.contact_damping = 0;
+    if (plan.request.law != Law::hunt_crossley)
+      plan.refusal = {"damping", std::string(name_of(plan.request.damping)), "restitution; others with hunt-crossley"};
+  } else if (stated.restitution) {
+    const auto damping = damping_of(plan.request, stated);
+    if (damping) scene.contact_damping = *damping;
+    if (!damping)
+      plan.refusal = {"restitution", text_of(scene.restitution),
+                      plan.request.law == Law::hertz ? "1 to 1" : "0.001 to 1"};
+  }
+  return plan;
+}
+
+std::string default_scene() {
+  const Request request;
+  std::string text;
+  const auto add = [&text](const std::string& option, std::string_view value) {
+    text.append(option).append(" ").append(value).append("\n");
+  };
+  add("law", name_of(request.law));
+  add("newmark", name_of(request.stepper));
+  add("numeric", name_of(request.numeric));
+  add("step", text_of(request.step));
+  for (const auto& [name, member] : scene_values) add(name, text_of(request.scene.*member));
+  return text;
+}
+
+}  // namespace impact::host

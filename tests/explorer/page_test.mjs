@@ -1,0 +1,190 @@
+// The explorer in a headless Chromium, used as a person would: sliders by the keyboard, numbers typed, buttons clicked.
+// What it shows is compared with impact-sim, by the command that the page itself gives:
+// page_test.mjs CHROMIUM EXPLORER.html IMPACT_SIM GOLDEN_TRAJECTORIES
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Browser } from './browser.mjs';
+
+const [chromium, file, tool, golden] = process.argv.slice(2);
+const url = pathToFileURL(file).href;
+let failures = 0;
+function check(holds, what) {
+  console.log(`${holds ? 'ok    ' : 'FAILED'} ${what}`);
+  if (!holds) ++failures;
+}
+
+const runsAreDone = "explorer.due.size === 0 && Object.values(explorer.runs).every((run) => !run.isReady || run.isDone) && explorer.hasSpoken";
+const text = (page, id) => page.value(`document.getElementById('${id}').textContent`);
+const settled = (page) => page.until(runsAreDone);
+
+// The tool at the command that the page shows.
+function toolAt(command) {
+  const { status, stdout, stderr } = spawnSync(tool, command.split(' ').slice(1), { encoding: 'utf8', maxBuffer: 1 << 28 });
+  return { status, stdout, stderr };
+}
+async function checkAgainstTool(page, letter, what) {
+  await settled(page);
+  const slot = letter === 'a' ? 0 : 2, csv = await page.value(`explorer.kernel.csv(${slot})`);
+  const command = await text(page, `command-${letter}`), { status, stdout } = toolAt(command);
+  check(status === 0 && csv.length > 1000 && csv === stdout, `${what}: the ${csv.split('\n').length} lines of ${command}`);
+}
+
+// How many of a canvas's pixels differ from most, in how many colours, and how much the picture says.
+const inkOf = (page, id) => page.value(`(() => {
+  const canvas = document.querySelector('#${id} canvas'), { width, height } = canvas;
+  const { data } = canvas.getContext('2d').getImageData(0, 0, width, height), colours = new Map();
+  for (let i = 0; i < data.length; i += 4) { const key = data[i] << 16 | data[i + 1] << 8 | data[i + 2]; colours.set(key, (colours.get(key) ?? 0) + 1); }
+  const most = Math.max(...colours.values());
+  return { colours: colours.size, ink: width * height - most, picture: canvas.toDataURL().length };
+})()`);
+async function checkDrawn(page, ids, what) {
+  for (const id of ids) {
+    const { colours, ink } = await inkOf(page, id);
+    check(colours > 4 && ink > 1500, `${what}: ${id} is drawn, ${ink} pixels of ${colours} colours`);
+  }
+}
+
+async function typeInto(page, id, value) {
+  await page.click(`#${id}`);
+  await page.value(`document.getElementById('${id}').select()`);
+  await page.call('Input.insertText', { text: value });
+  await page.press('Enter', 'Enter', '\r');
+  await page.until('explorer.due.size === 0');
+}
+
+async function sliders(page) {
+  await settled(page);
+  await checkAgainstTool(page, 'a', 'as opened');
+  await checkDrawn(page, ['plot-displacement', 'plot-loop', 'plot-restitution', 'plot-energy-a'], 'as opened');
+  for (const [name, key] of [['drive-pulsation', 'ArrowRight'], ['contact-stiffness', 'ArrowLeft'], ['clearance', 'ArrowRight'], ['main-damping', 'ArrowRight'], ['step', 'ArrowRight']]) {
+    const before = { number: await page.value(`document.getElementById('value-${name}-number').value`), ...(await inkOf(page, 'plot-displacement')) };
+    await page.value(`document.getElementById('value-${name}').closest('details').open = true; document.getElementById('value-${name}').focus()`);
+    for (let i = 0; i < 25; ++i) await page.press(key);
+    await settled(page);
+    const after = { number: await page.value(`document.getElementById('value-${name}-number').value`), ...(await inkOf(page, 'plot-displacement')) };
+    check(before.number !== after.number && before.picture !== after.picture, `${key} on ${name}: ${before.number} to ${after.number}, and another picture`);
+    await checkAgainstTool(page, 'a', `after ${name}`);
+  }
+}
+
+async function choices(page) {
+  for (const preset of ['paper', 'stiff', 'coarse', 'laws', 'fixed']) {
+    await page.click(`[data-preset="${preset}"]`);
+    await checkAgainstTool(page, 'a', `preset ${preset}`);
+    if (await page.value('explorer.compares')) {
+      await checkAgainstTool(page, 'b', `preset ${preset}, B`);
+      await checkDrawn(page, ['plot-energy-b'], `preset ${preset}, B`);
+    }
+  }
+  await page.click('[data-preset="paper"]');
+  for (const [name, choice] of [['numeric', 'fixed32'], ['numeric', 'float32'], ['law', 'hooke-newton'], ['newmark', 'fox-goodwin'], ['law', 'hertz'], ['drive', 'none'], ['newmark', 'energy']]) {
+    await page.value(`(() => { const it = document.getElementById('value-${name}'); it.value = '${choice}'; it.dispatchEvent(new Event('change')); })()`);
+    if (choice === 'none') await typeInto(page, 'value-v2-number', '0.8');
+    await checkAgainstTool(page, 'a', `${name} ${choice}`);
+  }
+}
+
+async function refusals(page) {
+  await page.click('[data-preset="paper"]');
+  for (const [name, value] of [['step', '0.05'], ['main-mass', '0'], ['main-mass', '1e300'], ['restitution', '2'], ['clearance', '-1'], ['drive-pulsation', '1e9']]) {
+    if (name === 'restitution') await page.value(`(() => { const it = document.getElementById('value-damping-by'); it.value = 'restitution'; it.dispatchEvent(new Event('change')); })()`);
+    await typeInto(page, `value-${name}-number`, value);
+    const words = await text(page, `value-${name}-refusal`);
+    check(/is refused\. Allowed: \S+/.test(words), `${name} ${value}: ${words}`);
+    await page.click(`#value-${name}-refusal button`);
+    await page.until('explorer.due.size === 0');
+    check((await text(page, `value-${name}-refusal`)) === '', `${name}: the button sets ${await page.value(`document.getElementById('value-${name}-number').value`)}`);
+    // What is allowed by itself may ask for another value of the rest.
+    for (let i = 0; i < 4 && !(await page.value('explorer.runs.a.isReady')); ++i) {
+      await page.click('.refusal button');
+      await page.until('explorer.due.size === 0');
+    }
+    check(await page.value('explorer.runs.a.isReady'), `${name}: buttons lead to a run`);
+    await page.click('[data-preset="paper"]');
+  }
+  // The tool's own words for a step that the kernel refuses.
+  await typeInto(page, 'value-step-number', '0.05');
+  const { status, stderr } = toolAt('impact-sim --step=0.05 --duration=2');
+  const allowed = stderr.match(/allowed: (.*)/)?.[1];
+  const words = await text(page, 'value-step-refusal');
+  check(status === 2 && allowed !== undefined && words.includes(allowed), `the tool says the same: ${stderr.trim()}`);
+}
+
+async function sweep(page) {
+  await page.click('[data-preset="paper"]');
+  await typeInto(page, 'value-duration-number', '0.5');
+  await page.until('!explorer.sweepIsDue && explorer.sweep.isDone', 120);
+  await checkDrawn(page, ['plot-sweep'], 'sweep');
+  const points = await page.value(`(() => { const { own } = explorer.sweep.curves[0]; return Array.from({ length: own.count }, (_, i) => [own.data[2 * i], own.data[2 * i + 1]]); })()`);
+  const folder = mkdtempSync(join(tmpdir(), 'sweep-')), scenes = join(folder, 'scenes.csv');
+  writeFileSync(scenes, `duration,drive-pulsation\n${points.map(([pulsation]) => `0.5,${pulsation}`).join('\n')}\n`);
+  const rows = toolAt(`impact-sim --sweep ${scenes}`).stdout.trim().split('\n').map((line) => line.split(','));
+  rmSync(folder, { recursive: true });
+  const at = rows[0].indexOf('max_x1'), byScene = rows.slice(1).sort((a, b) => a[0] - b[0]);
+  check(points.length === 65 && byScene.length === 65 && byScene.every((row, i) => Number(row[at]) === points[i][1]), `sweep: ${points.length} points are those of impact-sim --sweep`);
+}
+
+async function playing(page) {
+  await page.click('[data-preset="stiff"]');
+  await settled(page);
+  await page.until('!explorer.sweepIsDue && explorer.sweep.isDone', 240);
+  await page.value("document.activeElement.blur(); explorer.play(false); explorer.time = 0; undefined");
+  const position = () => page.value("document.querySelector('#machine-a [data-part=moving]').getAttribute('transform')");
+  const before = await position();
+  await page.press(' ', 'Space', ' ');
+  await new Promise((done) => setTimeout(done, 700));
+  await page.press(' ', 'Space', ' ');
+  check(before !== (await position()), `space plays, the mass moves: ${before} to ${await position()}`);
+  const time = await page.value('explorer.time');
+  await page.press('.', 'Period', '.');
+  check(Math.abs((await page.value('explorer.time')) - time) <= 1.6e-4, 'a full stop goes one step on');
+  // Every frame computes and draws as much as it can: a slider in motion while all plots live.
+  const frames = await page.value(`(async () => {
+    explorer.play(true);
+    explorer.frames = { count: 0, total: 0, longest: 0 };
+    for (let i = 0; i < 60; ++i) { explorer.change('drive-pulsation', 40 + i / 10); await new Promise(requestAnimationFrame); }
+    const moving = explorer.frames;
+    await new Promise((done) => setTimeout(done, 1500));
+    explorer.frames = { count: 0, total: 0, longest: 0 };
+    for (let i = 0; i < 120; ++i) await new Promise(requestAnimationFrame);
+    return { moving, steady: explorer.frames };
+  })()`);
+  for (const [what, { count, total, longest }] of Object.entries(frames))
+    console.log(`       frames, ${what}: ${count}, mean ${(total / count).toFixed(2)} ms, longest ${longest.toFixed(2)} ms`);
+}
+
+async function link(page) {
+  await page.click('[data-preset="fixed"]');
+  await typeInto(page, 'value-ball-mass-number', '0.21');
+  await settled(page);
+  const [address, command, other] = [await text(page, 'link'), await text(page, 'command-a'), await text(page, 'command-b')];
+  const second = await Browser.open(chromium, address);
+  await second.until('!!window.explorer');
+  await settled(second);
+  check((await text(second, 'command-a')) === command && (await text(second, 'command-b')) === other && command.includes('0.21'), `the link brings back ${other}`);
+  await second.close();
+}
+
+async function selfTest() {
+  const page = await Browser.open(chromium, `${url}#selftest`);
+  const count = readFileSync(golden, 'utf8').split('\n').filter((line) => line.startsWith('{')).length;
+  await page.until("/selftest: \\d+ of \\d+/.test(document.body?.innerText)");
+  const words = await page.value("document.body.innerText.split('\\n')[0]");
+  check(words === `selftest: ${count} of ${count}`, words);
+  await page.close();
+}
+
+const page = await Browser.open(chromium, url, { height: 1600 });
+try {
+  await page.until('!!window.explorer');
+  for (const part of [sliders, choices, refusals, sweep, playing, link]) await part(page);
+  check(page.complaints.length === 0, `the page has no complaint ${page.complaints}`);
+  await selfTest();
+} finally {
+  await page.close();
+}
+console.log(failures === 0 ? 'all is well' : `${failures} failures`);
+process.exit(failures === 0 ? 0 : 1);

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The functions of impact_c.h, for the Absorber that the header IMPACT_C_RIG defines.
+
+#include "impact_c.h"
+
+#include <impact/self_test.hpp>
+
+#include IMPACT_C_RIG
+
+namespace {
+
+static_assert(sizeof(Absorber) <= sizeof(impact_absorber), "define IMPACT_C_BYTES, a multiple of 8, large enough");
+static_assert(alignof(Absorber) <= alignof(impact_absorber));
+#ifdef IMPACT_C_FLOAT
+static_assert(sizeof(Absorber::Value{} + 0.0f) == sizeof(float), "IMPACT_C_FLOAT, but the rig's format is Fixed32");
+constexpr Absorber::Value in(impact_number x) { return x; }
+constexpr impact_number out(Absorber::Value x) { return x; }
+#else
+constexpr Absorber::Value in(impact_number x) { return {x}; }
+constexpr impact_number out(Absorber::Value x) { return x.raw; }  // no raw: the rig needs IMPACT_C_FLOAT
+#endif
+
+constexpr Absorber at_start;
+
+Absorber& as_cpp(impact_absorber* absorber) { return *reinterpret_cast<Absorber*>(absorber); }
+const Absorber& as_cpp(const impact_absorber* absorber) { return *reinterpret_cast<const Absorber*>(absorber); }
+
+}  // namespace
+
+extern "C" {
+
+void impact_init(impact_absorber* absorber) { __builtin_memcpy(absorber, &at_start, sizeof at_start); }
+void impact_reset(impact_absorber* absorber) { as_cpp(absorber).reset(); }
+
+#ifdef IMPACT_C_SAMPLED
+static_assert(Absorber::Drive::is_sampled, "IMPACT_C_SAMPLED, but the rig's drive is not Sampled");
+void impact_step(impact_absorber* absorber, impact_number force) { as_cpp(absorber).step(in(force)); }
+double impact_sample_unit() { return Absorber::sample_unit(); }
+#else
+static_assert(!Absorber::Drive::is_sampled, "the rig's drive is Sampled: it needs IMPACT_C_SAMPLED");
+void impact_step(impact_absorber* absorber) { as_cpp(absorber).step(); }
+#endif
+
+impact_number impact_displacement(const impact_absorber* absorber) { return out(as_cpp(absorber).displacement()); }
+impact_number impact_velocity(const impact_absorber* absorber) { return out(as_cpp(absorber).velocity()); }
+impact_number impact_ball_displacement(const impact_absorber* absorber) {
+  return out(as_cpp(absorber).ball_displacement());
+}
+impact_number impact_ball_velocity(const impact_absorber* absorber) { return out(as_cpp(absorber).ball_velocity()); }
+bool impact_is_touching(const impact_absorber* absorber) { return as_cpp(absorber).is_touching(); }
+double impact_displacement_unit() { return Absorber::displacement_unit(); }
+double impact_velocity_unit() { return Absorber::velocity_unit(); }
+
+#ifdef IMPACT_C_CONTACT_FORCE
+impact_number impact_contact_force(const impact_absorber* absorber) { return out(as_cpp(absorber).contact_force()); }
+double impact_force_unit() { return Absorber::force_unit(); }
+#endif
+
+void impact_correct(impact_absorber* absorber, impact_number dx, impact_number dv) {
+  as_cpp(absorber).correct(in(dx), in(dv));
+}
+impact_fault impact_get_fault(const impact_absorber* absorber) {
+  return static_cast<impact_fault>(as_cpp(absorber).fault());
+}
+void impact_clear_fault(impact_absorber* absorber) { as_cpp(absorber).clear_fault(); }
+bool impact_self_test() { return impact::self_test<Absorber::Format>(); }
+}

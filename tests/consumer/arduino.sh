@@ -1,0 +1,74 @@
+#!/bin/sh
+# The sketch as Arduino builds it: arduino.sh PROJECT
+# Debian has the IDE's builder and its AVR core only, and AVR's double is too short; so the flags and macros of ARM cores
+# are reproduced here: those of their platform.txt, and an Arduino.h with what theirs define. The sketch is compiled
+# behind #include <Arduino.h>, the library from its src folder. A core that compiles older C++ is told so.
+set -eu
+project=$1
+command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed" && exit 77; }
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+mkdir "$folder/core"
+cp -r "$project/kernel/include" "$folder/src"
+cat >"$folder/core/Arduino.h" <<'END'
+#pragma once
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+#include <math.h>
+#define HIGH 1
+#define LOW 0
+#define INPUT 0
+#define OUTPUT 1
+#define PI 3.1415926535897932384626433832795
+#define HALF_PI 1.5707963267948966192313216916398
+#define DEG_TO_RAD 0.017453292519943295769236907684886
+#define EULER 2.718281828459045235360287471352
+#define SERIAL 0x0
+#define DISPLAY 0x1
+#define CHANGE 4
+#define DEFAULT 1
+#define EXTERNAL 0
+#define DEC 10
+#define HEX 16
+#define B0 0
+#define B1 1
+#define min(a, b) ((a) < (b) ? (a) : (b))
+#define max(a, b) ((a) > (b) ? (a) : (b))
+#define abs(x) ((x) > 0 ? (x) : -(x))
+#define round(x) ((x) >= 0 ? (long)((x) + 0.5) : (long)((x)-0.5))
+#define constrain(x, low, high) ((x) < (low) ? (low) : ((x) > (high) ? (high) : (x)))
+#define radians(deg) ((deg)*DEG_TO_RAD)
+#define sq(x) ((x) * (x))
+#define bit(b) (1UL << (b))
+#define lowByte(w) ((uint8_t)((w)&0xff))
+#define interrupts() __asm__ volatile("cpsie i")
+#define noInterrupts() __asm__ volatile("cpsid i")
+#define _U 01
+#define _L 02
+class __FlashStringHelper;
+#define F(text) (reinterpret_cast<const __FlashStringHelper*>(text))
+static const uint8_t A0 = 14, A4 = 18;
+extern "C" unsigned long micros();
+extern "C" void analogWrite(int pin, int value);
+struct SerialPort {
+  void begin(unsigned long);
+  void println(const __FlashStringHelper*);
+};
+extern SerialPort Serial;
+END
+{ echo '#include <Arduino.h>' && cat "$project/kernel/examples/Absorber/Absorber.ino"; } >"$folder/Absorber.ino.cpp"
+build() {
+  arm-none-eabi-g++ -c -Os -ffunction-sections -fdata-sections -fno-exceptions "$@" -I "$folder/core" -I "$folder/src" \
+    "$folder/Absorber.ino.cpp" -o "$folder/Absorber.o" 2>"$folder/errors"
+}
+samd="-mcpu=cortex-m0plus -mthumb -std=gnu++11 -fno-threadsafe-statics -nostdlib --param max-inline-insns-single=500 -fno-rtti"
+rp2040="-march=armv6-m -mcpu=cortex-m0plus -mthumb -fno-rtti -std=gnu++17"
+stm32="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard -mthumb -std=gnu++17 -nostdlib -fno-threadsafe-statics -fno-rtti \
+  -fno-use-cxa-atexit --param max-inline-insns-single=500"
+build $rp2040 || { cat "$folder/errors" && exit 1; }
+build $stm32 || { cat "$folder/errors" && exit 1; }
+! build $samd || { echo "gnu++11 compiles" && exit 1; }
+grep -m 1 'error' "$folder/errors" | grep -q 'impact needs C++17' || { head "$folder/errors" && exit 1; }
+build $samd -std=gnu++17 -ffp-contract=off || { cat "$folder/errors" && exit 1; }
+arm-none-eabi-size "$folder/Absorber.o"

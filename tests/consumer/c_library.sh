@@ -1,0 +1,119 @@
+#!/bin/sh
+# A C program on the library of one scene: c_library.sh PROJECT
+# Compiled as C11 without a warning and linked by the C compiler, with nothing of a C++ runtime: on this machine, and for
+# a Cortex-M3 that runs it in an emulator to the same bits.
+set -eu
+project=$1
+for tool in arm-none-eabi-gcc qemu-system-arm; do
+  command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
+done
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+cd "$folder"
+cat >rig.hpp <<'END'
+#include <impact/absorber.hpp>
+struct Rig {
+  static constexpr impact::Scene scene{};
+  static constexpr impact::Bounds bounds{};
+  static constexpr double step = 1e-4;
+};
+using Absorber =
+    impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::Fixed32, impact::ContactForce>;
+END
+cat >main.c <<'END'
+#include <impact_c.h>
+
+static impact_absorber absorber;
+volatile int32_t final_displacement, final_velocity, largest_force;
+
+int scene_main(void);
+int scene_main(void) {
+  if (!impact_self_test()) return 2;
+  impact_init(&absorber);
+  for (int32_t n = 0; n < 20000; ++n) {
+    impact_step(&absorber, (n / 785) % 2 ? -INT32_MAX : INT32_MAX);
+    const int32_t force = impact_contact_force(&absorber);
+    if (force > largest_force) largest_force = force;
+  }
+  final_displacement = impact_displacement(&absorber);
+  final_velocity = impact_velocity(&absorber);
+  impact_correct(&absorber, 1000, 0);
+  return impact_displacement(&absorber) == final_displacement + 1000 &&
+                 impact_get_fault(&absorber) == impact_fault_none && impact_displacement_unit() == 0.25
+             ? 0
+             : 1;
+}
+END
+cat >host.c <<'END'
+#include <stdio.h>
+#include <stdint.h>
+extern volatile int32_t final_displacement, final_velocity, largest_force;
+int scene_main(void);
+int main(void) {
+  const int result = scene_main();
+  printf("%d %d %d\n", final_displacement, final_velocity, largest_force);
+  return result;
+}
+END
+cat >start.c <<'END'
+#include <stdint.h>
+extern uint32_t stack_top[], data_source[], data_begin[], data_end[], bss_begin[], bss_end[];
+extern volatile int32_t final_displacement, final_velocity, largest_force;
+int scene_main(void);
+void* memcpy(void* to, const void* from, __SIZE_TYPE__ size);
+void* memset(void* to, int value, __SIZE_TYPE__ size);
+void reset(void);
+void* memcpy(void* to, const void* from, __SIZE_TYPE__ size) {
+  for (volatile char* byte = to; size > 0; --size) *byte++ = *(const char*)from, from = (const char*)from + 1;
+  return to;
+}
+void* memset(void* to, int value, __SIZE_TYPE__ size) {
+  for (volatile char* byte = to; size > 0; --size) *byte++ = (char)value;
+  return to;
+}
+void reset(void) {
+  const uint32_t* source = data_source;
+  for (volatile uint32_t* word = data_begin; word != data_end; ++word) *word = *source++;
+  for (volatile uint32_t* word = bss_begin; word != bss_end; ++word) *word = 0;
+  const int is_right = scene_main() == 0 && final_displacement == DISPLACEMENT && final_velocity == VELOCITY && largest_force == FORCE;
+  register uint32_t operation __asm__("r0") = 0x18; /* semihosting: exit, with success or an error */
+  register uint32_t reason __asm__("r1") = is_right ? 0x20026 : 0x20023;
+  __asm__ volatile("bkpt 0xab" : : "r"(operation), "r"(reason));
+}
+__attribute__((section(".vectors"), used)) void* const vectors[] = {stack_top, (void*)reset};
+END
+cat >CMakeLists.txt <<'END'
+cmake_minimum_required(VERSION 3.20)
+project(program LANGUAGES C CXX)
+set(CMAKE_C_STANDARD 11)
+add_subdirectory(${IMPACT} impact)
+include(${IMPACT}/c/impact_c.cmake)
+impact_c_library(scene rig.hpp SAMPLED CONTACT_FORCE)
+add_executable(program main.c ${SOURCE})
+target_link_libraries(program PRIVATE scene)
+target_compile_definitions(program PRIVATE ${EXPECTED})
+target_compile_options(program PRIVATE -Wall -Wextra -pedantic -Wconversion -Werror)
+END
+cmake -S . -B on_host -DIMPACT="$project/kernel" -DSOURCE=host.c >log || { cat log && exit 1; }
+cmake --build on_host >log || { cat log && exit 1; }
+set -- $(on_host/program)
+echo "on this machine: displacement $1, velocity $2, largest force $3"
+cat >toolchain.cmake <<'END'
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR arm)
+set(CMAKE_C_COMPILER arm-none-eabi-gcc)
+set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_C_FLAGS_INIT "-mcpu=cortex-m3 -mthumb -ffreestanding")
+set(CMAKE_CXX_FLAGS_INIT "-mcpu=cortex-m3 -mthumb -ffreestanding")
+END
+awk '/^```ld memory.ld/ { on = 1; next } /^```/ { on = 0 } on' "$project/README.md" "$project/kernel/README.md" >memory.ld
+cmake -S . -B on_target -DIMPACT="$project/kernel" -DSOURCE=start.c -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_TOOLCHAIN_FILE="$folder/toolchain.cmake" -DCMAKE_EXE_LINKER_FLAGS="-nostdlib -T $folder/memory.ld" \
+  -DCMAKE_C_STANDARD_LIBRARIES=-lgcc "-DEXPECTED=DISPLACEMENT=$1;VELOCITY=$2;FORCE=$3" >log || { cat log && exit 1; }
+cmake --build on_target --verbose >log || { cat log && exit 1; }
+grep -q 'arm-none-eabi-gcc .*-o program' log || { echo "not linked by the C compiler" && cat log && exit 1; }
+arm-none-eabi-size on_target/program
+timeout 60 qemu-system-arm -machine mps2-an385 -kernel on_target/program -display none -serial none -monitor none \
+  -semihosting-config enable=on,target=native
+echo "the same on the target"

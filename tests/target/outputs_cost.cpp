@@ -1,0 +1,73 @@
+// Instructions of what a loop may ask for beside a step, the largest over two seconds of the paper's scene at 1 ms,
+// with the sine drive: what the manual's table says. All of the self-test's steps are counted together.
+
+#include <board/console.hpp>
+#include <impact/self_test.hpp>
+
+#include "instruction_counter.hpp"
+
+namespace impact::target {
+namespace {
+
+template <class Format, class... Features>
+Absorber<detail::SelfTestRig, HuntCrossley, Moment, Sine, Format, Features...> absorber;
+volatile uint32_t sink;
+
+template <class Value>
+void keep(Value value) {
+  uint32_t bits;
+  static_assert(sizeof value == sizeof bits);
+  __builtin_memcpy(&bits, &value, sizeof bits);
+  sink = bits;
+}
+
+template <class Act>
+uint32_t instructions(Act act) {
+  return instructions_of([](void* argument) { (*static_cast<Act*>(argument))(); }, &act);
+}
+template <class Act>
+void print_largest(const char* what, Act act) {
+  uint32_t largest = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const uint32_t count = instructions(act);
+    if (count > largest) largest = count;
+  }
+  board::print(what);
+  board::print(largest);
+}
+
+template <class Format>
+void print_costs(const char* format) {
+  static constexpr ToCounts<Format> to_dac({2048, 2047 / 0.05, 0, 4095},
+                                           decltype(absorber<Format>)::displacement_unit());
+  board::print(format);
+  print_largest(": step ", [] { absorber<Format>.step(); });
+  print_largest(", with ContactForce ", [] { absorber<Format, ContactForce>.step(); });
+  print_largest(", with Snapshots ", [] { absorber<Format, Snapshots>.step(); });
+  print_largest(", snapshot ", [] {
+    const auto seen = absorber<Format, Snapshots>.snapshot();
+    keep(seen.displacement);
+    keep(seen.velocity);
+    sink = seen.is_whole;
+  });
+  print_largest(", velocity ", [] { keep(absorber<Format>.velocity()); });
+  print_largest(", displacement in counts ", [] { keep(to_dac(absorber<Format>.displacement())); });
+  print_largest(", correct ", [] { absorber<Format>.correct({}, {}); });
+  absorber<Format>.reset();
+  uint32_t sum = 0;
+  for (int n = 0; n < 400; ++n) sum += instructions([] { absorber<Format>.step(); });
+  board::print(", the self-test's steps ");
+  board::print(sum);
+  board::print("\n");
+}
+
+}  // namespace
+}  // namespace impact::target
+
+int main() {
+  using namespace impact;
+  target::print_costs<Fixed32>("Fixed32");
+  target::print_costs<Float32>("Float32");
+  target::print_costs<Float32Plain>("Float32Plain");
+  return self_test<Fixed32>() && self_test<Float32>() && self_test<Float32Plain>() ? 0 : 1;
+}

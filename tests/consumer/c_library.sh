@@ -10,6 +10,7 @@ done
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 cd "$folder"
+mkdir readme
 cat >rig.hpp <<'END'
 #include <impact/absorber.hpp>
 struct Rig {
@@ -80,7 +81,10 @@ void reset(void) {
   register uint32_t reason __asm__("r1") = is_right ? 0x20026 : 0x20023;
   __asm__ volatile("bkpt 0xab" : : "r"(operation), "r"(reason));
 }
-__attribute__((section(".vectors"), used)) void* const vectors[] = {stack_top, (void*)reset};
+__attribute__((section(".vectors"), used)) const struct {
+  uint32_t* stack;
+  void (*reset)(void);
+} vectors = {stack_top, reset};
 END
 cat >CMakeLists.txt <<'END'
 cmake_minimum_required(VERSION 3.20)
@@ -107,7 +111,8 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_C_FLAGS_INIT "-mcpu=cortex-m3 -mthumb -ffreestanding")
 set(CMAKE_CXX_FLAGS_INIT "-mcpu=cortex-m3 -mthumb -ffreestanding")
 END
-awk '/^```ld memory.ld/ { on = 1; next } /^```/ { on = 0 } on' "$project/README.md" "$project/kernel/README.md" >memory.ld
+sh "$project/tests/consumer/from_readme.sh" "$project" "$folder/readme"
+cp readme/memory.ld .
 cmake -S . -B on_target -DIMPACT="$project/kernel" -DSOURCE=start.c -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_TOOLCHAIN_FILE="$folder/toolchain.cmake" -DCMAKE_EXE_LINKER_FLAGS="-nostdlib -T $folder/memory.ld" \
   -DCMAKE_C_STANDARD_LIBRARIES=-lgcc "-DEXPECTED=DISPLACEMENT=$1;VELOCITY=$2;FORCE=$3" >log || { cat log && exit 1; }

@@ -7,8 +7,8 @@ way=$1 project=$2 toolchain=${3-}
 here=$project/tests/consumer
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
-sh "$here/from_readme.sh" "$project/README.md" "$folder"
-for example in my_scene tuning; do c++ -std=c++17 -fsyntax-only -I "$project/kernel/include" "$folder/$example.cpp"; done
+sh "$here/from_readme.sh" "$project" "$folder"
+for example in my_scene tuning converters observer power_on; do c++ -std=c++17 -fsyntax-only -I "$project/kernel/include" "$folder/$example.cpp"; done
 
 # A copy without the host's side, so that nothing of it can be needed.
 mkdir "$folder/copy"

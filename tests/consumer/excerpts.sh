@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the README shows as an excerpt of a file is in that file, word for word: excerpts.sh PROJECT
+# What the README and the manual show as an excerpt of a file is in that file, word for word: excerpts.sh PROJECT
 # An excerpt is a fenced block whose first line names a path: ```cpp kernel/examples/control_loop/main.cpp
 set -eu
 cd "$1"
@@ -12,4 +12,4 @@ awk '
   /^```[a-z]+ [^ ]+\/[^ ]+$/ { file = $2; block = text = ""; while ((getline line < file) > 0) text = text line "\n"; next }
   file { block = block $0 "\n" }
   END { print excerpts + 0 " excerpts"; exit failed || !excerpts }
-' README.md
+' README.md kernel/README.md

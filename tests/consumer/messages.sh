@@ -16,6 +16,7 @@ wrong() {
     echo "compiles, instead of: $message" && failures=1 && return
   fi
   first=$(grep -E 'error: ' "$folder/errors" | head -n 1)
+  echo "$first" >>"$folder/seen"
   errors=$(grep -cE 'error: ' "$folder/errors")
   case $first in *"$message"*) ;; *) echo "instead of: $message" && echo "  $first" && failures=1 ;; esac
   [ "$count" != short ] || {
@@ -119,4 +120,12 @@ for flag in -ffast-math -Ofast -ffinite-math-only; do wrong 2 'impact needs IEEE
 case $compiler in *clang*) ;; *)
   wrong any 'without -fsingle-precision-constant' -fsingle-precision-constant <"$folder/include.cpp" ;;
 esac
+
+# The manual quotes what was seen here.
+awk -F'`' '/^\| wrong \| first message/ { on = 1 } on && !/^\|/ { exit } on && NF > 2 { print $(NF - 1) }' "$project/kernel/README.md" \
+  >"$folder/quoted"
+[ "$(wc -l <"$folder/quoted")" -ge 10 ] || { echo "the manual quotes too few messages" && failures=1; }
+while read -r quoted; do
+  grep -qF -- "$quoted" "$folder/seen" || { echo "only in the manual: $quoted" && failures=1; }
+done <"$folder/quoted"
 exit $failures

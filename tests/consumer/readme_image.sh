@@ -1,11 +1,11 @@
-# Read by the tests that run the README's image: makes the folder with a copy of kernel/ and what the README says under
+# Read by the tests that run the README's image: makes the folder with a copy of kernel/ and what the manual says under
 # "From nothing to an image", and goes there. Needs $project.
 for tool in arm-none-eabi-g++ qemu-system-arm; do
   command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
 done
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
-sh "$project/tests/consumer/from_readme.sh" "$project/README.md" "$folder"
+sh "$project/tests/consumer/from_readme.sh" "$project" "$folder"
 cp -r "$project/kernel" "$folder/kernel"
 cd "$folder"
 

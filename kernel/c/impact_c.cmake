@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # impact_c_library(NAME RIG_HEADER [FLOAT] [SAMPLED] [CONTACT_FORCE]): a static library of one scene for C, see impact_c.h.
-# Link NAME to a target of C sources: it carries the include path and the definitions. Link with the C compiler.
+# Link NAME to a target of C sources: it carries the include path and the definitions. For the C compiler as the linker give
+# that target LINKER_LANGUAGE C.
 set(IMPACT_C_FOLDER ${CMAKE_CURRENT_LIST_DIR})
 function(impact_c_library name rig)
   cmake_parse_arguments(PARSE_ARGV 2 rig_has "FLOAT;SAMPLED;CONTACT_FORCE" "" "")
@@ -15,5 +16,4 @@ function(impact_c_library name rig)
   endforeach()
   target_link_libraries(${name} PRIVATE impact::kernel)
   target_compile_options(${name} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
-  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE C)
 endfunction()

@@ -95,6 +95,7 @@ include(${IMPACT}/c/impact_c.cmake)
 impact_c_library(scene rig.hpp SAMPLED CONTACT_FORCE)
 add_executable(program main.c ${SOURCE})
 target_link_libraries(program PRIVATE scene)
+set_target_properties(program PROPERTIES LINKER_LANGUAGE C)
 target_compile_definitions(program PRIVATE ${EXPECTED})
 target_compile_options(program PRIVATE -Wall -Wextra -pedantic -Wconversion -Werror)
 END

@@ -53,7 +53,7 @@ for folder, _, names in os.walk("kernel"):
         path = os.path.join(folder, name)
         if name == "LICENSE" or name.endswith((".json", ".md")):
             continue
-        assert open(path).readline().endswith("SPDX-License-Identifier: MIT\n"), path + " states no licence"
+        assert "SPDX-License-Identifier: MIT" in open(path).readline(), path + " states no licence"
 assert os.path.isfile(os.path.join("kernel/include", arduino["includes"]))
 END
 

@@ -6,13 +6,18 @@
 // it does not because of the stepper's range of steps per contact, the step is made in double nevertheless, to see what
 // lies beyond. textbook-rk4 is the classical Runge-Kutta method, which has no plan.
 
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <host_ref/free_pair.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/text.hpp>
+#include <thread>
+#include <vector>
 
 namespace impact::report {
 namespace {
@@ -42,25 +47,49 @@ std::unique_ptr<Simulation> beyond_range_under_law(const Request& request) {
 }
 std::unique_ptr<Simulation> accepted(const Request& request) { return make_simulation(request).simulation; }
 
-void write_row(Output& output, const FreePair& free, std::string_view method, Numeric numeric, const Rebounds& found,
-               bool is_accepted) {
+void append_row(std::string& rows, const FreePair& free, std::string_view method, Numeric numeric,
+                const Rebounds& found, bool is_accepted) {
   if (found.has_fault) return;
-  std::string row = std::string(name_of(free.law)) + "," + std::string(method) + "," + std::string(name_of(numeric));
+  rows += std::string(name_of(free.law)) + "," + std::string(method) + "," + std::string(name_of(numeric));
   for (double value : {free.step, free.contact_stiffness, found.least, found.largest,
                        restitution(impact_of(free)).value(), found.energy_gain()}) {
-    row += ',';
-    append_number(row, value, 6);
+    rows += ',';
+    append_number(rows, value, 6);
   }
-  output.write(row + (is_accepted ? ",1\n" : ",0\n"));
+  rows += is_accepted ? ",1\n" : ",0\n";
 }
 
-void write_cell(Output& output, const FreePair& free, Stepper stepper, Numeric numeric) {
+void append_cell(std::string& rows, const FreePair& free, Stepper stepper, Numeric numeric) {
   if (const auto found = rebounds(free, stepper, numeric, accepted))
-    return write_row(output, free, name_of(stepper), numeric, *found, true);
+    return append_row(rows, free, name_of(stepper), numeric, *found, true);
   const bool has_range = stepper == Stepper::moment || stepper == Stepper::energy || stepper == Stepper::impulsive;
   if (!has_range || numeric != Numeric::float64) return;
   if (const auto found = rebounds(free, stepper, numeric, beyond_range_under_law))
-    write_row(output, free, name_of(stepper), numeric, *found, false);
+    append_row(rows, free, name_of(stepper), numeric, *found, false);
+}
+
+constexpr int least_step = -20, step_lengths = 13;          // quarters of a decade, s
+constexpr int least_stiffness = 6, largest_stiffness = 24;  // halves of a decade
+constexpr Law laws[] = {Law::hooke_newton, Law::hertz, Law::hunt_crossley};
+constexpr size_t columns = std::size(laws) * step_lengths;
+
+// Every stiffness at a law and a step length.
+std::string column(size_t index) {
+  std::string rows;
+  FreePair free;
+  free.law = laws[index / step_lengths];
+  free.step = std::pow(10, (least_step + static_cast<int>(index % step_lengths)) / 4.0);
+  for (int stiffness = least_stiffness; stiffness <= largest_stiffness; ++stiffness) {
+    free.contact_stiffness = std::pow(10, stiffness / 2.0);
+    for (const Stepper stepper :
+         {Stepper::automatic, Stepper::moment, Stepper::moment_4, Stepper::energy, Stepper::impulsive, Stepper::average,
+          Stepper::linear, Stepper::fox_goodwin, Stepper::central})
+      for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32})
+        append_cell(rows, free, stepper, numeric);
+    append_row(rows, free, "textbook-rk4", Numeric::float64,
+               rebounds(free, Stepper::automatic, Numeric::float64, runge_kutta).value(), true);
+  }
+  return rows;
 }
 
 void write_stability(const std::string& path) {
@@ -68,27 +97,21 @@ void write_stability(const std::string& path) {
   output.write(
       "law,newmark,numeric,step_s,contact_stiffness,restitution_min,restitution_max,restitution_exact,energy_gain_max,"
       "accepted\n");
-  constexpr int least_step = -20, largest_step = -8;          // quarters of a decade, s
-  constexpr int least_stiffness = 6, largest_stiffness = 24;  // halves of a decade
-  Progress progress("step lengths", 3 * (largest_step - least_step + 1));
-  long done = 0;
-  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
-    for (int step = least_step; step <= largest_step; ++step) {
-      progress.at(done++);
-      for (int stiffness = least_stiffness; stiffness <= largest_stiffness; ++stiffness) {
-        FreePair free;
-        free.law = law;
-        free.contact_stiffness = std::pow(10, stiffness / 2.0);
-        free.step = std::pow(10, step / 4.0);
-        for (const Stepper stepper : {Stepper::automatic, Stepper::moment, Stepper::energy, Stepper::impulsive,
-                                      Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central})
-          for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32})
-            write_cell(output, free, stepper, numeric);
-        write_row(output, free, "textbook-rk4", Numeric::float64,
-                  rebounds(free, Stepper::automatic, Numeric::float64, runge_kutta).value(), true);
-      }
+  Progress progress("step lengths", columns);
+  std::array<std::string, columns> rows;
+  std::atomic<size_t> next{0};
+  const auto work = [&](bool shows_progress) {
+    for (size_t index = next++; index < columns; index = next++) {
+      if (shows_progress) progress.at(static_cast<long>(index));
+      rows[index] = column(index);
     }
-  }
+  };
+  std::vector<std::future<void>> others;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+    others.push_back(std::async(std::launch::async, work, false));
+  work(true);
+  for (auto& other : others) other.get();
+  for (const std::string& text : rows) output.write(text);
   output.commit();
 }
 

@@ -1,4 +1,4 @@
-# Puts the page together: cmake -D FOLDER=... -D TEMPLATE=... -D OUTPUT=... -P page.cmake
+# Puts the page together: cmake -D FOLDER=... -D TEMPLATE=... -D OUTPUT=... -D HAS_EXPLORER=... -P page.cmake
 # @NAME@ in the template stands for FOLDER/NAME.svg or NAME.html.
 set(here ${CMAKE_CURRENT_LIST_DIR})
 file(READ ${here}/style.css style)
@@ -54,7 +54,7 @@ if(DEFINED coupled_scenes)
   set(coupled_picture "<figure>${coupled_scenes}<figcaption>Dashed: the 1e-5 of an impact that rounding may add in 32 bits</figcaption></figure>")
 endif()
 set(explorer_link "")
-if(EXISTS ${FOLDER}/../explorer.html)
-  set(explorer_link "<p><a class=\"explorer\" href=\"explorer.html\">Try it: the kernel in this page's neighbour, live</a></p>")
+if(HAS_EXPLORER)
+  set(explorer_link "<p><a class=\"explorer\" href=\"explorer.html\">Move the sliders: the kernel itself, running in this browser</a></p>")
 endif()
 configure_file(${TEMPLATE} ${OUTPUT} @ONLY)

@@ -1,11 +1,12 @@
 // step_budget OUTPUT.csv BUDGETS.csv FILE.csv...: instructions of a step with its budget and the configuration's
-// memory, one row a phase; `all` has the larger of `free` and `contact`, and no mean. FILE holds costs or footprints, as
-// its columns say.
+// memory, one row a phase; `all` has the larger of `free` and `contact`, and no mean. FILE holds costs or footprints,
+// as its columns say. A count that is not its budget is said on standard error.
 
 #include <algorithm>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/tool/output.hpp>
+#include <iostream>
 
 namespace impact::report {
 namespace {
@@ -41,8 +42,11 @@ void write_step_budget(const std::vector<std::string>& paths) {
       "stack_bytes\n");
   const auto write = [&](const std::string& key, const std::string& phase, const std::string& mean,
                          const std::string& most) {
-    output.write(key + phase + "," + mean + "," + most + "," + budget[key + phase] + "," + memory[key + "flash_bytes"] +
-                 "," + memory[key + "ram_bytes"] + "," + memory[key + "stack_bytes"] + "\n");
+    const std::string& allowed = budget[key + phase];
+    if (!allowed.empty() && allowed != most)
+      std::cerr << key << phase << ": " << most << " instructions, its budget is " << allowed << "\n";
+    output.write(key + phase + "," + mean + "," + most + "," + allowed + "," + memory[key + "flash_bytes"] + "," +
+                 memory[key + "ram_bytes"] + "," + memory[key + "stack_bytes"] + "\n");
   };
   for (const Row& row : costs) {
     const std::string key = configuration_of(row);

@@ -147,8 +147,10 @@ Row impact(const char* newmark, const char* numeric, const char* gain, const cha
           {"accepted", accepted}};
 }
 Row step(const char* newmark, const char* phase, const char* largest) {
-  return {{"target", "cortex-m3"}, {"law", "hunt-crossley"},       {"newmark", newmark},         {"numeric", "fixed32"},
-          {"phase", phase},        {"instructions_mean", largest}, {"instructions_max", largest}};
+  return {{"target", "cortex-m3"},       {"law", "hunt-crossley"}, {"newmark", newmark},
+          {"numeric", "fixed32"},        {"phase", phase},         {"instructions_mean", largest},
+          {"instructions_max", largest}, {"flash_bytes", "3200"},  {"ram_bytes", "72"},
+          {"stack_bytes", "152"}};
 }
 
 TEST(Page, WhatToChooseFitsIntoHalfOfThePeriodAndIsAccepted) {
@@ -159,7 +161,8 @@ TEST(Page, WhatToChooseFitsIntoHalfOfThePeriodAndIsAccepted) {
                   step("average", "free", "100"), step("average", "contact", "2572")};
   // Half of 0.1 ms at 72 MHz and 1.4 cycles an instruction: 2571.4 instructions.
   const std::string chosen = choices(budget, stability);
-  EXPECT_THAT(chosen, HasSubstr("\"HuntCrossley\",\"Moment\",\"Fixed32\",2571"));
+  EXPECT_THAT(chosen,
+              HasSubstr("\"HuntCrossley\",\"Moment\",\"Fixed32\",2571,50,50,\"0.001\",\"3200\",\"72\",\"152\"]"));
   EXPECT_THAT(chosen, Not(HasSubstr("Impulsive")));
   EXPECT_THAT(chosen, Not(HasSubstr("\"AverageAcceleration\"")));
   budget[1]["instructions_max"] = "2600";

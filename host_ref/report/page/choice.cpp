@@ -98,8 +98,8 @@ std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 }  // namespace
 
 // As JSON: the distinct answers, and which one holds for each stop, part, rate and stiffness. An answer is the law, the
-// stepper and the format as types, worst instructions, their time in microseconds, share of the period and restitution
-// error; or the reason for none.
+// stepper and the format as types, worst instructions, their time in microseconds, share of the period, restitution
+// error, and bytes of flash, RAM and stack where they were measured; or the reason for none.
 std::string choices(const Table& budget, const Table& stability) {
   const Chooser chooser(budget, stability);
   std::vector<std::string> answers;
@@ -121,7 +121,10 @@ std::string choices(const Table& budget, const Table& stability) {
             answer = "[" + quoted(types.at(law)) + "," + quoted(types.at(choice->newmark)) + "," +
                      quoted(types.at(choice->numeric)) + "," + digits(choice->cost.worst(), 6) + "," +
                      digits(1e6 * choice->cost.worst_time(part)) + "," + digits(100 * choice->share, 2) + "," +
-                     quoted(error_text(choice->error)) + "]";
+                     quoted(error_text(choice->error));
+            for (const char* memory : {"flash_bytes", "ram_bytes", "stack_bytes"})
+              answer += "," + quoted(choice->cost.free.at(memory));
+            answer += "]";
           }
           const auto found = std::find(answers.begin(), answers.end(), answer);
           add(index, std::to_string(found - answers.begin()));

@@ -85,11 +85,12 @@ function answer() {
   const of = (name) => Number(form.elements[name].value);
   const {parts, rates, stiffnesses, answers, index} = choices;
   const at = ((of("stop") * parts.length + of("part")) * rates.length + of("rate")) * stiffnesses.length + of("stiffness");
-  const [law, stepper, format, instructions, time, share, error] = answers[index[at]];
+  const [law, stepper, format, instructions, time, share, error, flash, ram, stack] = answers[index[at]];
   const rows = stepper === undefined ? [["Answer", law]] : [
     ["Law", law], ["Stepper", stepper], ["Format", format],
     ["Worst step", `${instructions} instructions, about ${time} µs: ${share} % of the period`],
-    ["Restitution", `right within ${error.replace("below ", "")}`]];
+    ["Restitution", `right within ${error.replace("below ", "")}`],
+    ...(flash ? [["Memory", `${flash} bytes of flash, ${ram} of RAM, ${stack} of stack`]] : [])];
   const list = form.querySelector("dl");
   list.replaceChildren(...rows.flatMap(([name, text]) => {
     const term = document.createElement("dt"), description = document.createElement("dd");

@@ -24,6 +24,8 @@ foreach(part ${parts})
   string(REGEX REPLACE
     "<g fill=\"none\"[^>]*>[\n\t ]*<g onmousemove=\"gnuplot_svg.showHypertext\\(evt,'([^']*)'\\)\"[^>]*><title> </title>[\n\t ]*<use ([^>]*) color='[^']*'/></g>[\n\t ]*</g>"
     "<g class=\"point\"><title>\\1</title><use \\2/></g>" content "${content}")
+  string(REPLACE "_" " " label "${name}")
+  string(REPLACE "<svg " "<svg role=\"img\" aria-label=\"${label}\" " content "${content}")
   string(REPLACE "gpPt" "${name}-pt" content "${content}")  # ids are the page's own
   string(REPLACE "gpDot" "${name}-dot" content "${content}")
   string(REPLACE "gnuplot_plot_" "${name}-plot-" content "${content}")

@@ -4,14 +4,14 @@ output = ARG1; file = ARG2; what = ARG3
 load 'style.gp'
 set logscale xy
 set format '10^{%T}'
-set terminal svg size 600,460 dynamic font 'sans-serif,15' enhanced
+set terminal svg size 500,410 dynamic font 'sans-serif,14' enhanced
 set xlabel what . ' per simulated second' offset 0,0.3 noenhanced
 set ylabel 'largest error of x1 over 1 s, m'
 set key above center maxrows 1 samplen 2 width -3 height 0.5
 set yrange [1e-10:1e-1]
 pick(s) = strcol(1) eq s ? column(3) : NaN
 set offsets graph 0.03, graph 0.03, 0, 0
-plot file using 2:(pick('kernel')) skip 1 with linespoints linewidth 3 pointtype 5 pointsize 0.8 linecolor rgb '#0072B2' title "kernel's best", \
+plot file using 2:(pick('kernel')) skip 1 with linespoints linewidth 3 pointtype 5 pointsize 0.8 linecolor rgb '#0072B2' title 'kernel', \
      '' using 2:(pick('baseline')) skip 1 with linespoints linewidth 2 dashtype 2 pointtype 7 pointsize 0.8 linecolor rgb '#D55E00' title 'best baseline', \
      '' using 2:(pick('paper')) skip 1 with linespoints linewidth 2 dashtype 4 pointtype 9 pointsize 0.9 linecolor rgb '#E69F00' title "paper's scheme", \
      '' using 2:3:4 skip 1 with labels hypertext noenhanced point pointtype 6 pointsize 1.6 notitle

@@ -57,7 +57,7 @@ namespace impact::contract {
 template <class...>
 using Void = void;
 template <class One, class Other>
-constexpr bool is_same = detail::is_one_of<One, Other>;
+inline constexpr bool is_same = detail::is_one_of<One, Other>;
 template <class Type>
 const Type& value_of();
 
@@ -71,17 +71,17 @@ struct Either<false, One, Other> {
 };
 
 template <class Type, class = void>
-constexpr bool has_scene = false;
+inline constexpr bool has_scene = false;
 template <class Type>
-constexpr bool has_scene<Type, Void<decltype(&Type::scene)>> = is_same<const Scene*, decltype(&Type::scene)>;
+inline constexpr bool has_scene<Type, Void<decltype(&Type::scene)>> = is_same<const Scene*, decltype(&Type::scene)>;
 template <class Type, class = void>
-constexpr bool has_bounds = false;
+inline constexpr bool has_bounds = false;
 template <class Type>
-constexpr bool has_bounds<Type, Void<decltype(&Type::bounds)>> = is_same<const Bounds*, decltype(&Type::bounds)>;
+inline constexpr bool has_bounds<Type, Void<decltype(&Type::bounds)>> = is_same<const Bounds*, decltype(&Type::bounds)>;
 template <class Type, class = void>
-constexpr bool has_step = false;
+inline constexpr bool has_step = false;
 template <class Type>
-constexpr bool has_step<Type, Void<decltype(&Type::step)>> = is_same<const double*, decltype(&Type::step)>;
+inline constexpr bool has_step<Type, Void<decltype(&Type::step)>> = is_same<const double*, decltype(&Type::step)>;
 
 struct PaperRig {
   static constexpr Scene scene{};
@@ -90,14 +90,14 @@ struct PaperRig {
 };
 
 template <class Type>
-constexpr bool is_rig = is_same<Type, AtRunTime> || (has_scene<Type> && has_bounds<Type> && has_step<Type>);
+inline constexpr bool is_rig = is_same<Type, AtRunTime> || (has_scene<Type> && has_bounds<Type> && has_step<Type>);
 template <class Type>
 using KeptRig = typename Either<is_rig<Type>, Type, PaperRig>::Type;
 
 template <class Type, class = void>
-constexpr bool is_law = false;
+inline constexpr bool is_law = false;
 template <class Type>
-constexpr bool is_law<
+inline constexpr bool is_law<
     Type, Void<decltype(Type::law), decltype(Type::is_linear), decltype(Type::is_damped),
                decltype(Type::is_damped_per_impact),
                decltype(Type::template stored<Fixed32>(value_of<Fixed32::Units>(), value_of<Fixed32::Value>()))>> =
@@ -106,9 +106,9 @@ template <class Type>
 using KeptLaw = typename Either<is_law<Type>, Type, HuntCrossley>::Type;
 
 template <class Type, class = void>
-constexpr bool is_stepper = false;
+inline constexpr bool is_stepper = false;
 template <class Type>
-constexpr bool is_stepper<
+inline constexpr bool is_stepper<
     Type, Void<decltype(Type::kind), decltype(Type::longest_phase), decltype(Type::flow(value_of<Scene>(), 1.0)),
                decltype(Type::steps(value_of<Resolution>())), typename Type::template Contact<Fixed32, HuntCrossley>>> =
     is_same<LinearFlow, decltype(Type::flow(value_of<Scene>(), 1.0))>;
@@ -116,9 +116,9 @@ template <class Type>
 using KeptStepper = typename Either<is_stepper<Type>, Type, Moment>::Type;
 
 template <class Type, class = void>
-constexpr bool is_drive = false;
+inline constexpr bool is_drive = false;
 template <class Type>
-constexpr bool
+inline constexpr bool
     is_drive<Type, Void<decltype(Type::is_sine), decltype(Type::is_sampled), typename Type::template Plan<Fixed32>,
                         typename Type::template State<Fixed32>, typename Type::template Handover<Fixed32>>> =
         !(Type::is_sine && Type::is_sampled);
@@ -126,9 +126,9 @@ template <class Type>
 using KeptDrive = typename Either<is_drive<Type>, Type, NoDrive>::Type;
 
 template <class Type, class = void>
-constexpr bool is_format = false;
+inline constexpr bool is_format = false;
 template <class Type>
-constexpr bool
+inline constexpr bool
     is_format<Type, Void<typename Type::Value, typename Type::Long, typename Type::Gain, typename Type::HeldGain,
                          typename Type::Weight, typename Type::Root, typename Type::Tally, typename Type::Oscillator,
                          typename Type::Units, decltype(Type::kind), decltype(Type::gain(1.0, 0, 0))>> = true;
@@ -136,9 +136,9 @@ template <class Type>
 using KeptFormat = typename Either<is_format<Type>, Type, Fixed32>::Type;
 
 template <class Type, class = void>
-constexpr bool is_feature = false;
+inline constexpr bool is_feature = false;
 template <class Type>
-constexpr bool
+inline constexpr bool
     is_feature<Type, Void<decltype(Type::kind), decltype(Type::is_bound), typename Type::template State<Fixed32>>> =
         true;
 

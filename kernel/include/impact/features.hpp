@@ -170,11 +170,11 @@ struct Snapshots {
 
 namespace detail {
 template <class One, class... List>
-constexpr bool is_one_of = false;
+inline constexpr bool is_one_of = false;
 template <class One, class First, class... Rest>
-constexpr bool is_one_of<One, First, Rest...> = is_one_of<One, Rest...>;
+inline constexpr bool is_one_of<One, First, Rest...> = is_one_of<One, Rest...>;
 template <class One, class... Rest>
-constexpr bool is_one_of<One, One, Rest...> = true;
+inline constexpr bool is_one_of<One, One, Rest...> = true;
 }  // namespace detail
 
 }  // namespace impact

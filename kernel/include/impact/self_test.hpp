@@ -40,7 +40,7 @@ template <class Format>
 }
 
 template <class Format>
-constexpr uint32_t proved_bits = 0;
+inline constexpr uint32_t proved_bits = 0;
 template <>
 inline constexpr uint32_t proved_bits<Fixed32> = 0x82729c04;
 template <>

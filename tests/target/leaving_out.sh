@@ -4,7 +4,8 @@
 # Fails unless the scene with the feature is larger by the bytes stated and has the feature's symbols and
 # multiplications, while the scene without it does not. Where a feature is no more than a term, its bytes are lost in
 # what the compiler does elsewhere and in alignment: there `noise` more than with it is allowed.
-# FOLDER holds the images of leaving_out.cmake. The README's table, from build/target/*/leaving_out_*.csv in the order of its columns:
+# FOLDER holds the images of leaving_out.cmake. The table of tests/README.md, from build/target/*/leaving_out_*.csv in the
+# order of its columns:
 #   awk -F, 'FNR > 1 { if (!($3 in row)) name[++n] = $3; row[$3] = row[$3] " | " $4 " / " $5 }
 #     END { for (i = 1; i <= n; ++i) print "| " name[i] row[name[i]] " |" }' FILE...
 set -eu

@@ -1,0 +1,40 @@
+#!/bin/sh
+# The tables of costs in README.md and tests/README.md are what tests/target/budgets.csv says: cost_tables.sh PROJECT [renew]
+# A table comes after a line <!-- budgets.csv | CELL | CELL.. -->, a cell being law,newmark,numeric,drive:quantity,quantity..
+# Its rows begin with a target. `renew` writes them anew.
+set -eu
+cd "$1"
+renewed=$(mktemp)
+trap 'rm "$renewed"' EXIT
+status=0
+for file in README.md tests/README.md; do
+  awk -F' *[|] *' '
+    FILENAME ~ /csv$/ { split($0, part, ","); budget[part[1] "," part[2] "," part[3] "," part[4] "," part[5] ":" part[6]] = part[7]; next }
+    /^<!-- budgets.csv/ { sub(/ *-->/, ""); cells = NF; for (i = 2; i <= cells; ++i) cell[i] = $i; $0 = $0 " -->" }
+    /^$/ && seen { cells = seen = 0 }
+    cells && /^\| (cortex|rv)/ {
+      target = $2
+      $0 = "| " target " |"
+      seen = 1
+      for (i = 2; i <= cells; ++i) {
+        split(cell[i], of, ":")
+        count = split(of[2], quantity, ",")
+        text = ""
+        for (j = 1; j <= count; ++j) {
+          key = target "," of[1] ":" quantity[j]
+          if (!(key in budget)) { print "no budget: " key >"/dev/stderr"; failed = 1 }
+          text = text (j > 1 ? " / " : "") budget[key]
+        }
+        $0 = $0 " " text " |"
+      }
+      ++rows
+    }
+    { print }
+    END { exit failed || !rows }' tests/target/budgets.csv "$file" >"$renewed" || status=1
+  if [ "$status" = 0 ] && [ "${2-}" = renew ]; then
+    cat "$renewed" >"$file"
+  else
+    diff "$file" "$renewed" || status=1
+  fi
+done
+exit $status

@@ -73,7 +73,8 @@ std::string stability_tile(const Table& stability) {
   };
   return tile(of(own),
               "combinations of step, stop and law, over 3 decades of step and 9 of stiffness, let contact create "
-              "energy with the stepper that the kernel picks; with the paper's scheme " +
+              "more than a thousandth of an impact's energy with the stepper that the kernel picks; with the paper's "
+              "scheme " +
                   of(paper) + ", with the classical Runge-Kutta method " + of(rk4) + ".");
 }
 

@@ -34,7 +34,7 @@ do for [law in laws] { do for [stepper in 'auto ' . methods] { do for [numeric i
     set title stepper . ', ' . numeric noenhanced offset 0,-0.6
     plot file using (is_shown(0) ? $4 : NaN):5:($4 / width):($4 * width):($5 / height):($5 * height):(class(error(0))) skip 1 \
            with boxxyerror fillstyle solid noborder linecolor palette, \
-         '' using (step(gains(0))):5 skip 1 with points pointtype 2 pointsize 0.45 linecolor rgb '#111111', \
+         '' using (step(gains(0))):5 skip 1 with points pointtype 2 pointsize 0.6 linewidth 1.5 linecolor rgb '#111111', \
          '' using (step(refused(0))):5:(step(refused(0)) / width):(step(refused(0)) * width):($5 / height):($5 * height) skip 1 \
            with boxxyerror fillstyle transparent solid 0.6 noborder linecolor rgb 'white', \
          '' using (step(first(0))):5:(says(0)) skip 1 with labels hypertext noenhanced point pointtype 4 pointsize 1.2

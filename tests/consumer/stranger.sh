@@ -12,6 +12,30 @@ arm-none-eabi-size scene.elf
 # The plan is folded into the step: neither it nor what a change of plan needs is in the image.
 ! arm-none-eabi-nm -C scene.elf | grep -E 'hand_over|::plan$' || exit 1
 
+# What comes next: force and displacement in a converter's counts; an interrupt and tasks; the same from C.
+begin=$(date +%s%N)
+echo 'extern "C" void timer_interrupt(); int main() { for (;;) timer_interrupt(); }' >loop.cpp
+sed 's/main.cpp/converters.cpp loop.cpp/; s/scene.elf/outputs.elf/' build.sh | sh -eu
+sed 's/main.cpp/tasks.cpp loop.cpp/; s/scene.elf/tasks.elf/' build.sh >build_tasks.sh
+{ cat kernel/examples/tasks/tasks.cpp && echo 'extern "C" void vTaskDelay(uint32_t) {}' &&
+  echo 'extern "C" void timer_interrupt() { TIM2_IRQHandler(), supervise(nullptr); }'; } >tasks.cpp
+sh -eu build_tasks.sh
+sed '/^volatile/,$d' main.cpp >rig.hpp
+cat >program.c <<'END'
+#include <impact_c.h>
+static impact_absorber absorber;
+int main(void) {
+  for (impact_init(&absorber); impact_get_fault(&absorber) == impact_fault_none;) impact_step(&absorber);
+  return 1;
+}
+END
+cpu="-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 -ffp-contract=off -ffreestanding"
+arm-none-eabi-g++ $cpu -std=c++17 -fno-exceptions -fno-rtti -I kernel/include -I . -DIMPACT_C_RIG='"rig.hpp"' -c kernel/c/impact_c.cpp
+arm-none-eabi-g++ $cpu -std=c++17 -fno-exceptions -fno-rtti -c start.cpp
+arm-none-eabi-gcc $cpu -std=c11 -Wall -Wextra -Werror -I kernel/c program.c impact_c.o start.o -nostdlib -T memory.ld -lgcc -o c.elf
+echo "and to outputs, tasks and C: $((($(date +%s%N) - begin) / 1000000)) ms"
+arm-none-eabi-size outputs.elf tasks.elf c.elf
+
 address=0x$(arm-none-eabi-nm scene.elf | awk '$3 == "output" { print $1 }')
 cat >host.cpp <<'END'
 #include <stdio.h>

@@ -132,11 +132,11 @@ void expect_solved(uint32_t seed) {
     if (unit(random) < 0.6) {
       step.r = anything();
       step.d0 = step.r * step.r;
-      if (unit(random) < 0.5) step.D = step.d0 * (4 * unit(random) - 1);
+      if (unit(random) < 0.5) step.travel = step.d0 * (4 * unit(random) - 1);
     } else {
-      step.d0 = -step.D * unit(random);
+      step.d0 = -step.travel * unit(random);
     }
-    const double A = step.C * step.D, dt = step.d0 + step.D;
+    const double A = step.damping * step.travel, dt = step.d0 + step.travel;
     if (A > 50 || A <= -1) continue;  // 50 is a restitution of 0.02
     const auto end = step.solve();
     if (end.root <= 0) continue;
@@ -144,9 +144,9 @@ void expect_solved(uint32_t seed) {
     const double d = end.root * end.root, r = step.r;
     const double q = 0.4 * (r > 0 ? d * end.root + r * r * end.root + r * r * r * r / (end.root + r)
                                   : d * d * end.root / (d - step.d0));
-    const double slip = is_damped ? q * SlipFunction<Float64>::at(step.C * q).k : 0;
-    const double back = is_damped ? q * (1 + A) / (1 + step.C * q) : q;
-    EXPECT_NEAR(d + back + slip, dt, 1e-10 * dt) << r << ' ' << step.d0 << ' ' << step.D << ' ' << step.C;
+    const double slip = is_damped ? q * SlipFunction<Float64>::at(step.damping * q).k : 0;
+    const double back = is_damped ? q * (1 + A) / (1 + step.damping * q) : q;
+    EXPECT_NEAR(d + back + slip, dt, 1e-10 * dt) << r << ' ' << step.d0 << ' ' << step.travel << ' ' << step.damping;
   }
   EXPECT_GT(stays, 10000);
 }

@@ -40,7 +40,12 @@ Absorber<Rig, LAW, NEWMARK, DRIVE, NUMERIC, FEATURE> absorber;
 Absorber<Rig, LAW, NEWMARK, DRIVE, NUMERIC> absorber;
 #endif
 
-[[gnu::noinline]] void step() { absorber.step(); }
+[[gnu::noinline]] void step() {
+  if constexpr (DRIVE::is_sampled)
+    absorber.step({});
+  else
+    absorber.step();
+}
 
 }  // namespace
 

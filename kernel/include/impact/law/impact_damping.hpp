@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact
-// from its own speed. A contact that begins slowly and is then driven in faster, by (2 + a)/a times and more, leaves
-// the range that 1 + c1/k1 v has in Fixed32: there c1/k1 v is held, between half that range and the whole.
+// from its own speed. A contact that begins slowly and is then driven in faster leaves the range that 1 + c1/k1 v has in
+// Fixed32, the first power of two above 2 a and 1 + a: there c1/k1 v is held, between half that range and the whole.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>

@@ -62,9 +62,8 @@ struct Fixed32 {
       const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
       if (places > 0) {
         if (is_power_of_two) {
-          // Half up without a carry out of the largest number.
           const int32_t twice = x.raw >> (places - 1);
-          return {(twice >> 1) + (twice & 1)};
+          return {twice - (twice >> 1)};  // half up without the overflow of the largest number
         }
         return {(high_product(x.raw, gain.mantissa) + (1 << (places - 1))) >> places};
       }
@@ -412,15 +411,17 @@ struct Fixed32 {
   // Numbers of a range that no unit holds.
   using Wide = Floating;
   static constexpr Wide wide(double x) { return Floating::of(x); }
-  static constexpr Wide wide_value(Value x) { return Floating::held(x.raw, 0); }
-  static constexpr Wide wide_root_of(Root x) { return Floating::held(static_cast<int32_t>(x.raw), 0); }
-  static constexpr Wide wide_gain(Gain gain) { return Floating::held(gain.mantissa, -1 - gain.shift); }
+  static constexpr Wide wide_value(Value x) { return Floating::of(x.raw == INT32_MIN ? -INT32_MAX : x.raw, 0); }
+  static constexpr Wide wide_value(Root x) { return Floating::of(x.raw, 0); }
+  static constexpr Wide wide_gain(Gain gain) {
+    return Floating::of(static_cast<uint32_t>(gain.mantissa), -1 - gain.shift);
+  }
   static constexpr Value narrow(Wide x) { return {x.fraction()}; }
-  static constexpr Root narrow_root(Wide x) { return {static_cast<uint32_t>(x.fraction())}; }
+  static constexpr Root narrow_root(Wide x) { return {x.size()}; }
   static constexpr Wide wide_root(Wide x) { return square_root(x); }
   // Below x by more than what an iteration leaves, and a Root.
   static constexpr Wide rounded_down(Wide x) {
-    return Floating::of((x * Floating::of(1 - constant::power_of_two(-24))).fraction(), 0);
+    return Floating::of((x * Floating::of(1 - constant::power_of_two(-24))).size(), 0);
   }
   static constexpr Value unity() { return {INT32_MAX}; }
   static constexpr Value four_times_up_to_one(Value x) {

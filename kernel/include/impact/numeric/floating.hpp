@@ -28,8 +28,13 @@ struct Floating {
     const int places = leading_zeros(static_cast<uint32_t>(m < 0 ? -m : m)) - 1;
     return {static_cast<int32_t>(static_cast<uint32_t>(m) << places), exponent - places};
   }
-  // Any m.
-  static constexpr Floating held(int32_t m, int32_t exponent) { return of(m == INT32_MIN ? -INT32_MAX : m, exponent); }
+  // Its lower 31 bits.
+  static constexpr Floating of(uint32_t m, int32_t exponent) {
+    m &= INT32_MAX;
+    if (m == 0) return {};
+    const int places = leading_zeros(m) - 1;
+    return {static_cast<int32_t>(m << places), exponent - places};
+  }
   // For the plan.
   static constexpr Floating of(double x) {
     if (!(x < 0 || x > 0)) return {};
@@ -41,6 +46,12 @@ struct Floating {
   constexpr int32_t fraction() const {
     if (exponent > 0) return mantissa > 0 ? INT32_MAX : -INT32_MAX;
     return exponent <= -31 ? 0 : mantissa >> -exponent;
+  }
+
+  // Of what is not negative.
+  constexpr uint32_t size() const {
+    if (exponent > 0) return INT32_MAX;
+    return exponent <= -31 ? 0 : static_cast<uint32_t>(mantissa) >> -exponent;
   }
 
   friend constexpr Floating operator-(Floating x) { return {-x.mantissa, x.exponent}; }

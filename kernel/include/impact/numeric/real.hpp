@@ -217,7 +217,6 @@ struct RealFormat {
   using Wide = Real;
   static constexpr Wide wide(double x) { return static_cast<Real>(x); }
   static constexpr Wide wide_value(Value x) { return x; }
-  static constexpr Wide wide_root_of(Root x) { return x; }
   static constexpr Wide wide_gain(Gain gain) { return gain; }
   static constexpr Value narrow(Wide x) { return x; }
   static constexpr Root narrow_root(Wide x) { return x; }

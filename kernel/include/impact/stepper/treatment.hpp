@@ -34,6 +34,8 @@ struct ResolvedForces {
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double force = terms.is_linear ? k1 * (d + damping) : k1 * terms.to_the_power(d) * (1 + damping);
     largest.force_factor = terms.is_linear ? (d + damping) / unit : terms.is_damped ? 1.01 + damping : 1;
+    // A damping set per impact is held from half of the range on, impact_damping.hpp.
+    largest.force_factor = larger(largest.force_factor, 2 * terms.damping_ratio);
     largest.push = h * h * force / constant::smaller(terms.ball_mass, terms.main_mass);
     if (terms.is_linear) return;
     // Kicks count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and

@@ -152,7 +152,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   constexpr Value stored(const Plan& plan, const Units& units) const {
     if (phase != Phase::touching) return Value{};
     if (plan.is_resolved) return ContactLaw::template stored<Format>(units, penetration);
-    const Wide s = Format::wide_root_of(root), d = s * s;
+    const Wide s = Format::wide_value(root), d = s * s;
     return Format::narrow(plan.stored_share * d * d * s);
   }
 
@@ -161,10 +161,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     slip = Value{};
     EnergySolver<Format, ContactLaw::is_damped> step{plan.stiff_give, Format::wide_gain(damping(plan)), {}, {}, {}};
     if (phase == Phase::touching) {
-      step.r = Format::wide_root_of(root);
+      step.r = Format::wide_value(root);
       step.d0 = step.r * step.r;
     } else {
-      step.d0 = Format::wide_value(before);
+      step.d0 = -Format::wide_value(without_sign(-before));
     }
     step.travel = Format::wide_value(trial - before);
     const auto end = step.solve();

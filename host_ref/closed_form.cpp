@@ -81,6 +81,19 @@ double integral(Function function, double length) {
 
 double hertz_peak_penetration(const Impact& impact) { return penetration(impact, 0.5); }
 
+// For strong damping, by y = ln(1 + c1 V/k1), since 1 + c1 V/k1 at the end is exp(-1 - a), less than a double's last
+// place of 1: dt = mu v0/(a k1) dy / delta^(3/2), from y = ln(1 + a) down to the -w with the same exp(y) - 1 - y.
+double hunt_crossley_contact_time(const Impact& impact, double a) {
+  const double start = std::log1p(a), level = a - start;
+  const double w = sign_change([&](double end) { return end + std::expm1(-end) - level; }, 0, level + 1);
+  const auto duration = [&](double from_rebound, double from_approach) {
+    const double fall = from_rebound < from_approach ? from_rebound - std::exp(-w) * std::expm1(from_rebound)
+                                                     : -(1 + a) * std::expm1(-from_approach) - from_approach;
+    return std::pow(penetration(impact, fall / (a * a)), -1.5);
+  };
+  return impact.reduced_mass * impact.speed / (a * impact.contact_stiffness) * integral(duration, start + w);
+}
+
 }  // namespace
 
 std::optional<double> damping_ratio(Damping damping, double e) {
@@ -211,6 +224,7 @@ std::optional<double> contact_time(const Impact& impact) {
              impact.speed;
     case Law::hunt_crossley: {
       const double a = impact.contact_damping * impact.speed / impact.contact_stiffness;
+      if (a > 1) return hunt_crossley_contact_time(impact, a);
       const double e = hunt_crossley_restitution(a);
       // dt = mu dV / force over the speeds V = -e v0 to v0, in units of v0.
       const auto duration = [&](double from_rebound, double from_approach) {

@@ -132,6 +132,12 @@ TEST(HuntCrossleyClosedForm, SmallDampingApproachesHertz) {
   }
 }
 
+// Either side of a = 1 the contact time is another integral, of the same motion.
+TEST(HuntCrossleyClosedForm, ContactTimeOfStrongDampingJoinsThatOfWeak) {
+  const Impact below{Law::hunt_crossley, 1, 1, 1, 1}, above{Law::hunt_crossley, 1, 1 + 1e-12, 1, 1};
+  EXPECT_NEAR(*contact_time(below), *contact_time(above), 4e-12);
+}
+
 TEST(ClosedForm, RestitutionAndDampingAreInverse) {
   for (const Law law : {Law::hooke_newton, Law::hunt_crossley}) {
     for (const Tension tension : {Tension::clamp, Tension::allow}) {

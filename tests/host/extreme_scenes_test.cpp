@@ -27,10 +27,12 @@ class ExtremeScene : public testing::TestWithParam<Kind> {
     request.law = GetParam().law;
     request.stepper = GetParam().stepper;
     request.numeric = GetParam().numeric;
+    request.damping = GetParam().damping;
     request.drive = DriveKind::none;
     request.step = step;
     request.scene.main_stiffness = request.scene.main_damping = 0;
     request.scene.contact_stiffness = contact_stiffness;
+    request.scene.restitution = 0.68;
     request.scene.contact_damping = request.law == Law::hertz ? 0 : contact_damping(impact, 0.68).value();
     return request;
   }

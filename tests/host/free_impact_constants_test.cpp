@@ -69,7 +69,7 @@ TEST(FreeImpactConstants, HookeNewtonWithTensionNeverComesApartOverdamped) {
 TEST(FreeImpactConstants, HuntCrossley) {
   for (double stiffness : {1e2, 32600.0, 1e15})
     for (double speed : {1e-4, 0.8, 10.0})
-      for (double a : {0.0, 1e-12, 1e-8, 1e-3, 0.1, 0.48, 1.0, 3.0, 10.0, 30.0})
+      for (double a : {0.0, 1e-12, 1e-8, 1e-3, 0.1, 0.48, 1.0, 3.0, 10.0, 30.0, 100.0})
         expect_closed_form<HuntCrossley>(stiffness, a * stiffness / speed, speed, Tension::clamp, a <= 3 ? 1e-5 : 2e-4);
 }
 

@@ -182,6 +182,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--impact-speed 1", "--impact-speed", "1", "with --restitution"},
         Refused{"--paper-damping", "--paper-damping", "", "with --restitution"},
         Refused{"--damping per-impact", "--damping", "per-impact", "with --restitution"},
+        Refused{"--damping exact --law hertz --restitution 1", "--damping", "exact", "--law hunt-crossley"},
+        Refused{"--damping exact --paper-damping --restitution 0.5", "--paper-damping", "", "with --damping constant"},
+        Refused{"--damping flores --restitution 0.0157", "--restitution", "0.0157", "0.0158 to 1"},
+        Refused{"--damping lee-wang --restitution 0.009", "--restitution", "0.009", "0.01 to 1"},
         Refused{"--law newton", "--law", "newton", "hooke-newton, hertz, hunt-crossley"},
         Refused{"--newmark euler", "--newmark", "euler", "fox-goodwin"},
         Refused{"--numeric double", "--numeric", "double", "float64"},
@@ -330,6 +334,15 @@ TEST_F(ImpactSim, RestitutionIsWhatWasAskedFor) {
   EXPECT_NEAR(rebound("--paper-damping --restitution 0.68"), 0.7561486807, 1e-3) << "(2.9) at 0.8 m/s";
   EXPECT_NEAR(rebound("--law hooke-newton --paper-damping --restitution 0.68"), 0.7007021277, 1e-3) << "(2.3), clamped";
   EXPECT_NEAR(rebound("--damping per-impact --restitution 0.68"), 0.7561486807, 1e-3) << "(2.9) at the impact's speed";
+  // Known restitutions of each formula at 0.5, to three decimals: law/per_impact.hpp.
+  EXPECT_NEAR(rebound("--damping constant --restitution 0.5"), 0.5, 1e-3);
+  EXPECT_NEAR(rebound("--damping hunt-crossley --restitution 0.5"), 0.663, 1e-3);
+  EXPECT_NEAR(rebound("--damping herbert-mcwhannell --restitution 0.5"), 0.594, 1e-3);
+  EXPECT_NEAR(rebound("--damping lee-wang --restitution 0.5"), 0.799, 1e-3);
+  EXPECT_NEAR(rebound("--damping lankarani-nikravesh --restitution 0.5"), 0.725, 1e-3);
+  EXPECT_NEAR(rebound("--damping flores --restitution 0.5"), 0.470, 1e-3);
+  EXPECT_NEAR(rebound("--damping hu-guo --restitution 0.5"), 0.488, 1e-3);
+  EXPECT_NEAR(rebound("--damping exact --restitution 0.5"), 0.5, 1e-3);
 }
 
 TEST_F(ImpactSim, PlotsWithAndWithoutAbsorber) {

@@ -17,6 +17,8 @@ constexpr const char* name<Hertz> = "hertz";
 template <>
 constexpr const char* name<HuntCrossley> = "hunt-crossley";
 template <>
+constexpr const char* name<Exact> = "exact";
+template <>
 constexpr const char* name<Moment> = "moment";
 template <>
 constexpr const char* name<SubsteppedMoment<4>> = "moment-4";
@@ -87,6 +89,7 @@ constexpr Scene paper_scene() {
     scene.contact_stiffness *= 1e6;
     scene.contact_damping *= is_linear ? 1e3 : 1e6;
   }
+  if (Law::is_damped_per_impact) scene.restitution = 0.68;
   if (!Drive::is_sine) scene.x1 = scene.x2 = 0.03;
   return scene;
 }
@@ -157,9 +160,21 @@ constexpr auto with_laws(List<Laws...>) {
                         LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
+// A damping that is set at each impact, by every stepper that treats it in its own way.
+template <class Numeric>
+constexpr auto with_damping_per_impact() {
+  return List<Configuration<Exact, Moment, Numeric, Sine>, Configuration<Exact, SubsteppedMoment<4>, Numeric, Sine>,
+              Configuration<Exact, EnergyConsistent, Numeric, Sine>, Configuration<Exact, Impulsive, Numeric, Sine>,
+              Configuration<Exact, AverageAcceleration, Numeric, Sine>>{};
+}
 template <class... Numerics>
 constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
+}
+// Those whose trajectories are kept.
+template <class... Numerics>
+constexpr auto golden_configurations() {
+  return all_configurations<Numerics...>() + (with_damping_per_impact<Numerics>() + ...);
 }
 
 // Those whose cost is measured and has a budget.

@@ -88,7 +88,7 @@ using namespace impact::target;
 #if __STDC_HOSTED__
 int main(int count, char** words) {
   if (count == 3) {
-    for_each(all_configurations<IMPACT_NUMERICS>(), [words](auto configuration) {
+    for_each(golden_configurations<IMPACT_NUMERICS>(), [words](auto configuration) {
       if (configuration.label == words[1])
         print_states(configuration, static_cast<uint32_t>(strtoul(words[2], nullptr, 10)));
     });
@@ -99,7 +99,7 @@ int main() {
 #endif
   bool all_pass = self_tests<IMPACT_NUMERICS>();
   if (!all_pass) impact::board::print("# the self-test fails\n");
-  for_each(all_configurations<IMPACT_NUMERICS>(), [&all_pass](auto configuration) {
+  for_each(golden_configurations<IMPACT_NUMERICS>(), [&all_pass](auto configuration) {
     if (!passes(configuration)) all_pass = false;
   });
   return all_pass ? 0 : 1;

@@ -1,0 +1,241 @@
+// Every law that sets the damping at each impact: its formula, and the restitution that comes out of the kernel at any
+// speed, against what the formula's damping ratio gives in closed form; the range of e that each takes; and laws of a
+// user's own.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <impact/absorber.hpp>
+#include <limits>
+#include <type_traits>
+
+#include "host_ref/closed_form.hpp"
+#include "host_ref/free_pair.hpp"
+
+namespace impact::host {
+namespace {
+
+struct Stated {
+  Damping damping;
+  double (*damping_ratio)(double);
+  double least;  // restitution that a plan takes
+};
+constexpr Stated laws[] = {{Damping::hunt_crossley, HuntCrossleyPerImpact::damping_ratio, 0.01},
+                           {Damping::herbert_mcwhannell, HerbertMcWhannell::damping_ratio, 0.01},
+                           {Damping::lee_wang, LeeWang::damping_ratio, 0.01},
+                           {Damping::lankarani_nikravesh, LankaraniNikravesh::damping_ratio, 0.01},
+                           {Damping::flores, Flores::damping_ratio, 0.0158},
+                           {Damping::hu_guo, HuGuo::damping_ratio, 0.0148},
+                           {Damping::exact, Exact::damping_ratio, 0.01}};
+
+double true_restitution(double damping_ratio) {
+  return restitution({Law::hunt_crossley, 1, damping_ratio, 1, 1}).value();
+}
+
+TEST(Laws, AreTheirFormulas) {
+  for (const Stated& law : laws)
+    for (const double e : {0.01, 0.1, 0.3, 0.5, 0.68, 0.9, 0.999, 1 - 1e-9, 1.0}) {
+      const double expected = damping_ratio(law.damping, e).value();
+      EXPECT_NEAR(law.damping_ratio(e), expected, 1e-14 * (1 + expected)) << name_of(law.damping) << " " << e;
+    }
+  EXPECT_EQ(Exact::damping_ratio(1), 0);
+}
+
+// 1e-15 of a number around 1, through the cancellation of the rates' logarithms at small losses.
+TEST(Laws, ExactHasTheRestitutionThatIsStated) {
+  for (double e = 0.01; e < 1; e += 1e-3) EXPECT_NEAR(true_restitution(Exact::damping_ratio(e)), e, 1e-12);
+  static_assert(constant::magnitude(Exact::damping_ratio(0.68) - 0.6956071395) < 1e-10);
+}
+
+// The table at the head of law/per_impact.hpp.
+TEST(Laws, FormulasOfSmallLossesAreNotExact) {
+  const double known[][3] = {{0.516, 0.663, 0.909}, {0.491, 0.594, 0.901}, {0.687, 0.799, 0.952}, {0.665, 0.725, 0.913},
+                             {0.069, 0.470, 0.894}, {0.074, 0.488, 0.900}, {0.100, 0.500, 0.900}};
+  for (size_t i = 0; i < std::size(laws); ++i) {
+    EXPECT_NEAR(true_restitution(laws[i].damping_ratio(0.1)), known[i][0], 5.1e-4) << name_of(laws[i].damping);
+    EXPECT_NEAR(true_restitution(laws[i].damping_ratio(0.5)), known[i][1], 5.1e-4) << name_of(laws[i].damping);
+    EXPECT_NEAR(true_restitution(laws[i].damping_ratio(0.9)), known[i][2], 5.1e-4) << name_of(laws[i].damping);
+  }
+}
+
+// By stepper: 20 steps per resolved part of the contact, a step of four, two or a half of a contact, and a contact of a
+// hundredth of a step; and what the stepper promises there, README "Choosing". 32 bits add 2e-5 at e = 0.1 and above.
+struct Cell {
+  Stepper stepper;
+  double steps_per_contact, tolerance;
+};
+constexpr Cell cells[] = {{Stepper::moment, 20, 4e-5},
+                          {Stepper::energy, 80, 1e-4},
+                          {Stepper::energy, 4, 1e-3},
+                          {Stepper::energy, 0.5, 2e-3},
+                          {Stepper::impulsive, 0.01, 8e-5}};
+
+TEST(Laws, ReboundAsTheirFormulasSayAtAnySpeed) {
+  for (const Stated& law : laws)
+    for (const double e : {0.1, 0.3, 0.7, 0.95})
+      for (const double speed : {0.02, 0.8, 20.0})
+        for (const Cell& cell : cells)
+          for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32}) {
+            FreePair free;
+            free.damping = law.damping;
+            free.restitution = e;
+            free.speed = speed;
+            const double expected = true_restitution(law.damping_ratio(e));
+            // The ball is stopped in about 4 e/(1 + e) of a contact.
+            const double detail = cell.stepper == Stepper::moment ? std::min(1.0, 4 * expected / (1 + expected)) : 1;
+            free.step = contact_time(impact_of(free)).value() * detail / cell.steps_per_contact;
+            if (free.step > 0.1) continue;
+            const auto found = rebounds(free, cell.stepper, numeric,
+                                        [](const Request& request) { return make_simulation(request).simulation; });
+            ASSERT_TRUE(found) << name_of(law.damping) << " " << e << " " << speed << " " << name_of(cell.stepper)
+                               << " " << cell.steps_per_contact << " " << name_of(numeric);
+            EXPECT_FALSE(found->has_fault);
+            EXPECT_TRUE(found->is_apart);
+            const double worst = std::max(std::abs(found->least - expected), std::abs(found->largest - expected));
+            EXPECT_TRUE(worst <= cell.tolerance)
+                << worst << " " << name_of(law.damping) << " " << e << " " << speed << " " << name_of(cell.stepper)
+                << " " << cell.steps_per_contact << " " << name_of(numeric);
+          }
+}
+
+// The kernel's own types. One free pair, 1 kg and 0.3 kg, at any share of the largest speed of one plan.
+Scene free_scene(double e) {
+  Scene scene;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+  scene.contact_stiffness = 1e9;
+  scene.stops = Stops::right;
+  scene.restitution = e;
+  return scene;
+}
+constexpr Bounds bounds{0.1, 2, 5e-4, 1};
+
+template <class ContactLaw, class Stepper, class Format>
+using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, NoDrive, Format>;
+
+template <class ContactLaw, class Stepper, class Format>
+double rebound(const Scene& scene, double step) {
+  using Tested = Kernel<ContactLaw, Stepper, Format>;
+  const auto plan = Tested::PlanType::make(scene, bounds, step);
+  EXPECT_EQ(plan.status, PlanStatus::ok);
+  Tested absorber(plan);
+  bool has_touched = false;
+  for (int n = 0; n < 100000; ++n) {
+    const double v2_before = absorber.reading().v2;
+    absorber.step();
+    has_touched = has_touched || absorber.is_touching() || absorber.reading().v2 != v2_before;
+    if (has_touched && !absorber.is_touching() && absorber.reading().v2 < absorber.reading().v1) break;
+  }
+  EXPECT_EQ(absorber.fault(), Fault::none);
+  return (absorber.reading().v1 - absorber.reading().v2) / scene.v2;
+}
+
+template <class ContactLaw, class Stepper, class Format>
+void expect_one_restitution(double step, double tolerance) {
+  for (const double e : {0.05, 0.5, 0.9})
+    for (const double speed : {1.9, 0.3, 0.05}) {
+      Scene scene = free_scene(e);
+      scene.v2 = speed;
+      scene.x2 = scene.clearance / 2 - 1.37 * speed * step;
+      EXPECT_NEAR((rebound<ContactLaw, Stepper, Format>(scene, step)), true_restitution(ContactLaw::damping_ratio(e)),
+                  tolerance)
+          << e << " " << speed;
+    }
+}
+
+template <class ContactLaw>
+struct NamedLaw : testing::Test {};
+using NamedLaws =
+    testing::Types<HuntCrossleyPerImpact, HerbertMcWhannell, LeeWang, LankaraniNikravesh, Flores, HuGuo, Exact>;
+TYPED_TEST_SUITE(NamedLaw, NamedLaws);
+
+// In 3 us the ball, which damping slows down to v0/a, comes by 600 last places of Fixed32 at least.
+TYPED_TEST(NamedLaw, HasOneRestitutionAtAnySpeed) {
+  expect_one_restitution<TypeParam, Moment, Float64>(3e-6, 1e-8);
+  expect_one_restitution<TypeParam, Moment, Fixed32>(3e-6, 1e-3);
+  expect_one_restitution<TypeParam, EnergyConsistent, Float64>(1e-3, 2e-3);
+  expect_one_restitution<TypeParam, EnergyConsistent, Fixed32>(1e-3, 2e-3);
+  expect_one_restitution<TypeParam, Impulsive, Float64>(1e-3, 1e-12);
+  expect_one_restitution<TypeParam, Impulsive, Fixed32>(1e-3, 1e-5);
+}
+
+TEST(Laws, TakeTheRestitutionsOfTheirRangeAndRefuseOthersByName) {
+  for (const Stated& law : laws) {
+    FreePair free;
+    free.damping = law.damping;
+    free.restitution = 0.5;
+    for (const Stepper stepper : {Stepper::energy, Stepper::impulsive}) {
+      Request request = request_for(free, stepper, Numeric::fixed32, 0);
+      request.scene.contact_stiffness = 1e12;
+      for (const double e : {law.least, 0.5, 1.0}) {
+        request.scene.restitution = e;
+        EXPECT_TRUE(make_simulation(request).simulation) << name_of(law.damping) << " " << e;
+      }
+      for (const double e : {law.least - 1e-4, 1.01, -1.0, std::nan("")}) {
+        request.scene.restitution = e;
+        const Outcome refused = make_simulation(request);
+        ASSERT_FALSE(refused.simulation) << name_of(law.damping) << " " << e;
+        EXPECT_EQ(refused.refusal.field, "restitution");
+      }
+    }
+  }
+  const auto status_at = [](double e) {
+    return Kernel<Flores, Impulsive, Fixed32>::PlanType::make(free_scene(e), bounds, 1e-3).status;
+  };
+  EXPECT_EQ(status_at(0.0158), PlanStatus::ok);
+  EXPECT_EQ(status_at(0.0157), PlanStatus::restitution);
+}
+
+struct Mine : HuntCrossleyPerImpact {
+  static constexpr double damping_ratio(double e) { return 1 - e; }
+};
+struct NoNumber : HuntCrossleyPerImpact {
+  static constexpr double damping_ratio(double) { return std::numeric_limits<double>::quiet_NaN(); }
+};
+struct Negative : HuntCrossleyPerImpact {
+  static constexpr double damping_ratio(double e) { return e - 2; }
+};
+struct Renamed : HuntCrossley {};
+struct Linear : HookeNewton {};
+
+// A law that derives from another is that law, with every stepper.
+template <class Own, class Known, class Stepper>
+void expect_the_same(double step) {
+  for (const double speed : {1.9, 0.05}) {
+    Scene scene = free_scene(0.5);
+    scene.contact_damping = Own::is_linear ? 4000 : 1e9;
+    scene.v2 = speed;
+    scene.x2 = scene.clearance / 2 - 1.37 * speed * step;
+    EXPECT_EQ((rebound<Own, Stepper, Float64>(scene, step)), (rebound<Known, Stepper, Float64>(scene, step)));
+    EXPECT_EQ((rebound<Own, Stepper, Fixed32>(scene, step)), (rebound<Known, Stepper, Fixed32>(scene, step)));
+  }
+}
+TEST(Laws, OfYourOwn) {
+  expect_one_restitution<Mine, Moment, Fixed32>(3e-6, 1e-3);
+  expect_one_restitution<Mine, EnergyConsistent, Fixed32>(1e-3, 2e-3);
+  expect_one_restitution<Mine, Impulsive, Fixed32>(1e-3, 1e-5);
+  using NoPlan = Kernel<NoNumber, Impulsive, Fixed32>::PlanType;
+  EXPECT_EQ(NoPlan::make(free_scene(0.5), bounds, 1e-3).status, PlanStatus::restitution);
+  using NegativePlan = Kernel<Negative, Impulsive, Fixed32>::PlanType;
+  EXPECT_EQ(NegativePlan::make(free_scene(0.5), bounds, 1e-3).status, PlanStatus::restitution);
+
+  expect_the_same<Renamed, HuntCrossley, Moment>(3e-6);
+  expect_the_same<Renamed, HuntCrossley, SubsteppedMoment<4>>(3e-6);
+  expect_the_same<Renamed, HuntCrossley, EnergyConsistent>(1e-3);
+  expect_the_same<Renamed, HuntCrossley, Impulsive>(1e-3);
+  expect_the_same<Renamed, HuntCrossley, AverageAcceleration>(3e-6);
+  expect_the_same<Linear, HookeNewton, Moment>(3e-6);
+  expect_the_same<Linear, HookeNewton, EnergyConsistent>(3e-6);
+  expect_the_same<Linear, HookeNewton, Impulsive>(1e-3);
+}
+
+// Plans of laws that differ in their damping ratio alone are not one another's.
+TEST(Laws, AreToldApartInASavedState) {
+  const auto identity_of = [](auto law) {
+    return Kernel<decltype(law), Impulsive, Fixed32>::PlanType::make(free_scene(0.5), bounds, 1e-3).identity;
+  };
+  EXPECT_NE(identity_of(Flores{}), identity_of(HuGuo{}));
+  EXPECT_NE(identity_of(Exact{}), identity_of(HuntCrossleyPerImpact{}));
+}
+
+}  // namespace
+}  // namespace impact::host

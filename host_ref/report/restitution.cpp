@@ -1,0 +1,53 @@
+// restitution OUTPUT.csv: what the laws that set the damping at each impact make of the restitution that is stated. One
+// impact of two free masses, 1 kg and 0.3 kg at 0.8 m/s, by the kernel in fixed32 at 0.1 ms with the stepper of its own
+// choice; least and largest over 64 phases of the impact within the step, and the closed form of the law's formula.
+
+#include <host_ref/free_pair.hpp>
+#include <host_ref/report/report_program.hpp>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/progress.hpp>
+#include <host_ref/tool/text.hpp>
+
+namespace impact::report {
+namespace {
+
+using namespace host;
+
+void write_restitutions(const std::string& path) {
+  Output output(path);
+  output.write("damping,stated,restitution_min,restitution_max,restitution_exact\n");
+  constexpr Damping dampings[] = {Damping::hunt_crossley, Damping::herbert_mcwhannell,
+                                  Damping::lee_wang,      Damping::lankarani_nikravesh,
+                                  Damping::flores,        Damping::hu_guo,
+                                  Damping::exact};
+  Progress progress("laws", std::size(dampings));
+  long done = 0;
+  for (const Damping damping : dampings) {
+    progress.at(done++);
+    for (int percent = 2; percent <= 100; percent += 2) {
+      FreePair free;
+      free.damping = damping;
+      free.restitution = percent / 100.0;
+      const auto found = rebounds(free, Stepper::automatic, Numeric::fixed32,
+                                  [](const Request& request) { return make_simulation(request).simulation; });
+      if (!found || found->has_fault || !found->is_apart)
+        throw std::runtime_error(std::string(name_of(damping)) + " at " + std::to_string(free.restitution));
+      std::string row(name_of(damping));
+      for (const double value :
+           {free.restitution, found->least, found->largest, restitution(impact_of(free)).value()}) {
+        row += ',';
+        append_number(row, value, 6);
+      }
+      output.write(row + "\n");
+    }
+  }
+  output.commit();
+}
+
+}  // namespace
+}  // namespace impact::report
+
+int main(int count, char** arguments) {
+  return impact::report::run_program(count, arguments,
+                                     [](const auto& paths) { impact::report::write_restitutions(paths.at(0)); });
+}

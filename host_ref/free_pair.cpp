@@ -25,7 +25,6 @@ class RungeKutta final : public Simulation {
   void step(double) override { method_.step(); }
   Sample sample() const override { return method_.sample(); }
   const char* fault() const override { return nullptr; }
-  std::string description() const override { return "textbook-rk4"; }
 
  private:
   TextbookRungeKutta method_;

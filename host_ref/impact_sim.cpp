@@ -1,12 +1,12 @@
 // impact-sim: the kernel at the desk. `impact-sim --help` says what it does.
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <host_ref/tool/benchmark.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/sweep.hpp>
+#include <host_ref/tool/text.hpp>
 #include <host_ref/tool/trajectory.hpp>
 #include <iostream>
 
@@ -23,16 +23,13 @@ int run_tool(int count, const char* const* texts) {
   }
   const Settings settings = settings_from(arguments);
   if (!settings.sweep.empty()) return run_sweep(settings, arguments);
-  if (!settings.benchmark) return write_trajectory(settings);
+  if (!settings.benchmark) return write_trajectory(settings, arguments);
   write_benchmark(settings);
   return 0;
 }
 
-int refuse(int exit_code, std::string message) {
-  for (char& letter : message) {
-    if (std::iscntrl(static_cast<unsigned char>(letter))) letter = '?';  // whatever the input holds: one line
-  }
-  std::cerr << "impact-sim: " + message + "\n";
+int refuse(int exit_code, const char* message) {
+  std::cerr << "impact-sim: " + in_one_line(message) + "\n";
   return exit_code;
 }
 

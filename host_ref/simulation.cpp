@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <impact/choice.hpp>
 #include <utility>
 
-#include "host_ref/simulation_of.hpp"
+#include "host_ref/limits.hpp"
+#include "host_ref/refusal.hpp"
+#include "host_ref/settled.hpp"
 
 namespace impact::host {
 namespace {
@@ -53,164 +53,6 @@ std::string_view name_in(const Names<Enumerator, size>& names, Enumerator value)
   return {};
 }
 
-std::string text(double x) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", x);
-  return buffer;
-}
-Refusal refusal(const char* field, double value, Range range) {
-  return {field, text(value), text(range.least) + " to " + text(range.most)};
-}
-
-Resolution resolution(const Request& request, const Bounds& bounds) {
-  switch (request.law) {
-    case Law::hooke_newton:
-      return resolution_of<HookeNewton>(request.scene, bounds);
-    case Law::hertz:
-      return resolution_of<Hertz>(request.scene, bounds);
-    case Law::hunt_crossley:
-      break;
-  }
-  if (request.damping != Damping::constant) return resolution_of<Exact>(request.scene, bounds);
-  return resolution_of<HuntCrossley>(request.scene, bounds);
-}
-
-Stepper chosen(const Request& request, const Bounds& bounds) {
-  switch (choice_for(resolution(request, bounds), request.step)) {
-    case Choice::moment:
-      return Stepper::moment;
-    case Choice::four_sub_steps:
-      return Stepper::moment_4;
-    case Choice::eight_sub_steps:
-      return Stepper::moment_8;
-    case Choice::impulsive:
-      return Stepper::impulsive;
-    case Choice::energy:
-      break;
-  }
-  return Stepper::energy;
-}
-
-// Floating point needs no bounds, but the rule a largest speed: that of the start, and what the drive can add in the
-// run, F/M over the difference of the pulsations (a beat; at resonance, over the inverse of the run's duration); at
-// least half a metre per second.
-Bounds estimated_bounds(const Request& request) {
-  const Scene& scene = request.scene;
-  const double natural = std::sqrt(scene.main_stiffness / scene.main_mass), slowest = 1 / request.duration;
-  double driven = 0;
-  if (request.drive == DriveKind::sine)
-    driven = scene.drive_amplitude / std::max(std::abs(natural - scene.drive_pulsation), slowest);
-  for (double force : request.samples) driven = std::max(driven, std::abs(force) / std::max(natural, slowest));
-  Bounds bounds{bound_range.most, bound_range.most, bound_range.most, force_range.most};
-  bounds.speed = std::min(bound_range.most,
-                          std::max({0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass,
-                                    std::abs(scene.v2)}));
-  return bounds;
-}
-
-// Half as much again as a float64 run of the same scene reaches, so that a rounding cannot pass them.
-Bounds measured_bounds(Request request) {
-  constexpr double margin = 1.5;
-  const Bounds estimate = estimated_bounds(request);
-  Planned planned = plan_simulation<Float64>(request, estimate);
-  if (planned.status == PlanStatus::steps_per_contact || planned.status == PlanStatus::contact_time) {
-    request.stepper = chosen(request, estimate);
-    planned = plan_simulation<Float64>(request, estimate);
-  }
-  Bounds bounds{1e-6, 1e-6, 1e-6, 1e-6};
-  for (double force : request.samples) bounds.force = std::max(bounds.force, std::abs(force));
-  if (!planned.simulation) return bounds;
-  const auto note = [&bounds, &planned] {
-    const Sample now = planned.simulation->sample();
-    bounds.displacement = std::max({bounds.displacement, margin * std::abs(now.x1), margin * std::abs(now.x2)});
-    bounds.speed = std::max({bounds.speed, margin * std::abs(now.v1), margin * std::abs(now.v2)});
-    bounds.penetration = std::max(bounds.penetration, margin * now.penetration);
-  };
-  const long steps = std::lround(request.duration / request.step);
-  note();
-  for (long i = 0; i < steps; ++i) {
-    planned.simulation->step(request.samples.empty() ? 0 : request.samples[static_cast<size_t>(i)]);
-    note();
-  }
-  bounds.displacement =
-      std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * request.step});
-  return bounds;
-}
-
-Range steps_of(Stepper stepper, const Resolution& contact) {
-  switch (stepper) {
-    case Stepper::moment:
-      return Moment::steps(contact);
-    case Stepper::moment_4:
-      return SubsteppedMoment<4>::steps(contact);
-    case Stepper::moment_8:
-      return SubsteppedMoment<8>::steps(contact);
-    case Stepper::energy:
-      return EnergyConsistent::steps(contact);
-    case Stepper::impulsive:
-      return Impulsive::steps(contact);
-    default:
-      return any_step;
-  }
-}
-
-Refusal refusal_for(PlanStatus status, const Request& request, const Bounds& bounds) {
-  const Scene& scene = request.scene;
-  switch (status) {
-    case PlanStatus::ok:
-      break;
-    case PlanStatus::main_mass:
-      return refusal("main-mass", scene.main_mass, mass_range);
-    case PlanStatus::main_stiffness:
-      return refusal("main-stiffness", scene.main_stiffness, main_stiffness_range);
-    case PlanStatus::main_damping:
-      return refusal("main-damping", scene.main_damping, main_damping_range);
-    case PlanStatus::ball_mass:
-      return refusal("ball-mass", scene.ball_mass, mass_range);
-    case PlanStatus::clearance:
-      return refusal("clearance", scene.clearance, clearance_range);
-    case PlanStatus::contact_stiffness:
-      return refusal("contact-stiffness", scene.contact_stiffness, contact_stiffness_range);
-    case PlanStatus::contact_damping:
-      return refusal("contact-damping", scene.contact_damping, contact_damping_range);
-    case PlanStatus::restitution:
-      return refusal("restitution", scene.restitution, restitution_range);
-    case PlanStatus::drive_amplitude:
-      return refusal("drive-amplitude", scene.drive_amplitude, force_range);
-    case PlanStatus::drive_pulsation:
-      return {"drive-pulsation", text(scene.drive_pulsation),
-              "0, or " + text(slowest_drive(request.step)) + " to " + text(drive_pulsation_range.most)};
-    case PlanStatus::initial_displacement:
-      return refusal(initial_displacement_range.holds(scene.x1) ? "x2" : "x1",
-                     initial_displacement_range.holds(scene.x1) ? scene.x2 : scene.x1, initial_displacement_range);
-    case PlanStatus::initial_velocity:
-      return refusal(initial_velocity_range.holds(scene.v1) ? "v2" : "v1",
-                     initial_velocity_range.holds(scene.v1) ? scene.v2 : scene.v1, initial_velocity_range);
-    case PlanStatus::step: {
-      const double phase = request.stepper == Stepper::linear        ? LinearAcceleration::longest_phase
-                           : request.stepper == Stepper::fox_goodwin ? FoxGoodwin::longest_phase
-                           : request.stepper == Stepper::central     ? CentralDifference::longest_phase
-                           : request.stepper == Stepper::average     ? AverageAcceleration::longest_phase
-                                                                     : Moment::longest_phase;
-      return refusal("step", request.step, {1e-9, longest_step(scene, phase)});
-    }
-    case PlanStatus::steps_per_contact:
-      return refusal("step", request.step, {1e-9, steps_of(request.stepper, resolution(request, bounds)).most});
-    case PlanStatus::contact_time:
-      return {"newmark", std::string(name_of(request.stepper)),
-              "auto: the contact lasts " + text(resolution(request, bounds).main_phase) +
-                  " rad of the main mass's vibration, impulsive holds up to " + text(Impulsive::longest_main_phase)};
-    case PlanStatus::displacement_bound:
-    case PlanStatus::speed_bound:
-    case PlanStatus::penetration_bound:
-    case PlanStatus::force_bound:
-      return {"numeric", "fixed32",
-              "another format: one of displacement " + text(bounds.displacement) + " m, speed " + text(bounds.speed) +
-                  " m/s, penetration " + text(bounds.penetration) + " m has no room in 32 bits beside the others"};
-  }
-  return {};
-}
-
 bool is_pointwise(Stepper stepper) {
   return stepper == Stepper::average || stepper == Stepper::linear || stepper == Stepper::fox_goodwin ||
          stepper == Stepper::central;
@@ -218,24 +60,24 @@ bool is_pointwise(Stepper stepper) {
 
 // What steps by the plan's choice, and what that rests on. Of a stepper that was named, only what to beware of: a
 // classical scheme below 10 steps a contact, where average acceleration is off by 2e-3 to 4e-2 of the restitution.
-std::string description(const Request& request, const Bounds& bounds, bool is_automatic) {
-  const Resolution contact = resolution(request, bounds);
+std::string description(const Request& request, bool is_automatic) {
+  const Resolution contact = resolution(request);
   const double steps = contact.steps_per_contact(request.step);
   const bool is_coarse = is_pointwise(request.stepper) && contact.detail < 10 * request.step;
   if (!is_automatic && !is_coarse) return {};
   if (!is_automatic)
-    return std::string(name_of(request.stepper)) + ": only " + text(steps) +
-           " steps per contact, which may gain energy; auto would take " +
-           std::string(name_of(chosen(request, bounds)));
-  std::string line = std::string(name_of(request.stepper)) + ", " + text(steps) + " steps per contact at " +
-                     text(2 * bounds.speed) + " m/s, " + text(contact.main_phase) +
+    return std::string(name_of(request.stepper)) + ": only " + short_text(steps) +
+           " steps per contact, which may gain energy; auto would take " + std::string(name_of(chosen(request)));
+  std::string line = std::string(name_of(request.stepper)) + ", " + short_text(steps) + " steps per contact at " +
+                     short_text(2 * request.bounds->speed) + " m/s, " + short_text(contact.main_phase) +
                      " rad of the main mass's vibration during it";
   const int parts = request.stepper == Stepper::moment     ? 1
                     : request.stepper == Stepper::moment_4 ? 4
                     : request.stepper == Stepper::moment_8 ? 8
                                                            : 0;
   if (parts > 0)
-    line += ", restitution within " + text(Moment::restitution_error(contact, request.step / parts)) + " of the law's";
+    line += ", restitution within " + short_text(Moment::restitution_error(contact, request.step / parts)) +
+            " of the law's";
   return line;
 }
 
@@ -247,25 +89,18 @@ std::optional<double> true_restitution(Damping damping, double stated) {
   if (!damping_ratio_range.holds(ratio)) return std::nullopt;
   return restitution({Law::hunt_crossley, 1, ratio, 1, 1});
 }
-Refusal refusal_of_restitution(Damping damping, double stated) {
-  double least = restitution_range.least;  // to four decimals
-  while (!true_restitution(damping, least)) least = std::round(least * 1e4 + 1) / 1e4;
-  return refusal("restitution", stated, {least, restitution_range.most});
+bool state_true_restitution(Request& request) {
+  if (request.damping == Damping::constant) return true;
+  const auto known = true_restitution(request.damping, request.scene.restitution);
+  request.scene.restitution = known.value_or(request.scene.restitution);
+  return known.has_value();
 }
-
-class Described final : public Simulation {
- public:
-  Described(std::unique_ptr<Simulation> simulation, std::string description)
-      : simulation_(std::move(simulation)), description_(std::move(description)) {}
-  void step(double force) override { simulation_->step(force); }
-  Sample sample() const override { return simulation_->sample(); }
-  const char* fault() const override { return simulation_->fault(); }
-  std::string description() const override { return description_; }
-
- private:
-  std::unique_ptr<Simulation> simulation_;
-  std::string description_;
-};
+Refusal refusal_of_restitution(const Request& request) {
+  double least = restitution_range.least;  // to four decimals
+  while (!true_restitution(request.damping, least)) least = std::round(least * 1e4 + 1) / 1e4;
+  return {"restitution", shortest_text(request.scene.restitution),
+          short_text(least) + " to " + short_text(restitution_range.most)};
+}
 
 }  // namespace
 
@@ -277,46 +112,70 @@ std::string_view name_of(Damping damping) { return name_in(dampings, damping); }
 std::string_view name_of(Stepper stepper) { return name_in(steppers, stepper); }
 std::string_view name_of(Numeric numeric) { return name_in(numerics, numeric); }
 
-Outcome make_simulation(const Request& asked) {
-  Request request = asked;
-  if (request.damping != Damping::constant) {
-    const auto known = true_restitution(request.damping, request.scene.restitution);
-    if (!known) return {nullptr, refusal_of_restitution(request.damping, request.scene.restitution)};
-    request.scene.restitution = *known;
+long Simulation::run(long steps, const double* forces, double* x1) {
+  for (long n = 0; n < steps; ++n) {
+    step(forces ? forces[n] : 0);
+    if (fault()) return n;
+    x1[n] = sample().x1;
   }
-  const bool is_automatic = request.stepper == Stepper::automatic;
-  Bounds bounds = request.bounds ? *request.bounds : estimated_bounds(request);
-  if (is_automatic) request.stepper = chosen(request, bounds);
-  if (!request.bounds && request.numeric == Numeric::fixed32) {
-    bounds = measured_bounds(request);
-    if (is_automatic) request.stepper = chosen(request, bounds);
-  }
-  Planned planned{};
-  switch (request.numeric) {
-    case Numeric::float32:
-      planned = plan_simulation<Float32>(request, bounds);
-      break;
-    case Numeric::float32_plain:
-      planned = plan_simulation<Float32Plain>(request, bounds);
-      break;
-    case Numeric::fixed32:
-      planned = plan_simulation<Fixed32>(request, bounds);
-      break;
-    case Numeric::float64:
-      planned = plan_simulation<Float64>(request, bounds);
-      break;
-  }
-  if (planned.status != PlanStatus::ok) return {nullptr, refusal_for(planned.status, request, bounds)};
+  return steps;
+}
 
-  return {std::make_unique<Described>(std::move(planned.simulation), description(request, bounds, is_automatic)), {}};
+Outcome make_simulation(const Request& request) {
+  Request asked = request;
+  if (!state_true_restitution(asked)) return {nullptr, refusal_of_restitution(request), {}, {}};
+  Settled made = settled(asked);
+  if (made.planned.status != PlanStatus::ok) return {nullptr, refusal_of(asked, made), {}, {}};
+  return {std::move(made.planned.simulation), {}, made.request, description(made.request, made.is_automatic)};
+}
+
+Refusal refusal_before_a_run(const Request& asked) {
+  Request request = asked;
+  if (!state_true_restitution(request)) return refusal_of_restitution(asked);
+  if (!request.bounds) request.numeric = Numeric::float64;
+  const Settled made = settled(request, false);
+  const bool is_sure = asked.bounds || (made.planned.status != PlanStatus::steps_per_contact &&
+                                        made.planned.status != PlanStatus::contact_time);
+  return made.planned.status == PlanStatus::ok || !is_sure ? Refusal{} : refusal_of(request, made);
+}
+
+double automatic_step(const Request& asked) {
+  constexpr double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
+  constexpr double longest_phase = 0.2, longest_way = 0.25, usual = 1e-4, longest_run = 1e7;
+  Request request = asked;
+  state_true_restitution(request);
+  const Scene& scene = request.scene;
+  const auto longest = [&] {
+    const double pulsation = std::max(natural_pulsation(scene), scene.drive_pulsation);
+    const double way = scene.clearance > 0 ? longest_way * scene.clearance : bound_range.most;
+    for (const double step : steps) {
+      request.step = step;
+      if (step <= request.duration / 100 && step * pulsation <= longest_phase && step * request.bounds->speed <= way &&
+          chosen(request) == Stepper::moment && Moment::restitution_error(resolution(request), step) <= automatic_error)
+        return step;
+    }
+    return 0.0;
+  };
+  if (!asked.bounds) request.bounds = estimated_bounds(request);
+  double step = longest();
+  if (step < usual && !asked.bounds && request.duration / usual <= longest_run) {
+    Bounds bounds{};
+    request.step = usual;
+    request.stepper = chosen(request);
+    if (measure_bounds(request, bounds) == PlanStatus::ok) {
+      request.bounds = bounds;
+      step = longest();
+    }
+  }
+  return step > 0 ? step : usual;
 }
 
 double restitution_at(const Request& request, double speed) {
   if (request.damping != Damping::constant)
     return true_restitution(request.damping, request.scene.restitution).value_or(0);
-  Bounds bounds{};
-  bounds.speed = speed / 2;  // of either mass
-  return resolution(request, bounds).restitution;
+  Request fast = request;
+  fast.bounds.emplace().speed = speed / 2;  // of either mass
+  return resolution(fast).restitution;
 }
 
 }  // namespace impact::host

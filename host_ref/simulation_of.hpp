@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <impact/absorber.hpp>
+#include <type_traits>
 
 #include "host_ref/simulation.hpp"
 
@@ -38,32 +39,38 @@ class KernelSimulation final : public Simulation {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, EnergyLedger, ImpactLog>;
 
   KernelSimulation(const Request& request, const Bounds& bounds, const typename Kernel::PlanType& plan)
-      : request_(request),
+      : scene_(request.scene),
+        step_(request.step),
         largest_force_(bounds.force),
         sample_unit_(Format::sample_unit(bounds.force)),
+        position_unit_(constant::power_of_two(position_exponent(plan) - 63)),
         kernel_(plan) {}
 
   void step(double force) override {
-    if constexpr (Kernel::Contact::splits) v2_before_ = kernel_.reading().v2;
-    if constexpr (Drive::is_sampled) {
-      // Fixed32's fractions cannot say so themselves.
-      if (!(std::abs(force) <= largest_force_)) is_sample_beyond_ = true;
-      kernel_.step(Format::sample(sample_unit_ > 0 ? force / sample_unit_ : 0));
-    } else {
-      kernel_.step();
+    double x1 = 0;
+    run(1, &force, &x1);
+  }
+
+  // Not inlined into step(): it is the whole kernel.
+  [[gnu::noinline]] long run(long steps, const double* forces, double* x1) override {
+    for (long n = 0; n < steps; ++n) {
+      if (n == steps - 1) note_ball();
+      advance(forces ? forces[n] : 0);
+      if (kernel_.fault() != Fault::none || is_sample_beyond_) return n;
+      x1[n] = displacement();
     }
-    ++steps_;
+    return steps;
   }
 
   Sample sample() const override {
     const auto now = kernel_.reading();
     const auto& state = kernel_.state();
     const auto& plan = kernel_.plan;
-    const auto& scene = request_.scene;
+    const auto& scene = scene_;
     const double side = state.at_left ? -1 : 1;
     const double pair_unit = plan.force_unit * plan.units.si_penetration_unit();
     Sample sample{};
-    sample.t = static_cast<double>(steps_) * request_.step;
+    sample.t = static_cast<double>(steps_) * step_;
     sample.x1 = now.x1;
     sample.v1 = now.v1;
     sample.x2 = now.x2;
@@ -73,8 +80,8 @@ class KernelSimulation final : public Simulation {
                          : scene.stops == Stops::left ? -y - gap
                                                       : std::abs(y) - gap;
     if constexpr (Kernel::Contact::splits) {
-      // The mean over the last step, by what the ball has felt; it may have come and gone within it.
-      sample.contact_force = scene.ball_mass * std::abs(now.v2 - v2_before_) / request_.step;
+      // The mean over the last step.
+      sample.contact_force = scene.ball_mass * std::abs(now.v2 - v2_before_) / step_;
     } else if (kernel_.is_touching()) {
       sample.penetration = side * y - gap;
       // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
@@ -111,21 +118,49 @@ class KernelSimulation final : public Simulation {
     return nullptr;
   }
 
-  std::string description() const override { return {}; }  // make_simulation says what was chosen
-
  private:
+  // The mean force of an impact that may have come and gone within a step is had from what the ball has felt.
+  void note_ball() {
+    if constexpr (Kernel::Contact::splits) v2_before_ = kernel_.reading().v2;
+  }
+
+  void advance(double force) {
+    if constexpr (Drive::is_sampled) {
+      // Fixed32's fractions cannot say so themselves.
+      if (!(std::abs(force) <= largest_force_)) is_sample_beyond_ = true;
+      kernel_.step(Format::sample(sample_unit_ > 0 ? force / sample_unit_ : 0));
+    } else {
+      kernel_.step();
+    }
+    ++steps_;
+  }
+
+  static int position_exponent(const typename Kernel::PlanType& plan) {
+    if constexpr (std::is_same_v<Format, Fixed32>)
+      return plan.units.position_exponent;
+    else
+      return 0;
+  }
+  // reading().x1, without making its unit at every step.
+  double displacement() const {
+    if constexpr (std::is_same_v<Format, Fixed32>)
+      return static_cast<double>(kernel_.state().x1.raw - Format::Units::half_place) * position_unit_;
+    else
+      return kernel_.plan.units.si_at(kernel_.state().x1);
+  }
+
   double damping() const {
     if constexpr (ContactLaw::is_damped_per_impact) {
       const auto& plan = kernel_.plan;
       const double v0 = plan.units.si_penetration(kernel_.state().impact_rate) / plan.step;
-      return v0 > 0 ? damping_ratio_ * request_.scene.contact_stiffness / v0 : 0;
+      return v0 > 0 ? damping_ratio_ * scene_.contact_stiffness / v0 : 0;
     }
-    return ContactLaw::is_damped ? request_.scene.contact_damping : 0;
+    return ContactLaw::is_damped ? scene_.contact_damping : 0;
   }
 
-  Request request_;
-  double largest_force_, sample_unit_;
-  double damping_ratio_ = impact::damping_ratio<ContactLaw>(request_.scene);
+  Scene scene_;
+  double step_, largest_force_, sample_unit_, position_unit_;
+  double damping_ratio_ = impact::damping_ratio<ContactLaw>(scene_);
   bool is_sample_beyond_ = false;
   Kernel kernel_;
   long steps_ = 0;

@@ -63,7 +63,7 @@ EXPORT(plan) bool plan(int slot, bool with_absorber) {
   if (!with_absorber) request = without_absorber(request);
   Outcome outcome = make_simulation(request);
   if (!outcome.simulation) return refuse(outcome.refusal);
-  const std::string why = outcome.simulation->description();
+  const std::string why = outcome.description;
   const bool is_automatic = request.stepper == Stepper::automatic;
   reply("planned\n" + (is_automatic ? why.substr(0, why.find(',')) : std::string(name_of(request.stepper))) + "\n" +
         why + "\n" + exact(request.scene.contact_damping) + "\n");

@@ -35,7 +35,6 @@ class RecordedRun {
   bool is_done() const;
 
   const char* fault() const { return simulation_->fault(); }
-  std::string description() const { return simulation_->description(); }
   const Request& request() const { return request_; }
   long every() const { return every_; }
   const std::vector<Row>& rows() const { return rows_; }

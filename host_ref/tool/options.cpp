@@ -2,6 +2,7 @@
 #include <functional>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/text.hpp>
+#include <impact/status.hpp>
 #include <utility>
 
 namespace impact::host {
@@ -52,18 +53,17 @@ Value initial_value(const Field<Value>& field) {
   return field(settings);
 }
 
-Option number(const char* name, const char* unit, double lowest, double highest, const Field<double>& field,
-              const char* help) {
-  const std::string range = "a number from " + short_text(lowest) + " to " + short_text(highest);
+Option number(const char* name, const char* unit, Range range, const Field<double>& field, const char* help) {
+  const std::string allowed = "a number from " + short_text(range.least) + " to " + short_text(range.most);
   return {name,
           *unit ? unit : "E",
           help,
-          *unit ? range + " " + unit : range,
+          *unit ? allowed + " " + unit : allowed,
           short_text(initial_value(field)),
           true,
           [=](Settings& settings, const std::string& text) {
             const auto value = number_from(text);
-            if (!value || *value < lowest || *value > highest) return false;
+            if (!value || !range.holds(*value)) return false;
             field(settings) = *value;
             return true;
           }};
@@ -119,7 +119,7 @@ Option count(const char* name, const Field<long>& field, const char* help) {
 Option file(const char* name, const Field<std::string>& field, bool scene, const char* help) {
   return {name, "FILE", help, "a file name", "", scene, [=](Settings& settings, const std::string& text) {
             field(settings) = text;
-            return !text.empty();
+            return !text.empty() && text.find('\0') == std::string::npos;
           }};
 }
 
@@ -149,28 +149,32 @@ const std::vector<Option>& options() {
              "pointwise contact; moment-4 and moment-8: with as many sub-steps in contact)"),
       choice("numeric", named({Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}),
              field(&Request::numeric), "number format (float32: with compensated state)"),
-      number("step", "s", 1e-9, 0.1, field(&Request::step), "length of a step"),
-      number("duration", "s", 0, 1e7, field(&Request::duration),
+      number("step", "s", step_range, field(&Request::step), "length of a step")
+          .by_default(
+              "0.0001; with --newmark auto and without --drive-file the longest from 1e-05 to 0.005 with a "
+              "restitution within 1e-05 of the law's, 30 steps a period and 100 in all (said on standard error)"),
+      number("duration", "s", {0, 1e7}, field(&Request::duration),
              "simulated time, rounded to whole steps, at most 1e9 of them")
           .by_default("1, or as long as --drive-file lasts"),
 
-      number("main-mass", "kg", 1e-6, 1e6, field(&Scene::main_mass), "main mass"),
-      number("main-stiffness", "N/m", 0, 1e12, field(&Scene::main_stiffness), "its spring"),
-      number("main-damping", "N.s/m", 0, 1e9, field(&Scene::main_damping), "its damper"),
-      number("ball-mass", "kg", 1e-6, 1e6, field(&Scene::ball_mass), "the absorber's ball"),
-      number("clearance", "m", 0, 1e9, field(&Scene::clearance), "the ball's whole free travel, from stop to stop"),
+      number("main-mass", "kg", mass_range, field(&Scene::main_mass), "main mass"),
+      number("main-stiffness", "N/m", main_stiffness_range, field(&Scene::main_stiffness), "its spring"),
+      number("main-damping", "N.s/m", main_damping_range, field(&Scene::main_damping), "its damper"),
+      number("ball-mass", "kg", mass_range, field(&Scene::ball_mass), "the absorber's ball"),
+      number("clearance", "m", clearance_range, field(&Scene::clearance),
+             "the ball's whole free travel, from stop to stop"),
       choice<Stops>("stops", {{"both", Stops::both}, {"left", Stops::left}, {"right", Stops::right}},
                     field(&Scene::stops), "stops that are there"),
 
-      number("contact-stiffness", "N/m^p", 1e-6, 1e15, field(&Scene::contact_stiffness),
+      number("contact-stiffness", "N/m^p", contact_stiffness_range, field(&Scene::contact_stiffness),
              "stiffness of a stop, p = 1 for hooke-newton and 3/2 otherwise"),
-      number("contact-damping", "N.s/m^q", 0, 1e15, field(&Scene::contact_damping),
+      number("contact-damping", "N.s/m^q", contact_damping_range, field(&Scene::contact_damping),
              "damping of a stop, q = 1 for hooke-newton and 5/2 for hunt-crossley; hertz has none")
           .by_default("19560 for hunt-crossley, 20.81 for hooke-newton (the paper's)"),
-      number("restitution", "", 1e-3, 1, field(&Scene::restitution),
+      number("restitution", "", restitution_range, field(&Scene::restitution),
              "sets the contact damping, exactly for the law, instead of --contact-damping")
           .by_default("not used"),
-      number("impact-speed", "m/s", 1e-6, 1e4, field(&Settings::impact_speed),
+      number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed),
              "speed at which hunt-crossley is to show that restitution; no matter to the other laws"),
       flag("paper-damping", field(&Settings::paper_damping), true,
            "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
@@ -182,28 +186,33 @@ const std::vector<Option>& options() {
 
       choice<DriveKind>("drive", {{"none", DriveKind::none}, {"sine", DriveKind::sine}}, field(&Request::drive),
                         "force on the main mass"),
-      number("drive-amplitude", "N", 0, 1e9, field(&Scene::drive_amplitude), "of the sine"),
-      number("drive-pulsation", "rad/s", 0, 1e6, field(&Scene::drive_pulsation), "of the sine"),
+      number("drive-amplitude", "N", force_range, field(&Scene::drive_amplitude), "of the sine"),
+      number("drive-pulsation", "rad/s", drive_pulsation_range, field(&Scene::drive_pulsation), "of the sine"),
       file("drive-file", field(&Settings::drive_file), true,
            "force samples instead, one a line and step: line n holds the force in N at the end of step n; 0 at t = 0"),
 
-      number("x1", "m", -1e3, 1e3, field(&Scene::x1), "initial displacement of the main mass"),
-      number("v1", "m/s", -1e4, 1e4, field(&Scene::v1), "and its velocity"),
-      number("x2", "m", -1e3, 1e3, field(&Scene::x2), "initial displacement of the ball, in the same frame"),
-      number("v2", "m/s", -1e4, 1e4, field(&Scene::v2), "and its velocity"),
+      number("x1", "m", initial_displacement_range, field(&Scene::x1), "initial displacement of the main mass"),
+      number("v1", "m/s", initial_velocity_range, field(&Scene::v1), "and its velocity"),
+      number("x2", "m", initial_displacement_range, field(&Scene::x2),
+             "initial displacement of the ball, in the same frame"),
+      number("v2", "m/s", initial_velocity_range, field(&Scene::v2), "and its velocity"),
 
-      number("bound-displacement", "m", 1e-9, 1e6, field(&Bounds::displacement),
+      number("bound-displacement", "m", bound_range, field(&Bounds::displacement),
              "largest displacement that fixed32 makes room for, beyond which the kernel raises a fault; without any "
-             "--bound, twice what a float64 run reaches"),
-      number("bound-speed", "m/s", 1e-9, 1e6, field(&Bounds::speed), "and the largest speed"),
-      number("bound-penetration", "m", 1e-9, 1e6, field(&Bounds::penetration), "and the largest penetration"),
-      number("bound-force", "N", 1e-9, 1e9, field(&Bounds::force), "and the largest sample of a --drive-file"),
+             "--bound, half as much again as a float64 run reaches"),
+      number("bound-speed", "m/s", bound_range, field(&Bounds::speed), "and the largest speed"),
+      number("bound-penetration", "m", bound_range, field(&Bounds::penetration), "and the largest penetration"),
+      number("bound-force", "N", force_range, field(&Bounds::force), "and the largest sample of a --drive-file"),
 
       count("every", field(&Settings::every), "write every N-th step, the initial state first"),
       file("output", field(&Settings::output), false, "replaced as a whole when the run ends")
           .by_default("standard output"),
       file("plot", field(&Settings::plot), false,
            "draw the main mass's displacement with and without absorber as SVG (with gnuplot)"),
+      file(
+          "rig", field(&Settings::rig), false,
+          "write the run as a header for firmware: scene, bounds, step, law, stepper, drive and format as the run used "
+          "them, and an absorber that makes the run's bits"),
       file("sweep", field(&Settings::sweep), false,
            "one scene a line of a CSV whose header names options; the other options hold for all; a summary row a "
            "scene, on all cores; goes on where an interrupted run with the same --output stopped"),

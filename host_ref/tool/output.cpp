@@ -1,21 +1,77 @@
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <host_ref/tool/output.hpp>
 #include <utility>
 
 namespace impact::host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The unfinished files, for the signal handler: only lock-free atomics may be read there.
+std::array<std::atomic<const char*>, 8> unfinished{};
+
+extern "C" void remove_unfinished(int signal) {
+  for (const auto& path : unfinished) {
+    if (const char* name = path.load()) unlink(name);
+  }
+  raise(signal);  // the default action, which SA_RESETHAND has put back
+}
+
+void watch_signals() {
+  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU}) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;  // nohup ignores one
+    action.sa_handler = remove_unfinished;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+void note_unfinished(const char* path) {
+  watch_signals();
+  for (auto& slot : unfinished) {
+    const char* empty = nullptr;
+    if (slot.compare_exchange_strong(empty, path)) return;
+  }
+}
+void forget_unfinished(const char* path) {
+  for (auto& slot : unfinished) {
+    const char* noted = path;
+    if (slot.compare_exchange_strong(noted, nullptr)) return;
+  }
+}
+
+// What a link leads to, there or not; of a loop of links one of them.
+std::string behind_links(fs::path path) {
+  std::error_code none;
+  for (int links = 0; links < 40 && fs::is_symlink(path, none); ++links)
+    path = path.parent_path() / fs::read_symlink(path, none);
+  return path.string();
+}
+
+}  // namespace
 
 OutputError::OutputError(const std::string& file)
     : std::runtime_error((file.empty() ? "standard output" : file) + ": " + std::strerror(errno)) {}
 
-Output::Output(const std::string& path) : target_(path) {
+Output::Output(const std::string& path) : target_(behind_links(path)) {
   if (target_.empty()) {
     file_ = stdout;
     return;
+  }
+  std::error_code none;
+  if (fs::is_symlink(target_, none)) {
+    errno = ELOOP;
+    throw OutputError(path);
   }
   struct stat status {};
   const bool exists = stat(target_.c_str(), &status) == 0;
@@ -23,9 +79,10 @@ Output::Output(const std::string& path) : target_(path) {
     file_ = std::fopen(target_.c_str(), "w");
   } else {
     if (exists && access(target_.c_str(), W_OK) != 0) throw OutputError(path);
-    if (exists) target_ = std::filesystem::canonical(target_);  // a link stays one
     temporary_ = target_ + "." + std::to_string(getpid()) + ".partial";
+    note_unfinished(temporary_.c_str());
     file_ = std::fopen(temporary_.c_str(), "wx");
+    if (!file_) forget_unfinished(temporary_.c_str());
     if (file_ && exists) fchmod(fileno(file_), status.st_mode & 07777);
   }
   if (!file_) throw OutputError(path);
@@ -33,7 +90,9 @@ Output::Output(const std::string& path) : target_(path) {
 
 Output::~Output() {
   if (file_ && file_ != stdout) std::fclose(file_);
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
+  if (temporary_.empty()) return;
+  std::remove(temporary_.c_str());
+  forget_unfinished(temporary_.c_str());
 }
 
 void Output::write(std::string_view text) {
@@ -49,7 +108,16 @@ void Output::commit() {
   if (std::fclose(std::exchange(file_, nullptr)) != 0) throw OutputError(target_);
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw OutputError(target_);
+  forget_unfinished(temporary_.c_str());
   temporary_.clear();
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  const fs::path first = behind_links(a), second = behind_links(b);
+  if (fs::exists(first, error) || fs::exists(second, error))
+    return fs::is_regular_file(first, error) && fs::equivalent(first, second, error);
+  return fs::weakly_canonical(fs::absolute(first), error) == fs::weakly_canonical(fs::absolute(second), error);
 }
 
 }  // namespace impact::host

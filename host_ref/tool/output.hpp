@@ -1,6 +1,7 @@
 #pragma once
 // A file that appears whole or not at all: written beside its target and renamed at the end. Standard output, devices
-// and pipes are written directly. Every write, the flush and the close are checked.
+// and pipes are written directly. Every write, the flush and the close are checked. A signal that ends the program
+// takes the unfinished files with it.
 
 #include <cstdio>
 #include <stdexcept>
@@ -30,5 +31,8 @@ class Output {
   std::string target_, temporary_;
   std::FILE* file_ = nullptr;
 };
+
+// Whether two names stand for one file that is or would be a regular one, however they are spelled.
+bool is_same_file(const std::string& a, const std::string& b);
 
 }  // namespace impact::host

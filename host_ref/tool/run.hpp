@@ -1,35 +1,33 @@
 #pragma once
 // One scene from its initial state to its end.
 
+#include <algorithm>
+#include <array>
 #include <host_ref/tool/settings.hpp>
 
 namespace impact::host {
 
-inline std::unique_ptr<Simulation> simulation_of(const Request& request) {
+inline Outcome outcome_of(const Request& request) {
   Outcome outcome = make_simulation(request);
   if (!outcome.simulation) throw BadInput(outcome.refusal);
-  return std::move(outcome.simulation);
+  return outcome;
 }
 
-// Calls observe(steps done) for the initial state and after each step; stops at a fault and returns it, else nullptr.
+// Calls observe(n, x1, count) for the initial state and after at most `every` steps: n steps are done, the last `count`
+// of which led to the displacements x1. Stops at a fault and returns it, else nullptr.
 template <class Observe>
-const char* run(Simulation& simulation, const Request& request, Observe observe) {
-  observe(0L);
+const char* run(Simulation& simulation, const Request& request, long every, Observe observe) {
+  std::array<double, 1024> x1{simulation.sample().x1};
+  observe(0L, x1.data(), 1L);
   const long steps = step_count(request);
-  for (long n = 1; n <= steps; ++n) {
-    simulation.step(request.samples.empty() ? 0.0 : request.samples[static_cast<size_t>(n - 1)]);
-    if (const char* fault = simulation.fault()) return fault;
-    observe(n);
+  for (long n = 0; n < steps;) {
+    const long count = std::min({every - n % every, steps - n, static_cast<long>(x1.size())});
+    const long good = simulation.run(count, request.samples.empty() ? nullptr : request.samples.data() + n, x1.data());
+    n += good;
+    if (good > 0) observe(n, x1.data(), good);
+    if (good < count) return simulation.fault();
   }
   return nullptr;
-}
-
-// The same main mass without absorber: stops out of the ball's reach.
-inline Request without_absorber(Request request) {
-  request.scene.clearance = 1e12;  // m
-  request.numeric = Numeric::float64;
-  request.bounds.reset();
-  return request;
 }
 
 }  // namespace impact::host

@@ -1,8 +1,10 @@
 #include <cmath>
 #include <fstream>
 #include <host_ref/closed_form.hpp>
+#include <host_ref/tool/output.hpp>
 #include <host_ref/tool/settings.hpp>
 #include <host_ref/tool/text.hpp>
+#include <utility>
 
 namespace impact::host {
 namespace {
@@ -15,7 +17,8 @@ std::vector<double> samples_from(const std::string& file) {
   if (!input) throw BadInput("--drive-file", file, "a file that can be read");
   std::vector<double> samples;
   for (char number[64]; input.getline(number, sizeof number);) {
-    const std::string line = number;
+    const std::string line(number,
+                           static_cast<size_t>(input.gcount()) - (input.eof() ? 0 : 1));  // a NUL does not end it
     const auto force = number_from(trimmed(line));
     if (!force || std::abs(*force) > largest_force)
       throw BadInput("--drive-file", file + " line " + std::to_string(samples.size() + 1) + ": '" + line + "'",
@@ -25,6 +28,7 @@ std::vector<double> samples_from(const std::string& file) {
   if (!input.eof())
     throw BadInput("--drive-file", file + " line " + std::to_string(samples.size() + 1),
                    "a line that can be read, of up to 63 characters");
+  if (samples.empty()) throw BadInput("--drive-file", file + " without a line", "a line for each step");
   return samples;
 }
 
@@ -68,8 +72,21 @@ void settle(Settings& settings, const Given& given) {
 
   refuse_unless(has("sweep"), "shard", "with --sweep");
   refuse_unless(!has("sweep"), "plot", "without --sweep");
+  refuse_unless(!has("sweep"), "rig", "without --sweep");
   refuse_unless(!has("sweep"), "every", "without --sweep");
-  refuse_unless(!has("output") || settings.plot != settings.output, "plot", "another file than --output");
+  // Nothing written may take the place of what is read, or of what is written beside it.
+  const std::pair<const char*, const std::string*> files[] = {{"drive-file", &settings.drive_file},
+                                                              {"sweep", &settings.sweep},
+                                                              {"output", &settings.output},
+                                                              {"plot", &settings.plot},
+                                                              {"rig", &settings.rig}};
+  for (const auto& [written, path] : files) {
+    for (const auto& [other, other_path] : files) {
+      if (other == written) break;
+      if (has(written) && has(other) && is_same_file(*path, *other_path))
+        throw BadInput(std::string("--") + written, *path, std::string("another file than --") + other);
+    }
+  }
   if (settings.benchmark) {
     for (const auto& [name, value] : given) {
       refuse_unless(name == "benchmark" || name == "output", name.c_str(), "without --benchmark");
@@ -101,9 +118,13 @@ void settle(Settings& settings, const Given& given) {
     request.samples = samples_from(settings.drive_file);
     if (!has("duration")) request.duration = static_cast<double>(request.samples.size()) * request.step;
   }
+  // A file of samples and a stepper that was named are for a step that the user knows.
+  settings.is_step_automatic = !has("step") && !has("drive-file") && request.stepper == Stepper::automatic;
+  if (settings.is_step_automatic) request.step = automatic_step(request);
   if (request.duration / request.step > most_steps)
     throw BadInput("--duration", has("duration") ? given.at("duration") : short_text(request.duration),
-                   "at most 1e9 steps of " + short_text(request.step) + " s");
+                   "a number from 0 to " + texts_within(0, most_steps * request.step).second + " s, 1e9 steps of " +
+                       shortest_text(request.step) + " s");
   if (has("drive-file")) {
     const auto steps = static_cast<size_t>(step_count(request));
     if (request.samples.size() < steps)

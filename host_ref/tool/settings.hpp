@@ -2,6 +2,7 @@
 // What one call of the tool asks for, and the one way to refuse it.
 
 #include <host_ref/simulation.hpp>
+#include <host_ref/tool/text.hpp>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -16,15 +17,15 @@ struct Settings {
   Request request;
   long every = 1;
   double impact_speed = 0.8;  // m/s, at which Hunt-Crossley is to show the stated restitution
-  bool paper_damping = false, benchmark = false;
-  std::string drive_file, output, plot, sweep;
+  bool paper_damping = false, benchmark = false, is_step_automatic = false;
+  std::string drive_file, output, plot, rig, sweep;
   Shard shard;
 };
 
-// Exit code 2: one line that names the option, its value and what is allowed.
+// Exit code 2: one line, whatever the input holds, that names the option, its value and what is allowed.
 struct BadInput : std::runtime_error {
   BadInput(const std::string& option, const std::string& value, const std::string& allowed)
-      : std::runtime_error(option + (value.empty() ? "" : " ") + value + ": allowed: " + allowed) {}
+      : std::runtime_error(in_one_line(option + (value.empty() ? "" : " ") + value + ": allowed: " + allowed)) {}
   explicit BadInput(const Refusal& refusal) : BadInput("--" + refusal.field, refusal.value, refusal.allowed) {}
   BadInput(const std::string& where, const BadInput& what) : std::runtime_error(where + ": " + what.what()) {}
 };

@@ -34,15 +34,20 @@ void SummaryFile::take_over(const std::map<long, std::string>& keys) {
   if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw std::runtime_error(path_ + ": another impact-sim is writing it");
   std::ifstream input(path_, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(input), {}};
-  const BadInput refusal("--output", path_, "a new file, or what an earlier run of this very sweep left");
+  long line = 1;
+  const auto refusal = [&] {
+    return BadInput("--output", path_ + " line " + std::to_string(line),
+                    "a new file, or what an earlier run of this very sweep left, with drive files as they are now");
+  };
 
   const size_t whole = text.rfind('\n') + 1;  // 0 without one
-  if (text.compare(0, header_.size(), header_, 0, whole ? header_.npos : text.size()) != 0) throw refusal;
+  if (text.compare(0, header_.size(), header_, 0, whole ? header_.npos : text.size()) != 0) throw refusal();
   for (size_t start = std::min(whole, header_.size()); start < whole;) {
     const size_t end = text.find('\n', start) + 1;
     const std::string row = text.substr(start, end - start);
+    ++line;
     const auto key = keys.find(whole_number_from(row.substr(0, row.find(','))).value_or(0));
-    if (key == keys.end() || row.compare(0, key->second.size(), key->second) != 0) throw refusal;
+    if (key == keys.end() || row.compare(0, key->second.size(), key->second) != 0) throw refusal();
     rows_.emplace(key->first, row);
     order_.push_back(key->first);
     start = end;

@@ -1,14 +1,18 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <fstream>
-#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/bare.hpp>
 #include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/run.hpp>
 #include <host_ref/tool/summary_file.hpp>
 #include <host_ref/tool/sweep.hpp>
 #include <host_ref/tool/text.hpp>
+#include <impact/numeric/fingerprint.hpp>
+#include <impact/status.hpp>
+#include <iostream>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -19,7 +23,8 @@ namespace {
 struct SweptScene {
   long number;
   std::vector<Argument> arguments;
-  std::string key;  // how its row begins: the number and the values, each with its comma
+  Settings settings;  // without the samples of a drive file, of which there may be many
+  std::string key;    // how its row begins: the number and the values, each with its comma
 };
 
 struct Sweep {
@@ -38,12 +43,22 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-// That a kernel exists for the scene. When only running it tells fixed32's bounds, what depends on them is left to the
-// row's `fault`.
-void check(const std::vector<Argument>& arguments) {
-  Request request = settings_from(arguments).request;
-  if (request.numeric == Numeric::fixed32 && !request.bounds) request.numeric = Numeric::float64;
-  simulation_of(request);
+// That a kernel exists for the scene, as far as it can be told before anything runs; the rest is left to the row's
+// `fault`.
+Settings checked(const std::vector<Argument>& arguments) {
+  Settings settings = settings_from(arguments);
+  const Refusal refusal = refusal_before_a_run(settings.request);
+  if (!refusal.field.empty()) throw BadInput(refusal);
+  return settings;
+}
+
+std::string fingerprint_of(const std::vector<double>& samples) {
+  if (samples.empty()) return {};
+  Fingerprint fingerprint;
+  for (const double sample : samples) fingerprint.add_number(sample);
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(fingerprint.value));
+  return digits;
 }
 
 // Reads and checks every line.
@@ -68,6 +83,8 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
     }
     sweep.header += column + ",";
   }
+  const bool has_drive_file = sweep.header.find(",drive-file,") != std::string::npos;
+  if (has_drive_file) sweep.header += "drive_samples,";
   sweep.header += "max_x1,rms_x1,attenuation,energy_dissipated,impacts,fault\n";
 
   long scene = 0;
@@ -79,13 +96,15 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
       if (cells.size() != columns.size())
         throw BadInput("a line", "of " + std::to_string(cells.size()) + " cells",
                        std::to_string(columns.size()) + " as in the header");
-      SweptScene swept{scene, common, std::to_string(scene) + ","};
+      SweptScene swept{scene, common, {}, std::to_string(scene) + ","};
       for (const Argument& argument : common) swept.key += argument.value + ",";
       for (size_t i = 0; i < cells.size(); ++i) {
         if (!cells[i].empty()) swept.arguments.push_back({columns[i], cells[i]});
         swept.key += cells[i] + ",";
       }
-      check(swept.arguments);
+      swept.settings = checked(swept.arguments);
+      if (has_drive_file) swept.key += fingerprint_of(swept.settings.request.samples) + ",";
+      swept.settings.request.samples = {};
       sweep.keys.emplace(scene, swept.key);
       if ((scene - settings.shard.index) % settings.shard.count == 0) sweep.scenes.push_back(std::move(swept));
     } catch (const BadInput& bad) {
@@ -106,12 +125,14 @@ Summary summary_of(Simulation& simulation, const Request& request) {
   Summary summary;
   double squares = 0;
   long samples = 0;
-  summary.fault = run(simulation, request, [&](long) {
-    summary.last = simulation.sample();
-    summary.largest = std::max(summary.largest, std::abs(summary.last.x1));
-    squares += summary.last.x1 * summary.last.x1;
-    ++samples;
+  summary.fault = run(simulation, request, step_count(request) + 1, [&](long, const double* x1, long count) {
+    for (long i = 0; i < count; ++i) {
+      summary.largest = std::max(summary.largest, std::abs(x1[i]));
+      squares += x1[i] * x1[i];
+    }
+    samples += count;
   });
+  summary.last = simulation.sample();
   summary.root_mean_square = std::sqrt(squares / static_cast<double>(samples));
   return summary;
 }
@@ -122,13 +143,13 @@ std::string one_cell(std::string text) {
 }
 
 // What follows the key in a scene's row.
-std::string results_of(const SweptScene& scene) {
-  const Request request = settings_from(scene.arguments).request;
+std::string results_of(const SweptScene& scene, BareRuns& bare_runs) {
+  Request request = scene.settings.request;
+  if (request.drive == DriveKind::sampled) request = settings_from(scene.arguments).request;
   const Outcome outcome = make_simulation(request);
   if (!outcome.simulation) return ",,,,," + one_cell(BadInput(outcome.refusal).what()) + "\n";
   const Summary summary = summary_of(*outcome.simulation, request);
-  const Request bare = without_absorber(request);
-  const double bare_largest = summary_of(*simulation_of(bare), bare).largest;
+  const double bare_largest = bare_runs.largest(request, scene.settings.drive_file);
 
   const int digits = significant_digits(request.numeric);
   std::string text;
@@ -144,10 +165,24 @@ std::string results_of(const SweptScene& scene) {
   return text + "\n";
 }
 
+// The steps that were chosen where none was given.
+void say_steps(const std::vector<SweptScene>& scenes) {
+  double shortest = step_range.most, longest = 0;
+  for (const SweptScene& scene : scenes) {
+    if (!scene.settings.is_step_automatic) continue;
+    shortest = std::min(shortest, scene.settings.request.step);
+    longest = std::max(longest, scene.settings.request.step);
+  }
+  if (longest > 0)
+    std::cerr << "impact-sim: steps of " << short_text(shortest) << " to " << short_text(longest)
+              << " s by --newmark auto, one for each scene\n";
+}
+
 }  // namespace
 
 int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
   const Sweep sweep = read_sweep(settings, arguments);
+  say_steps(sweep.scenes);
   SummaryFile file(settings.output, sweep.header, sweep.keys);
   std::vector<const SweptScene*> waiting;
   for (const SweptScene& scene : sweep.scenes) {
@@ -157,6 +192,7 @@ int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) 
   std::atomic<size_t> next{0};
   std::mutex one_at_a_time;
   std::exception_ptr error;
+  BareRuns bare_runs;
   {
     const auto total = static_cast<long>(sweep.scenes.size());
     long done = total - static_cast<long>(waiting.size());
@@ -164,7 +200,7 @@ int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) 
     const auto work = [&] {
       for (size_t i = next++; i < waiting.size(); i = next++) {
         try {
-          const std::string results = results_of(*waiting[i]);
+          const std::string results = results_of(*waiting[i], bare_runs);
           const std::lock_guard<std::mutex> lock(one_at_a_time);
           file.add(waiting[i]->number, waiting[i]->key + results);
           progress.at(++done);

@@ -1,8 +1,10 @@
 #pragma once
 // Numbers to and from text, in the C locale whatever the environment says.
 
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <host_ref/limits.hpp>
 #include <host_ref/simulation.hpp>
 #include <optional>
 #include <string>
@@ -33,15 +35,17 @@ inline void append_number(std::string& text, double value, int significant_digit
               std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, significant_digits).ptr);
 }
 
-inline std::string short_text(double value) {
-  std::string text;
-  append_number(text, value, 6);
-  return text;
-}
-
 // Enough to tell neighbouring values of the format apart.
 inline int significant_digits(Numeric numeric) {
   return numeric == Numeric::float64 ? 17 : numeric == Numeric::fixed32 ? 13 : 9;
+}
+
+// Control characters, of which a NUL would end a message early, become question marks.
+inline std::string in_one_line(std::string text) {
+  for (char& letter : text) {
+    if (std::iscntrl(static_cast<unsigned char>(letter))) letter = '?';
+  }
+  return text;
 }
 
 inline std::string_view trimmed(std::string_view text) {

@@ -1,6 +1,8 @@
+#include <host_ref/tool/bare.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/plot.hpp>
 #include <host_ref/tool/progress.hpp>
+#include <host_ref/tool/rig.hpp>
 #include <host_ref/tool/run.hpp>
 #include <host_ref/tool/text.hpp>
 #include <host_ref/tool/trajectory.hpp>
@@ -23,23 +25,28 @@ std::string row(const Sample& sample, int digits) {
   return text += '\n';
 }
 
+void extend(Curve& curve, double step, long n, const double* x1, long count) {
+  for (long i = 0; i < count; ++i) curve.add(static_cast<double>(n - count + 1 + i) * step, x1[i]);
+}
+
 Curve bare_curve(const Request& request) {
   const Request bare = without_absorber(request);
-  const auto simulation = simulation_of(bare);
-  Curve curve(step_count(bare));
-  run(*simulation, bare, [&](long) {
-    const Sample sample = simulation->sample();
-    curve.add(sample.t, sample.x1);
-  });
+  const auto simulation = outcome_of(bare).simulation;
+  const long steps = step_count(bare);
+  Curve curve(steps);
+  run(*simulation, bare, steps + 1,
+      [&](long n, const double* x1, long count) { extend(curve, bare.step, n, x1, count); });
   return curve;
 }
 
 }  // namespace
 
-int write_trajectory(const Settings& settings) {
+int write_trajectory(const Settings& settings, const std::vector<Argument>& arguments) {
   const Request& request = settings.request;
-  const auto simulation = simulation_of(request);
-  if (!simulation->description().empty()) std::cerr << "impact-sim: " << simulation->description() << "\n";
+  const Outcome outcome = outcome_of(request);
+  Simulation* const simulation = outcome.simulation.get();
+  const std::string step = settings.is_step_automatic ? "step " + short_text(request.step) + " s, " : "";
+  if (!outcome.description.empty()) std::cerr << "impact-sim: " << step << outcome.description << "\n";
 
   const long steps = step_count(request);
   const int digits = significant_digits(request.numeric);
@@ -51,13 +58,18 @@ int write_trajectory(const Settings& settings) {
   const char* fault = nullptr;
   {
     Progress progress("steps", steps);
-    fault = run(*simulation, request, [&](long n) {
+    fault = run(*simulation, request, settings.every, [&](long n, const double* x1, long count) {
       if (n % settings.every == 0) output.write(row(simulation->sample(), digits));
-      if (plots) curve.add(simulation->sample().t, simulation->sample().x1);
-      if (n % steps_between_looks_at_the_clock == 0) progress.at(n);
+      if (plots) extend(curve, request.step, n, x1, count);
+      if (n % steps_between_looks_at_the_clock < count) progress.at(n);
     });
   }
   output.commit();
+  if (!settings.rig.empty()) {
+    Output rig(settings.rig);
+    rig.write(rig_text(outcome.made, arguments));
+    rig.commit();
+  }
   if (plots) draw(settings.plot, request, curve, bare);
   if (!fault) return 0;
   std::cerr << "impact-sim: fault at t = " << short_text(simulation->sample().t) << " s: " << fault << "\n";

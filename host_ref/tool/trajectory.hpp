@@ -1,11 +1,11 @@
 #pragma once
-// The tool's main job: one scene as CSV, one row every N steps, and its plot.
+// The tool's main job: one scene as CSV, one row every N steps, its plot and its rig.
 
-#include <host_ref/tool/settings.hpp>
+#include <host_ref/tool/options.hpp>
 
 namespace impact::host {
 
 // Returns the exit code: 0, or 3 when the kernel raised a fault.
-int write_trajectory(const Settings& settings);
+int write_trajectory(const Settings& settings, const std::vector<Argument>& arguments);
 
 }  // namespace impact::host

@@ -33,6 +33,10 @@ std::string file_of(const char* name, const std::string& text) {
   return path.string();
 }
 
+void run_quietly(const Request& request) {
+  run(*outcome_of(request).simulation, request, 1000, [](long, const double*, long) {});
+}
+
 // One argument a line. Files it may name, some without end, are read elsewhere.
 void command_line(const std::string& text) {
   if (text.find("drive-file") != std::string::npos) return;
@@ -46,12 +50,12 @@ void command_line(const std::string& text) {
   for (const std::string& line : lines) texts.push_back(line.c_str());
   const Settings settings = settings_from(arguments_from(static_cast<int>(texts.size()), texts.data()));
   if (!settings.sweep.empty() || step_count(settings.request) > 10000) return;
-  run(*simulation_of(settings.request), settings.request, [](long) {});
+  run_quietly(settings.request);
 }
 
 void drive_file(const std::string& text) {
   const Settings settings = settings_from({{"drive-file", file_of("drive", text)}, {"step", "1e-3"}});
-  run(*simulation_of(settings.request), settings.request, [](long) {});
+  run_quietly(settings.request);
 }
 
 // Step and duration are given, so that a line that names them is refused and no run is long.

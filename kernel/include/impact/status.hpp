@@ -52,6 +52,7 @@ constexpr Range force_range{0, 1e9};                    // N
 constexpr Range initial_displacement_range{-1e3, 1e3};  // m
 constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s
 constexpr Range bound_range{1e-9, 1e6};                 // m and m/s
+constexpr Range step_range{1e-9, 0.1};                  // s
 constexpr Range drive_pulsation_range{0, 1e6};          // rad/s; above 0 at least:
 
 // A slower drive turns by less than 2^-24 rad a step, of which an oscillator's curvature keeps fewer than 15 bits.
@@ -60,7 +61,7 @@ constexpr double slowest_drive(double step) { return 0x1p-24 / step; }
 // The longest step, s: 0.1, three radians of the drive, and `phase` radians of the main mass's own vibration, whose
 // damping must not decay faster than in one step either.
 constexpr double longest_step(const Scene& scene, double phase) {
-  double h = 0.1;
+  double h = step_range.most;
   const double pulsation = constant::square_root(scene.main_stiffness / scene.main_mass);
   if (pulsation * h > phase) h = phase / pulsation;
   if (scene.main_damping * h > scene.main_mass) h = scene.main_mass / scene.main_damping;
@@ -83,7 +84,7 @@ constexpr PlanStatus status_of(const Scene& scene, double step, double phase) {
     return PlanStatus::initial_displacement;
   if (!initial_velocity_range.holds(scene.v1) || !initial_velocity_range.holds(scene.v2))
     return PlanStatus::initial_velocity;
-  if (!(step >= 1e-9 && step <= longest_step(scene, phase))) return PlanStatus::step;
+  if (!(step >= step_range.least && step <= longest_step(scene, phase))) return PlanStatus::step;
   if (scene.drive_pulsation > 0 && scene.drive_pulsation < slowest_drive(step)) return PlanStatus::drive_pulsation;
   return PlanStatus::ok;
 }

@@ -14,9 +14,11 @@ constexpr double larger(double a, double b) { return a > b ? a : b; }
 constexpr double smaller(double a, double b) { return a < b ? a : b; }
 
 constexpr double power_of_two(int exponent) {
-  double result = 1;
-  for (; exponent > 0; --exponent) result *= 2;
-  for (; exponent < 0; ++exponent) result /= 2;
+  double result = 1, square = exponent < 0 ? 0.5 : 2;
+  for (int rest = exponent < 0 ? -exponent : exponent; rest > 0; rest >>= 1) {
+    if (rest & 1) result *= square;
+    if (rest > 1) square *= square;
+  }
   return result;
 }
 

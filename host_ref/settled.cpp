@@ -1,0 +1,148 @@
+#include "host_ref/settled.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <impact/choice.hpp>
+
+namespace impact::host {
+
+Resolution resolution(const Request& request) {
+  const Scene& scene = request.scene;
+  const Bounds& bounds = *request.bounds;
+  switch (request.law) {
+    case Law::hooke_newton:
+      return resolution_of<HookeNewton>(scene, bounds);
+    case Law::hertz:
+      return resolution_of<Hertz>(scene, bounds);
+    case Law::hunt_crossley:
+      break;
+  }
+  if (request.damping != Damping::constant) return resolution_of<Exact>(scene, bounds);
+  return resolution_of<HuntCrossley>(scene, bounds);
+}
+
+Stepper chosen(const Request& request) {
+  switch (choice_for(resolution(request), request.step)) {
+    case Choice::moment:
+      return Stepper::moment;
+    case Choice::four_sub_steps:
+      return Stepper::moment_4;
+    case Choice::eight_sub_steps:
+      return Stepper::moment_8;
+    case Choice::impulsive:
+      return Stepper::impulsive;
+    case Choice::energy:
+      break;
+  }
+  return Stepper::energy;
+}
+
+Planned plan(const Request& request) {
+  switch (request.numeric) {
+    case Numeric::float32:
+      return plan_simulation<Float32>(request, *request.bounds);
+    case Numeric::float32_plain:
+      return plan_simulation<Float32Plain>(request, *request.bounds);
+    case Numeric::fixed32:
+      return plan_simulation<Fixed32>(request, *request.bounds);
+    case Numeric::float64:
+      break;
+  }
+  return plan_simulation<Float64>(request, *request.bounds);
+}
+
+double natural_pulsation(const Scene& scene) { return std::sqrt(scene.main_stiffness / scene.main_mass); }
+
+static double largest_sample(const Request& request) {
+  double largest = 0;
+  for (double force : request.samples) largest = std::max(largest, std::abs(force));
+  return largest;
+}
+
+// The largest speed is that of the start and what the drive can add in the run, F/M over the difference of the
+// pulsations (a beat; at resonance, over the inverse of the run's duration); at least half a metre per second. The
+// displacement is what the main mass makes of it.
+Bounds estimated_bounds(const Request& request) {
+  const Scene& scene = request.scene;
+  const double natural = natural_pulsation(scene), slowest = 1 / request.duration;
+  double driven = 0;
+  if (request.drive == DriveKind::sine)
+    driven = scene.drive_amplitude / std::max(std::abs(natural - scene.drive_pulsation), slowest);
+  driven = std::max(driven, largest_sample(request) / std::max(natural, slowest));
+  const auto held = [](double bound) { return std::min(bound_range.most, std::max(bound, bound_range.least)); };
+  const double start = std::max(std::abs(scene.x1), std::abs(scene.x2));
+  const double speed = held(std::max(
+      {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2)}));
+  const double reach = held(start + speed / std::max(natural, slowest));
+  return {reach, speed, reach, std::max(1e-6, largest_sample(request))};
+}
+
+// Of a float64 run of the same scene, so that a rounding cannot pass them. It takes longer steps where they are exact
+// enough for that: to a thousandth of the restitution, with twenty in a period.
+PlanStatus measure_bounds(Request request, Bounds& bounds) {
+  constexpr double margin = 1.5, longest_phase = 0.3, restitution_error = 1e-3;
+  const double asked_step = request.step;
+  request.numeric = Numeric::float64;
+  Planned planned = plan(request);
+  if (planned.status == PlanStatus::steps_per_contact || planned.status == PlanStatus::contact_time) {
+    request.stepper = chosen(request);
+    planned = plan(request);
+  }
+  if (planned.status != PlanStatus::ok) return planned.status;
+  for (const double times : {8, 4, 2}) {
+    Request longer = request;
+    longer.step = times * asked_step;
+    const double pulsation = std::max(natural_pulsation(request.scene), request.scene.drive_pulsation);
+    if (!request.samples.empty() || request.stepper != Stepper::moment || longer.step * pulsation > longest_phase ||
+        chosen(longer) != Stepper::moment ||
+        Moment::restitution_error(resolution(longer), longer.step) > restitution_error)
+      continue;
+    if (Planned made = plan(longer); made.status == PlanStatus::ok) {
+      planned = std::move(made);
+      request.step = longer.step;
+      break;
+    }
+  }
+  bounds = {1e-6, 1e-6, 1e-6, std::max(1e-6, largest_sample(request))};
+  const auto note = [&bounds, &planned] {
+    const Sample now = planned.simulation->sample();
+    bounds.displacement = std::max({bounds.displacement, margin * std::abs(now.x1), margin * std::abs(now.x2)});
+    bounds.speed = std::max({bounds.speed, margin * std::abs(now.v1), margin * std::abs(now.v2)});
+    bounds.penetration = std::max(bounds.penetration, margin * now.penetration);
+  };
+  const long steps = std::lround(request.duration / request.step);
+  note();
+  for (long i = 0; i < steps; ++i) {
+    planned.simulation->step(request.samples.empty() ? 0 : request.samples[static_cast<size_t>(i)]);
+    note();
+  }
+  bounds.displacement =
+      std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * asked_step});
+  for (double* bound : {&bounds.displacement, &bounds.speed, &bounds.penetration})
+    *bound = std::min(*bound, bound_range.most);
+  return planned.status;
+}
+
+Settled settled(const Request& asked, bool may_run) {
+  Settled result{asked, asked.stepper == Stepper::automatic, false, {}};
+  Request& request = result.request;
+  if (!asked.bounds) request.bounds = estimated_bounds(asked);
+  if (result.is_automatic) request.stepper = chosen(request);
+  // The speed is of no matter to a stepper that was named and may be taken, and none is finer than Moment.
+  result.planned = plan(request);
+  const PlanStatus status = result.planned.status;
+  const bool is_too_fast = status == PlanStatus::steps_per_contact || status == PlanStatus::contact_time;
+  const bool is_coarse = result.is_automatic && request.stepper != Stepper::moment;
+  if (asked.bounds || !may_run || !(request.numeric == Numeric::fixed32 || is_too_fast || is_coarse)) return result;
+
+  Bounds bounds{};
+  result.planned.status = measure_bounds(request, bounds);
+  if (result.planned.status != PlanStatus::ok) return result;
+  result.is_measured = true;
+  request.bounds = bounds;
+  if (result.is_automatic) request.stepper = chosen(request);
+  result.planned = plan(request);
+  return result;
+}
+
+}  // namespace impact::host

@@ -1,0 +1,76 @@
+#include <cmath>
+#include <host_ref/tool/bare.hpp>
+#include <host_ref/tool/run.hpp>
+#include <impact/status.hpp>
+
+namespace impact::host {
+namespace {
+
+double largest_alone(const Request& bare) {
+  double largest = 0;
+  run(*outcome_of(bare).simulation, bare, step_count(bare) + 1, [&](long, const double* x1, long count) {
+    for (long i = 0; i < count; ++i) largest = std::max(largest, std::abs(x1[i]));
+  });
+  return largest;
+}
+
+}  // namespace
+
+Request without_absorber(const Request& request) {
+  Request bare;
+  bare.law = Law::hertz;
+  switch (request.stepper) {
+    case Stepper::average:
+    case Stepper::linear:
+    case Stepper::fox_goodwin:
+    case Stepper::central:
+      bare.stepper = request.stepper;
+      break;
+    default:  // fly exactly
+      bare.stepper = Stepper::moment;
+  }
+  bare.drive = request.drive;
+  bare.samples = request.samples;
+  bare.step = request.step;
+  bare.duration = request.duration;
+  bare.scene.main_mass = request.scene.main_mass;
+  bare.scene.main_stiffness = request.scene.main_stiffness;
+  bare.scene.main_damping = request.scene.main_damping;
+  bare.scene.drive_amplitude = request.scene.drive_amplitude;
+  bare.scene.drive_pulsation = request.scene.drive_pulsation;
+  bare.scene.x1 = request.scene.x1;
+  bare.scene.v1 = request.scene.v1;
+  bare.scene.clearance = clearance_range.most;
+  bare.scene.contact_stiffness = contact_stiffness_range.least;
+  bare.scene.contact_damping = 0;
+  return bare;
+}
+
+double BareRuns::largest(const Request& request, const std::string& drive_file) {
+  const Request bare = without_absorber(request);
+  const Scene& scene = bare.scene;
+  const bool is_sine = bare.drive == DriveKind::sine;
+  const Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration,
+                 scene.main_mass, scene.main_stiffness, scene.main_damping, is_sine ? scene.drive_amplitude : 0,
+                 is_sine ? scene.drive_pulsation : 0, scene.x1, scene.v1},
+                drive_file};
+  std::promise<double> result;
+  std::shared_future<double> known;
+  {
+    const std::lock_guard<std::mutex> lock(one_at_a_time_);
+    const auto [entry, is_new] = known_.try_emplace(key);
+    if (is_new) entry->second = result.get_future().share();
+    if (!is_new) known = entry->second;
+  }
+  if (known.valid()) return known.get();
+  try {
+    const double largest = largest_alone(bare);
+    result.set_value(largest);
+    return largest;
+  } catch (...) {
+    result.set_exception(std::current_exception());
+    throw;
+  }
+}
+
+}  // namespace impact::host

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <host_ref/tool/rig.hpp>
+#include <host_ref/tool/text.hpp>
+
+namespace impact::host {
+namespace {
+
+// As a shell takes it, in one line that no backslash goes on beyond.
+std::string quoted(const std::string& text) {
+  const auto is_plain = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) ||
+           std::string_view("._/+-:,=").find(letter) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string result = "'";
+  for (const char letter : in_one_line(text)) result += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return result + "'";
+}
+
+std::string command(const std::vector<Argument>& arguments) {
+  std::string text = "impact-sim";
+  for (const Argument& argument : arguments) text += " --" + argument.name + "=" + quoted(argument.value);
+  return text;
+}
+
+const char* law_type(const Request& request) {
+  switch (request.law) {
+    case Law::hooke_newton:
+      return "HookeNewton";
+    case Law::hertz:
+      return "Hertz";
+    case Law::hunt_crossley:
+      break;
+  }
+  return request.damping == Damping::constant ? "HuntCrossley" : "Exact";  // whose restitution is what comes out
+}
+
+const char* stepper_type(Stepper stepper) {
+  switch (stepper) {
+    case Stepper::average:
+      return "AverageAcceleration";
+    case Stepper::linear:
+      return "LinearAcceleration";
+    case Stepper::fox_goodwin:
+      return "FoxGoodwin";
+    case Stepper::central:
+      return "CentralDifference";
+    case Stepper::moment_4:
+      return "SubsteppedMoment<4>";
+    case Stepper::moment_8:
+      return "SubsteppedMoment<8>";
+    case Stepper::energy:
+      return "EnergyConsistent";
+    case Stepper::impulsive:
+      return "Impulsive";
+    case Stepper::moment:
+    case Stepper::automatic:
+      break;
+  }
+  return "Moment";
+}
+
+const char* drive_type(DriveKind drive) {
+  switch (drive) {
+    case DriveKind::none:
+      return "NoDrive";
+    case DriveKind::sine:
+      return "Sine";
+    case DriveKind::sampled:
+      break;
+  }
+  return "Sampled";
+}
+
+const char* format_type(Numeric numeric) {
+  switch (numeric) {
+    case Numeric::float32:
+      return "Float32";
+    case Numeric::float32_plain:
+      return "Float32Plain";
+    case Numeric::fixed32:
+      return "Fixed32";
+    case Numeric::float64:
+      break;
+  }
+  return "Float64";
+}
+
+const char* stops_name(Stops stops) { return stops == Stops::both ? "both" : stops == Stops::left ? "left" : "right"; }
+
+std::string line(const std::string& name, const std::string& value, const std::string& unit) {
+  const std::string statement = "    " + name + " = " + value + ";";
+  return statement + std::string(statement.size() < 42 ? 42 - statement.size() : 1, ' ') + "// " + unit + "\n";
+}
+
+}  // namespace
+
+std::string rig_text(const Request& made, const std::vector<Argument>& arguments) {
+  const Scene& scene = made.scene;
+  const Bounds& bounds = *made.bounds;
+  const struct {
+    const char* name;
+    double value;
+    const char* unit;
+  } scene_numbers[] = {{"main_mass", scene.main_mass, "kg"},
+                       {"main_stiffness", scene.main_stiffness, "N/m"},
+                       {"main_damping", scene.main_damping, "N s/m"},
+                       {"ball_mass", scene.ball_mass, "kg"},
+                       {"clearance", scene.clearance, "m"},
+                       {"contact_stiffness", scene.contact_stiffness, "N/m or N/m^(3/2)"},
+                       {"contact_damping", scene.contact_damping, "N s/m or N s/m^(5/2)"},
+                       {"drive_amplitude", scene.drive_amplitude, "N"},
+                       {"drive_pulsation", scene.drive_pulsation, "rad/s"},
+                       {"x1", scene.x1, "m"},
+                       {"v1", scene.v1, "m/s"},
+                       {"x2", scene.x2, "m"},
+                       {"v2", scene.v2, "m/s"},
+                       {"restitution", scene.restitution, "of a damping that is set at each impact"}},
+    bound_numbers[] = {{"displacement", bounds.displacement, "m"},
+                       {"speed", bounds.speed, "m/s"},
+                       {"penetration", bounds.penetration, "m"},
+                       {"force", bounds.force, "N, of a sampled drive"}};
+  std::string text =
+      "#pragma once\n// The absorber of this run, bit for bit; bounds that the command leaves open are those that it "
+      "found:\n//\n//     " +
+      command(arguments) +
+      "\n\n#include <impact/absorber.hpp>\n\nstruct Rig {\n  static constexpr impact::Scene scene = [] {\n    "
+      "impact::Scene scene;\n";
+  for (const auto& [name, value, unit] : scene_numbers)
+    text += line(std::string("scene.") + name, shortest_text(value), unit);
+  text += line("scene.stops", std::string("impact::Stops::") + stops_name(scene.stops), "that are there");
+  text +=
+      line("scene.tension", std::string("impact::Tension::") + (scene.tension == Tension::allow ? "allow" : "clamp"),
+           "whether a stop may pull");
+  text += "    return scene;\n  }();\n  static constexpr impact::Bounds bounds = [] {\n    impact::Bounds bounds;\n";
+  for (const auto& [name, value, unit] : bound_numbers)
+    text += line(std::string("bounds.") + name, shortest_text(value), unit);
+  text += "    return bounds;\n  }();\n  static constexpr double step = " + shortest_text(made.step) +
+          ";  // s\n};\nusing Absorber = impact::Absorber<Rig, impact::" + law_type(made) +
+          ", impact::" + stepper_type(made.stepper) + ", impact::" + drive_type(made.drive) +
+          ", impact::" + format_type(made.numeric) + ">;\n";
+  return text;
+}
+
+}  // namespace impact::host

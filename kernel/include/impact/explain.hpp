@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Why a plan was refused, and what would do. Where a value is out of its own range, that range (status.hpp). Where it
+// is only the values together that leave no room, the first of
+//
+//     step, displacement_bound, speed_bound, penetration_bound, contact_stiffness, contact_damping, main_stiffness,
+//     main_damping, clearance
+//
+// that can be changed alone so that the plan is made, and the ends of the range around the nearest value that does:
+// found by halving and doubling, then by bisection, each time over a plan that is made. Both ends are accepted.
+
+#include <stdint.h>
+
+#include <impact/numeric/constant_math.hpp>
+#include <impact/scene.hpp>
+#include <impact/status.hpp>
+
+namespace impact {
+
+// The values that a plan is made from.
+enum class Parameter : uint8_t {
+  main_mass,
+  main_stiffness,
+  main_damping,
+  ball_mass,
+  clearance,
+  contact_stiffness,
+  contact_damping,
+  restitution,
+  drive_amplitude,
+  drive_pulsation,
+  x1,
+  v1,
+  x2,
+  v2,
+  displacement_bound,
+  speed_bound,
+  penetration_bound,
+  force_bound,
+  step,
+};
+
+struct Values {
+  Scene scene;
+  Bounds bounds;
+  double step;
+
+  constexpr double* find(Parameter parameter);
+};
+
+namespace detail {
+
+struct ParameterEntry {
+  const char* name;
+  double Scene::*in_scene;
+  double Bounds::*in_bounds;
+  Range range;  // in any scene
+};
+// In the order of the enumerators.
+constexpr ParameterEntry parameters[] = {
+    {"main_mass", &Scene::main_mass, nullptr, mass_range},
+    {"main_stiffness", &Scene::main_stiffness, nullptr, main_stiffness_range},
+    {"main_damping", &Scene::main_damping, nullptr, main_damping_range},
+    {"ball_mass", &Scene::ball_mass, nullptr, mass_range},
+    {"clearance", &Scene::clearance, nullptr, clearance_range},
+    {"contact_stiffness", &Scene::contact_stiffness, nullptr, contact_stiffness_range},
+    {"contact_damping", &Scene::contact_damping, nullptr, contact_damping_range},
+    {"restitution", &Scene::restitution, nullptr, restitution_range},
+    {"drive_amplitude", &Scene::drive_amplitude, nullptr, force_range},
+    {"drive_pulsation", &Scene::drive_pulsation, nullptr, drive_pulsation_range},
+    {"x1", &Scene::x1, nullptr, initial_displacement_range},
+    {"v1", &Scene::v1, nullptr, initial_velocity_range},
+    {"x2", &Scene::x2, nullptr, initial_displacement_range},
+    {"v2", &Scene::v2, nullptr, initial_velocity_range},
+    {"displacement_bound", nullptr, &Bounds::displacement, bound_range},
+    {"speed_bound", nullptr, &Bounds::speed, bound_range},
+    {"penetration_bound", nullptr, &Bounds::penetration, bound_range},
+    {"force_bound", nullptr, &Bounds::force, force_range},
+    {"step", nullptr, nullptr, step_range}};
+constexpr const ParameterEntry& entry(Parameter parameter) { return parameters[static_cast<int>(parameter)]; }
+
+}  // namespace detail
+
+constexpr const char* name_of(Parameter parameter) { return detail::entry(parameter).name; }
+constexpr Range range_of(Parameter parameter) { return detail::entry(parameter).range; }
+constexpr double* Values::find(Parameter parameter) {
+  const auto& entry = detail::entry(parameter);
+  return entry.in_scene ? &(scene.*entry.in_scene) : entry.in_bounds ? &(bounds.*entry.in_bounds) : &step;
+}
+
+// The value that a plan was refused for, and what it may be beside the others (drive_pulsation also 0).
+struct Explanation {
+  Parameter parameter;
+  double value;
+  Range allowed;
+};
+
+// By the status alone. Where `allowed` holds the value, it is the values together that leave no room.
+constexpr Explanation explain(PlanStatus status, Values values) {
+  using constant::larger;
+  using constant::magnitude;
+  const Scene& scene = values.scene;
+  const auto of = [&values](Parameter parameter) {
+    return Explanation{parameter, *values.find(parameter), range_of(parameter)};
+  };
+  const auto first_out_of_range = [&of](Parameter a, Parameter b) {
+    return of(a).allowed.holds(of(a).value) ? of(b) : of(a);
+  };
+  const auto above = [&of](Parameter bound, double a, double b) {
+    Explanation explanation = of(bound);
+    explanation.allowed.least = larger(explanation.allowed.least, larger(magnitude(a), magnitude(b)));
+    return explanation;
+  };
+  switch (status) {
+    case PlanStatus::main_mass:
+      return of(Parameter::main_mass);
+    case PlanStatus::main_stiffness:
+      return of(Parameter::main_stiffness);
+    case PlanStatus::main_damping:
+      return of(Parameter::main_damping);
+    case PlanStatus::ball_mass:
+      return of(Parameter::ball_mass);
+    case PlanStatus::clearance:
+      return of(Parameter::clearance);
+    case PlanStatus::contact_stiffness:
+    case PlanStatus::contact_time:
+      return of(Parameter::contact_stiffness);
+    case PlanStatus::contact_damping:
+      return of(Parameter::contact_damping);
+    case PlanStatus::restitution:
+      return of(Parameter::restitution);
+    case PlanStatus::drive_amplitude:
+      return of(Parameter::drive_amplitude);
+    case PlanStatus::drive_pulsation: {
+      Explanation explanation = of(Parameter::drive_pulsation);
+      explanation.allowed.least = slowest_drive(values.step);
+      return explanation;
+    }
+    case PlanStatus::initial_displacement:
+      return first_out_of_range(Parameter::x1, Parameter::x2);
+    case PlanStatus::initial_velocity:
+      return first_out_of_range(Parameter::v1, Parameter::v2);
+    case PlanStatus::displacement_bound:
+      return above(Parameter::displacement_bound, scene.x1, scene.x2);
+    case PlanStatus::speed_bound:
+      return above(Parameter::speed_bound, scene.v1, scene.v2);
+    case PlanStatus::penetration_bound:
+      return of(Parameter::penetration_bound);
+    case PlanStatus::force_bound:
+      return of(Parameter::force_bound);
+    case PlanStatus::ok:
+    case PlanStatus::step:
+    case PlanStatus::steps_per_contact:
+      break;
+  }
+  return of(Parameter::step);
+}
+
+namespace detail {
+
+// That a scene may be planned with another one of: in the order in which they are looked at, after the step.
+constexpr Parameter candidates[] = {Parameter::displacement_bound, Parameter::speed_bound,
+                                    Parameter::penetration_bound,  Parameter::contact_stiffness,
+                                    Parameter::contact_damping,    Parameter::main_stiffness,
+                                    Parameter::main_damping,       Parameter::clearance};
+
+constexpr bool orders[] = {true, false};
+constexpr double shorter_steps[] = {1e-6, step_range.least};
+
+// Between one that is accepted and one that is not, both positive: the last accepted one, within 2^-20 of itself.
+template <class Accepts>
+constexpr double last_accepted(double accepted, double refused, const Accepts& accepts) {
+  for (int pass = 0; pass < 60; ++pass) {
+    const double ratio = refused / accepted;
+    if (ratio < 1 + 0x1p-20 && ratio > 1 - 0x1p-20) break;
+    // The geometric mean, once they are far apart.
+    const double middle =
+        ratio < 2 && ratio > 0.5 ? (accepted + refused) / 2 : accepted * constant::square_root(refused / accepted);
+    (accepts(middle) ? accepted : refused) = middle;
+  }
+  return accepted;
+}
+
+// The accepted values nearest to one that is refused, below it before above it; none: an empty range.
+template <class Accepts>
+constexpr Range accepted_near(double refused, const Range& within, const Accepts& accepts) {
+  constexpr int most_halvings = 100;
+  const double smallest = constant::larger(within.least, refused * constant::power_of_two(-most_halvings));
+  double accepted = 0;
+  for (double x = refused; x > smallest && !(accepted > 0);) {
+    x = constant::larger(x / 2, smallest);
+    if (accepts(x)) accepted = x;
+  }
+  if (accepted > 0) {
+    const double nearest = last_accepted(accepted, refused, accepts);
+    return {accepts(within.least) ? within.least : last_accepted(accepted, smallest, accepts), nearest};
+  }
+  for (double x = refused; x < within.most && !(accepted > 0);) {
+    x = constant::smaller(2 * x, within.most);
+    if (accepts(x)) accepted = x;
+  }
+  if (!(accepted > 0)) return {1, 0};
+  const double nearest = last_accepted(accepted, refused, accepts);
+  return {nearest, accepts(within.most) ? within.most : last_accepted(accepted, within.most, accepts)};
+}
+
+}  // namespace detail
+
+// `status_with(values)` is the status of a plan of these values, which is not ok with those that are refused.
+template <class StatusWith>
+constexpr Explanation explain(const Values& refused, const StatusWith& status_with) {
+  const Explanation first = explain(status_with(refused), refused);
+  const auto is_alone = [](const Explanation& said) {
+    return said.parameter != Parameter::step && !said.allowed.holds(said.value);
+  };
+  // A bound below the start has an upper end as well, which the other values give it.
+  const bool is_below_start = is_alone(first) && range_of(first.parameter).holds(first.value);
+  if (is_alone(first) && !is_below_start) return first;
+
+  Explanation found = first;
+  const auto would_do = [&](Parameter parameter, double step, bool alone) {
+    Values changed = refused;
+    changed.step = step;
+    const double value = *changed.find(parameter);
+    if (!(value > 0)) return false;
+    const auto accepts = [&](double x) {
+      *changed.find(parameter) = x;
+      const PlanStatus status = status_with(changed);
+      const Explanation next = explain(status, changed);
+      return status == PlanStatus::ok || (!alone && is_alone(next) && next.parameter != parameter);
+    };
+    Range allowed = detail::accepted_near(value, range_of(parameter), accepts);
+    if (is_below_start && accepts(first.allowed.least)) allowed.least = first.allowed.least;
+    if (allowed.least <= allowed.most) found = {parameter, value, allowed};
+    return allowed.least <= allowed.most;
+  };
+  if (is_below_start) {
+    if (would_do(first.parameter, refused.step, true)) return found;
+    for (const double step : detail::shorter_steps)
+      if (step < refused.step && would_do(first.parameter, step, true)) return found;
+    return first;
+  }
+  // With this value alone the plan is to be made; or else another value is at fault by itself then; or else it is made
+  // with a shorter step.
+  for (const bool alone : detail::orders) {
+    if (would_do(Parameter::step, refused.step, alone)) return found;
+    if (first.parameter != Parameter::step && would_do(first.parameter, refused.step, alone)) return found;
+    for (const Parameter parameter : detail::candidates)
+      if (alone && would_do(parameter, refused.step, alone)) return found;
+  }
+  for (const double step : detail::shorter_steps) {
+    for (const Parameter parameter : detail::candidates)
+      if (step < refused.step && would_do(parameter, step, true)) return found;
+  }
+  return found;
+}
+
+// For a constant expression: of a plan that is refused.
+template <class PlanType>
+constexpr Explanation explain(const Scene& scene, const Bounds& bounds, double step) {
+  return explain(Values{scene, bounds, step},
+                 [](const Values& values) { return PlanType::make(values.scene, values.bounds, values.step).status; });
+}
+
+}  // namespace impact

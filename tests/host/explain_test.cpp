@@ -1,0 +1,72 @@
+// explain() as a firmware's compiler asks it: a constant expression, whose limits are accepted.
+
+#include <gtest/gtest.h>
+
+#include <impact/absorber.hpp>
+#include <impact/explain.hpp>
+#include <string>
+
+namespace impact {
+namespace {
+
+using Fixed = Plan<Fixed32, HuntCrossley, Moment, Sine>;
+
+// Of the paper's scene and its bounds, with one value changed.
+template <class PlanType>
+constexpr Explanation changed(Parameter parameter, double value, double step = 1e-3) {
+  Values values{Scene{}, Bounds{}, step};
+  *values.find(parameter) = value;
+  return explain<PlanType>(values.scene, values.bounds, values.step);
+}
+template <class PlanType>
+constexpr bool accepts(Parameter parameter, double value, double step = 1e-3) {
+  Values values{Scene{}, Bounds{}, step};
+  *values.find(parameter) = value;
+  return PlanType::make(values.scene, values.bounds, values.step).status == PlanStatus::ok;
+}
+
+constexpr Explanation too_long = changed<Fixed>(Parameter::step, 20e-3);
+static_assert(too_long.parameter == Parameter::step && too_long.value == 20e-3);
+static_assert(too_long.allowed.most > 3e-3 && too_long.allowed.most < 4e-3);  // 5 steps of a contact of 17 ms at 4 m/s
+static_assert(accepts<Fixed>(Parameter::step, too_long.allowed.least));
+static_assert(accepts<Fixed>(Parameter::step, too_long.allowed.most));
+static_assert(!accepts<Fixed>(Parameter::step, 1.00001 * too_long.allowed.most));
+
+// A value out of its own range has that range.
+constexpr Explanation negative = changed<Fixed>(Parameter::main_mass, -1);
+static_assert(negative.parameter == Parameter::main_mass && negative.value == -1);
+static_assert(negative.allowed.least == mass_range.least && negative.allowed.most == mass_range.most);
+
+// A start beyond a bound: the bound that holds it.
+constexpr Explanation beyond = changed<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x1, -0.25);
+static_assert(beyond.parameter == Parameter::displacement_bound && beyond.value == 0.1);
+static_assert(beyond.allowed.least == 0.25 && beyond.allowed.most == bound_range.most);
+
+// No step makes room for a penetration of a metre beside a displacement of 0.1 m.
+constexpr Explanation deep = changed<Fixed>(Parameter::penetration_bound, 1);
+static_assert(deep.parameter == Parameter::penetration_bound && deep.value == 1);
+static_assert(accepts<Fixed>(Parameter::penetration_bound, deep.allowed.most));
+static_assert(!accepts<Fixed>(Parameter::penetration_bound, 1.00001 * deep.allowed.most));
+
+TEST(Explain, NamesEveryValueAsItsMember) {
+  EXPECT_STREQ(name_of(Parameter::main_mass), "main_mass");
+  EXPECT_STREQ(name_of(Parameter::v2), "v2");
+  EXPECT_STREQ(name_of(Parameter::force_bound), "force_bound");
+  EXPECT_STREQ(name_of(Parameter::step), "step");
+}
+
+// Each value far out of its range, below and above: it is the one that is named.
+TEST(Explain, NamesTheValueThatIsOutOfItsRange) {
+  for (int i = 0; i < static_cast<int>(Parameter::step); ++i) {
+    const auto parameter = static_cast<Parameter>(i);
+    for (const double value : {-1e30, 1e30, 0.0 / 0.0}) {
+      const Explanation said = changed<Fixed>(parameter, value);
+      EXPECT_EQ(said.parameter, parameter) << name_of(parameter) << " " << value;
+      EXPECT_FALSE(said.allowed.holds(value)) << name_of(parameter) << " " << value;
+      EXPECT_LE(said.allowed.least, said.allowed.most) << name_of(parameter) << " " << value;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impact

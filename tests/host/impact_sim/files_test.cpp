@@ -1,0 +1,118 @@
+// Files that the tool writes: whole or not at all.
+
+#include "impact_sim.hpp"
+
+namespace impact::host {
+namespace {
+
+TEST_F(ImpactSim, ReplacesAnExistingFileWholeAndKeepsItsModeAndLinks) {
+  write(file("data.csv"), "old\n");
+  fs::permissions(file("data.csv"), fs::perms{0640});
+  fs::create_symlink("data.csv", file("link.csv"));
+  EXPECT_EQ(run("--duration 0.01 --output link.csv").code, 0);
+  EXPECT_TRUE(fs::is_symlink(file("link.csv")));
+  EXPECT_THAT(lines_of(read(file("data.csv"))), SizeIs(102));
+  EXPECT_EQ(fs::status(file("data.csv")).permissions(), fs::perms{0640});
+}
+
+TEST_F(ImpactSim, WritesThroughALinkWhoseFileIsNotThereYet) {
+  fs::create_directory(file("data"));
+  fs::create_symlink("data/new.csv", file("second"));
+  fs::create_symlink("second", file("first"));
+  EXPECT_EQ(run("--duration 0.01 --output first").code, 0);
+  EXPECT_TRUE(fs::is_symlink(file("first")));
+  EXPECT_TRUE(fs::is_symlink(file("second")));
+  EXPECT_THAT(lines_of(read(file("data/new.csv"))), SizeIs(102));
+  fs::create_symlink("loop", file("loop"));
+  EXPECT_EQ(run("--duration 0.01 --output loop").code, 1);
+  EXPECT_TRUE(fs::is_symlink(file("loop")));
+}
+
+// However a file is spelled: what is read is not replaced, and no two things are written to one file.
+TEST_F(ImpactSim, NoFileIsGivenTwoTasks) {
+  write(file("forces"), "1\n2\n");
+  fs::create_symlink("forces", file("link"));
+  fs::create_symlink("new.csv", file("dangling"));
+  const struct {
+    const char *arguments, *refused;
+  } cases[] = {{"--plot ./o.csv --output o.csv", "--plot ./o.csv: allowed: another file than --output"},
+               {"--plot dangling --output new.csv", "--plot dangling"},
+               {"--drive-file forces --output forces", "--output forces: allowed: another file than --drive-file"},
+               {"--drive-file forces --output link", "--output link"},
+               {"--drive-file link --plot $PWD/forces", "--plot "},
+               {"--sweep forces --output ./forces", "--output ./forces: allowed: another file than --sweep"}};
+  for (const auto& [arguments, refused] : cases) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(refused));
+    EXPECT_EQ(read(file("forces")), "1\n2\n");
+    EXPECT_FALSE(fs::exists(file("new.csv")) || fs::exists(file("o.csv"))) << arguments;
+  }
+  EXPECT_EQ(run("--duration 0.01 --output /dev/null --plot /dev/null").code, 0) << "a device keeps nothing";
+}
+
+TEST_F(ImpactSim, AnEmptyDriveFileReplacesNothing) {
+  write(file("data.csv"), "precious\n");
+  write(file("empty"), "");
+  const Result result = run("--drive-file empty --output data.csv");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--drive-file empty without a line"));
+  EXPECT_EQ(read(file("data.csv")), "precious\n");
+}
+
+TEST_F(ImpactSim, ASignalThatEndsARunLeavesTheOldFileAndNoRemains) {
+  for (const char* signal : {"TERM", "HUP"}) {
+    write(file("data.csv"), "old\n");
+    // Once the run has begun to write: the unfinished file is there, and 2000 s of simulated time go on for long.
+    const Result result = run("--newmark moment --duration 200 --output data.csv", "",
+                              "& run=$!; while ! ls | grep -q partial; do sleep 0.01; done; ls > seen; kill -" +
+                                  std::string(signal) + " $run; wait $run");
+    EXPECT_GT(result.code, 128) << signal;
+    EXPECT_THAT(read(file("seen")), HasSubstr("partial"));
+    EXPECT_EQ(read(file("data.csv")), "old\n");
+    for (const auto& entry : fs::directory_iterator(folder))
+      EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr("partial"))) << signal;
+  }
+}
+
+TEST_F(ImpactSim, WhatCannotBeWrittenIsExitCodeOne) {
+  for (const char* arguments : {"--output /dev/full", "--output missing/folder.csv", "--output ."}) {
+    const Result result = run(std::string("--newmark moment --duration 0.01 ") + arguments);
+    EXPECT_EQ(result.code, 1) << arguments;
+    EXPECT_THAT(lines_of(result.err), SizeIs(1));
+  }
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+  for (const char* arguments : {"--duration 0", "--duration 10", "--help", "--benchmark"})
+    EXPECT_EQ(run(arguments, "", "> /dev/full").code, 1) << arguments;
+}
+
+TEST_F(ImpactSim, AFileThatRunsFullLeavesTheOldOneAndNoRemains) {
+  write(file("data.csv"), "old\n");
+  // The shell's limit stands for the disk; the signal that comes with it is ignored.
+  const Result result = run("--duration 10 --output data.csv", "trap '' XFSZ; ulimit -f 16;");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, HasSubstr("data.csv"));
+  EXPECT_EQ(read(file("data.csv")), "old\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 3);
+}
+
+TEST_F(ImpactSim, PlotsWithAndWithoutAbsorber) {
+  if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "no gnuplot on this machine";
+  const Result result = run("--newmark moment --plot 'it'\\''s a plot.svg' --output data.csv");
+  EXPECT_EQ(result.code, 0) << result.err;
+  const std::string svg = read(file("it's a plot.svg"));
+  EXPECT_THAT(svg, HasSubstr("<svg"));
+  EXPECT_THAT(svg, HasSubstr("without absorber"));
+  EXPECT_THAT(svg, HasSubstr("</svg>"));
+}
+
+TEST_F(ImpactSim, WithoutGnuplotThePlotOptionSaysSoAndTheRunSucceeds) {
+  const Result result = run("--newmark moment --duration 0.01 --plot plot.svg", "PATH=" + folder.string());
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.err, HasSubstr("gnuplot"));
+  EXPECT_THAT(lines_of(result.out), SizeIs(102));
+  EXPECT_FALSE(fs::exists(file("plot.svg")));
+}
+
+}  // namespace
+}  // namespace impact::host

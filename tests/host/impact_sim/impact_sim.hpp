@@ -1,0 +1,70 @@
+#pragma once
+// The tool as its users meet it: the built program in a folder of its own, its files and its exit codes.
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace impact::host {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
+
+namespace fs = std::filesystem;
+
+inline const std::string header = "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated";
+
+inline std::string read(const fs::path& path) {
+  std::ifstream input(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(input), {}};
+}
+
+inline void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+inline std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream input(text);
+  for (std::string part; std::getline(input, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) { return split(text, '\n'); }
+
+struct Result {
+  int code;
+  std::string out, err;
+};
+
+class ImpactSim : public testing::Test {
+ protected:
+  ImpactSim() {
+    std::string name = (fs::temp_directory_path() / "impact_sim_test.XXXXXX").string();
+    folder = mkdtemp(name.data());
+  }
+  ~ImpactSim() override { fs::remove_all(folder); }
+
+  // `before`: what the shell is to do first (limits, environment); `after`: redirections.
+  Result run(const std::string& arguments, const std::string& before = "", const std::string& after = "") const {
+    const std::string to = after.empty() ? "> " + file("stdout") : after;
+    const int status = std::system(("cd " + folder.string() + "; " + before + " '" IMPACT_SIM "' " + arguments + " " +
+                                    to + " 2> " + file("stderr"))
+                                       .c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(file("stdout")), read(file("stderr"))};
+  }
+
+  std::string file(const std::string& name) const { return (folder / name).string(); }
+
+  fs::path folder;
+};
+
+}  // namespace impact::host

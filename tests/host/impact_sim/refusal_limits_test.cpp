@@ -1,0 +1,151 @@
+// What a refusal says is true: the value that it names lies outside the range that it prints, and each end of that
+// range is accepted when it is typed back, or another value is what is refused then. Over random scenes, far beyond
+// what can be planned.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <host_ref/tool/options.hpp>
+#include <host_ref/tool/run.hpp>
+#include <host_ref/tool/text.hpp>
+#include <map>
+#include <optional>
+#include <random>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace impact::host {
+namespace {
+
+using Command = std::map<std::string, std::string>;
+
+std::string text_of(const Command& command) {
+  std::string text;
+  for (const auto& [name, value] : command) text += " --" + name + " " + value;
+  return text;
+}
+
+struct Said {
+  std::string option, value, allowed;
+};
+std::optional<Said> refusal_of(const Command& command) {
+  std::vector<Argument> arguments;
+  for (const auto& [name, value] : command) arguments.push_back({name, value});
+  try {
+    outcome_of(settings_from(arguments).request);
+    return {};
+  } catch (const BadInput& bad) {
+    const std::string message = bad.what();
+    const std::regex form("--([a-z0-9-]+) (.*): allowed: (.*)");
+    std::smatch parts;
+    EXPECT_TRUE(std::regex_match(message, parts, form)) << message;
+    return Said{parts[1], parts[2], parts[3]};
+  }
+}
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  bool one_in(int n) { return engine_() % static_cast<unsigned>(n) == 0; }
+  std::string wide(double least, double most) {
+    std::uniform_real_distribution<double> exponent(std::log(least), std::log(most));
+    return short_text(std::exp(exponent(engine_)));
+  }
+  std::string signed_wide(double least, double most) { return (one_in(2) ? "-" : "") + wide(least, most); }
+  std::string one_of(const std::vector<std::string>& names) { return names[engine_() % names.size()]; }
+
+ private:
+  std::mt19937 engine_;
+};
+
+Command random_command(Random& random) {
+  Command command;
+  command["law"] = random.one_of({"hooke-newton", "hertz", "hunt-crossley"});
+  command["newmark"] = random.one_of(
+      {"auto", "average", "linear", "fox-goodwin", "central", "moment", "moment-4", "moment-8", "energy", "impulsive"});
+  command["numeric"] = random.one_of({"float32", "float32-plain", "fixed32", "fixed32", "fixed32", "float64"});
+  command["step"] = random.wide(1e-6, 0.1);
+  command["main-mass"] = random.wide(1e-3, 1e3);
+  command["ball-mass"] = random.wide(1e-3, 1e3);
+  command["main-stiffness"] = random.one_in(8) ? "0" : random.wide(1, 1e8);
+  command["main-damping"] = random.one_in(2) ? "0" : random.wide(1e-3, 1e4);
+  command["clearance"] = random.wide(1e-5, 1);
+  command["contact-stiffness"] = random.wide(1, 1e13);
+  if (command["law"] != "hertz" && !random.one_in(4)) command["contact-damping"] = random.wide(1e-3, 1e8);
+  if (random.one_in(4)) {
+    command["drive"] = "none";
+  } else {
+    command["drive-amplitude"] = random.wide(1e-3, 1e3);
+    command["drive-pulsation"] = random.wide(1e-6, 1e4);
+  }
+  for (const char* start : {"x1", "x2"})
+    if (random.one_in(4)) command[start] = random.signed_wide(1e-5, 10);
+  for (const char* start : {"v1", "v2"})
+    if (random.one_in(4)) command[start] = random.signed_wide(1e-3, 100);
+  if (random.one_in(2)) {
+    command["bound-displacement"] = random.wide(1e-4, 100);
+    if (random.one_in(2)) command["bound-speed"] = random.wide(1e-3, 1e3);
+    if (random.one_in(2)) command["bound-penetration"] = random.wide(1e-6, 1);
+  }
+  command["duration"] = short_text(20 * *number_from(command["step"]));
+  return command;
+}
+
+TEST(Refusal, ALimitThatIsTypedBackIsAccepted) {
+  Random random(1);
+  std::map<std::string, int> named;
+  int typed = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Command command = random_command(random);
+    const auto said = refusal_of(command);
+    if (!said) continue;
+    const std::string context = text_of(command) + "\n  " + said->option + " " + said->value + ": " + said->allowed;
+    ++named[said->option];
+    const std::regex form("(?:0, or |a number from )?([-+.e0-9]+) to ([-+.e0-9]+)( .*)?");
+    std::smatch limits;
+    if (!std::regex_match(said->allowed, limits, form)) {
+      EXPECT_TRUE(said->option == "newmark" || said->option == "numeric") << context;
+      continue;
+    }
+    const auto value = number_from(said->value), least = number_from(limits[1].str()),
+               most = number_from(limits[2].str());
+    ASSERT_TRUE(value && least && most) << context;
+    EXPECT_LE(*least, *most) << context;
+    EXPECT_FALSE(*least <= *value && *value <= *most) << context;
+    for (const std::string& limit : {limits[1].str(), limits[2].str()}) {
+      Command retyped = command;
+      retyped[said->option] = limit;
+      // Where bounds are looked for, it is over the whole duration: nobody waits for more steps, the tool neither.
+      if (*number_from(retyped["duration"]) > 1e6 * *number_from(retyped["step"])) continue;
+      ++typed;
+      const auto again = refusal_of(retyped);
+      EXPECT_TRUE(!again || again->option != said->option)
+          << context << "\n  typed " << limit << ": " << again->allowed;
+    }
+  }
+  for (const auto& [option, count] : named) RecordProperty(option, count);
+  EXPECT_GT(named["step"], 50);
+  EXPECT_GT(typed, 100);
+}
+
+// Only what no step makes room for is told to take another format.
+TEST(Refusal, Fixed32NamesTheStepThatMakesRoom) {
+  Random random(2);
+  int refused = 0;
+  for (int i = 0; i < 1000 && refused < 30; ++i) {
+    Command command = random_command(random);
+    command["numeric"] = "fixed32";
+    const auto said = refusal_of(command);
+    if (!said || said->option != "numeric") continue;
+    ++refused;
+    for (const double share : {0.5, 0.1, 0.01}) {
+      Command shorter = command;
+      shorter["step"] = short_text(std::max(1e-9, share * *number_from(command["step"])));
+      EXPECT_TRUE(refusal_of(shorter)) << text_of(command);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -1,0 +1,100 @@
+// Bad input: one line that names the option, its value and what is allowed, and nothing touched.
+
+#include "impact_sim.hpp"
+
+namespace impact::host {
+namespace {
+
+struct Refused {
+  const char *arguments, *option, *value, *allowed;
+};
+
+void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.option; }  // CTest's name for the case
+
+class RefusedInput : public ImpactSim, public testing::WithParamInterface<Refused> {};
+
+TEST_P(RefusedInput, IsExitCodeTwoWithOneLineAndTouchesNothing) {
+  write(file("kept.csv"), "precious\n");
+  const auto time = fs::last_write_time(file("kept.csv"));
+  const Result result = run(std::string(GetParam().arguments) + " --output kept.csv");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.out, IsEmpty());
+  EXPECT_THAT(lines_of(result.err), SizeIs(1));
+  EXPECT_THAT(result.err, HasSubstr(GetParam().option));
+  EXPECT_THAT(result.err, HasSubstr(GetParam().value));
+  EXPECT_THAT(result.err, HasSubstr(GetParam().allowed));
+  EXPECT_EQ(read(file("kept.csv")), "precious\n");
+  EXPECT_EQ(fs::last_write_time(file("kept.csv")), time);
+  const auto entries = std::distance(fs::directory_iterator(folder), {});
+  EXPECT_EQ(entries, 3) << "kept.csv, stdout and stderr";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OneByOne, RefusedInput,
+    testing::Values(
+        Refused{"--stepp 1e-3", "--stepp", "1e-3", "--step?"}, Refused{"--colour red", "--colour", "red", "--help"},
+        Refused{"scene", "scene", "", "--help"}, Refused{"-step 1", "-step", "", "--help"},
+        Refused{"--step", "--step", "without a value", "0.1 s"}, Refused{"--step=", "--step", "''", "0.1 s"},
+        Refused{"--step fast", "--step", "fast", "0.1 s"}, Refused{"--step 1e-4s", "--step", "1e-4s", "0.1 s"},
+        Refused{"--step nan", "--step", "nan", "0.1 s"}, Refused{"--x1 inf", "--x1", "inf", "1000 m"},
+        Refused{"--x1 1e999", "--x1", "1e999", "1000 m"}, Refused{"--step 0", "--step", "0", "0.1 s"},
+        Refused{"--step -1e-4", "--step", "-1e-4", "0.1 s"}, Refused{"--step 0.2", "--step", "0.2", "0.1 s"},
+        Refused{"--duration -1", "--duration", "-1", "from 0"},
+        Refused{"--duration 1e6 --step 1e-6", "--duration", "1e6", "1e9 steps"},
+        Refused{"--main-mass 0", "--main-mass", "0", "kg"}, Refused{"--ball-mass -0.3", "--ball-mass", "-0.3", "kg"},
+        Refused{"--main-stiffness -1", "--main-stiffness", "-1", "from 0"},
+        Refused{"--contact-stiffness 0", "--contact-stiffness", "0", "0.001"},
+        Refused{"--restitution 0", "--restitution", "0", "to 1"},
+        Refused{"--restitution 1.01", "--restitution", "1.01", "to 1"},
+        Refused{"--restitution 0.9 --law hertz", "--restitution", "0.9", "hertz"},
+        Refused{"--restitution 0.9 --contact-damping 5", "--contact-damping", "5", "without --restitution"},
+        Refused{"--contact-damping 5 --law hertz", "--contact-damping", "5", "hertz"},
+        Refused{"--impact-speed 1", "--impact-speed", "1", "with --restitution"},
+        Refused{"--paper-damping", "--paper-damping", "", "with --restitution"},
+        Refused{"--damping per-impact", "--damping", "per-impact", "with --restitution"},
+        Refused{"--damping exact --law hertz --restitution 1", "--damping", "exact", "--law hunt-crossley"},
+        Refused{"--damping exact --paper-damping --restitution 0.5", "--paper-damping", "", "with --damping constant"},
+        Refused{"--damping flores --restitution 0.0157", "--restitution", "0.0157", "0.0158 to 1"},
+        Refused{"--damping lee-wang --restitution 0.009", "--restitution", "0.009", "0.01 to 1"},
+        Refused{"--law newton", "--law", "newton", "hooke-newton, hertz, hunt-crossley"},
+        Refused{"--newmark euler", "--newmark", "euler", "fox-goodwin"},
+        Refused{"--numeric double", "--numeric", "double", "float64"},
+        Refused{"--stops none", "--stops", "none", "both, left, right"},
+        Refused{"--tension yes", "--tension", "yes", "allow, clamp"}, Refused{"--every 0", "--every", "0", "from 1"},
+        Refused{"--every 2.5", "--every", "2.5", "whole number"},
+        Refused{"--step 1e-3 --step 1e-3", "--step", "1e-3", "once"},
+        Refused{"--drive none --drive-pulsation 3", "--drive-pulsation", "3", "sine"},
+        Refused{"--drive-file missing", "--drive-file", "missing", "read"},
+        Refused{"--drive-file missing --drive none", "--drive", "none", "without --drive-file"},
+        Refused{"--shard 1/2", "--shard", "1/2", "with --sweep"},
+        Refused{"--sweep missing --shard 3/2", "--shard", "3/2", "1 <= I <= N"},
+        Refused{"--sweep missing", "--sweep", "missing", "CSV"},
+        Refused{"--plot kept.csv", "--plot", "kept.csv", "--output"},
+        Refused{"--benchmark --law hertz", "--law", "hertz", "without --benchmark"},
+        Refused{"--x1 '1\n2'", "--x1", "1?2", "1000 m"}));
+
+// What is wrong is named: the bound that does not hold the start, the step at which a force is below a last place or an
+// increment has no room; never a format that was not asked for.
+TEST_F(ImpactSim, ARefusalNamesWhatIsWrong) {
+  EXPECT_THAT(run("--numeric float64 --bound-displacement 1e-3 --x1 0.01").err,
+              HasSubstr("--bound-displacement 0.001: allowed: 0.01 to 1e+06"));
+  EXPECT_THAT(run("--law hertz --numeric fixed32 --bound-displacement 0.1 --bound-speed 2 --bound-penetration 0.03 "
+                  "--newmark moment-4 --step 1e-6 --contact-stiffness 100 --main-mass 100 --ball-mass 100 "
+                  "--duration 1e-5")
+                  .err,
+              HasSubstr("--step 1e-06: allowed: "));
+  EXPECT_THAT(run("--numeric fixed32 --newmark moment --step 2.5e-2 --contact-stiffness 10 --duration 1").err,
+              HasSubstr("--step 0.025: allowed: "));
+}
+
+TEST_F(ImpactSim, ARefusalIsWholeWhateverBytesItQuotes) {
+  write(file("forces"), std::string("1\n2\0003\n", 6));
+  EXPECT_THAT(run("--drive-file forces").err, HasSubstr("forces line 2: '2?3': allowed: a number"));
+  write(file("scenes.csv"), std::string("clearance\n0.0\0001\n", 16));
+  EXPECT_THAT(run("--sweep scenes.csv").err, HasSubstr("line 2: --clearance 0.0?1: allowed: a number"));
+  write(file("scenes.csv"), std::string("drive-file\nfor\000ces\n", 19));
+  EXPECT_THAT(run("--sweep scenes.csv").err, HasSubstr("line 2: --drive-file for?ces: allowed: a file name"));
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -1,0 +1,96 @@
+// --rig: what the tool writes compiles for a constant plan and makes the run's own bits.
+
+#include <cmath>
+
+#include "impact_sim.hpp"
+
+namespace impact::host {
+namespace {
+
+// Steps the absorber of a rig and writes the tool's columns as the tool does. The first is time, which it leaves out.
+const char* const program_head = R"(
+#include <impact/absorber.hpp>
+#include <cstdio>
+
+template <class Absorber, class Rig, bool is_sampled>
+void run(const char* path, int steps, int digits) {
+  std::FILE* file = std::fopen(path, "w");
+  static Absorber absorber;
+  for (int n = 0; n <= steps; ++n) {
+    const auto now = absorber.reading();
+    std::fprintf(file, "%.*g,%.*g,%.*g,%.*g\n", digits, now.x1, digits, now.v1, digits, now.x2, digits, now.v2);
+    if constexpr (is_sampled) {
+      using Format = typename Absorber::Format;
+      absorber.step(Format::sample((n % 100 < 50 ? 5 : -5) / Format::sample_unit(Rig::bounds.force)));
+    } else {
+      absorber.step();
+    }
+  }
+  std::fclose(file);
+}
+)";
+
+TEST_F(ImpactSim, ARigMakesTheRunsBits) {
+  if (std::system("command -v " IMPACT_COMPILER " > /dev/null") != 0) GTEST_SKIP() << "no compiler on this machine";
+  std::string forces;
+  for (int n = 0; n < 2000; ++n) forces += n % 100 < 50 ? "5\n" : "-5\n";
+  write(file("it's forces"), forces);
+  const struct {
+    const char* options;
+    int digits;
+  } runs[] = {{"--numeric fixed32", 13},
+              {"--law hertz --numeric float64 --newmark moment-4 --step 2e-3 --x1 0.01 --v2 -0.3", 17},
+              {"--law hooke-newton --restitution 0.7 --tension allow --numeric float32 --step 1e-3 --stops left", 9},
+              {"--numeric float32-plain --step 1e-3 --newmark energy --drive none --v2 0.9 --contact-stiffness 1e7", 9},
+              {"--numeric fixed32 --step 1e-3 --newmark impulsive --contact-stiffness 1e9 --drive-amplitude 3", 13},
+              {"--numeric fixed32 --step 1e-3 --newmark average --bound-speed 4", 13},
+              {"--numeric float64 --step 1e-4 --damping per-impact --restitution 0.6 --newmark moment", 17},
+              {"--numeric fixed32 --drive-file \"it's forces\" --step 1e-3 --duration 2", 13},
+              {"--numeric float32 --drive-file \"it's forces\" --step 1e-3 --duration 2", 9}};
+  std::string program = program_head, calls;
+  for (size_t i = 0; i < std::size(runs); ++i) {
+    const std::string name = "rig" + std::to_string(i), options = runs[i].options;
+    const bool is_sampled = options.find("--drive-file") != options.npos;
+    const Result result =
+        run(options + (is_sampled ? "" : " --duration 2") + " --rig " + name + ".hpp --output " + name + ".csv");
+    ASSERT_EQ(result.code, 0) << options << ": " << result.err;
+    program += "namespace " + name + " {\n#include \"" + name + ".hpp\"\n}\n";
+    calls += "  run<" + name + "::Absorber, " + name + "::Rig, " + (is_sampled ? "true" : "false") + ">(\"" + name +
+             ".bits\", " + std::to_string(lines_of(read(file(name + ".csv"))).size() - 2) + ", " +
+             std::to_string(runs[i].digits) + ");\n";
+  }
+  write(file("main.cpp"), program + "int main() {\n" + calls + "}\n");
+  ASSERT_EQ(
+      std::system(("cd " + folder.string() +
+                   " && " IMPACT_COMPILER " -std=c++17 -O1 -ffp-contract=off -Wall -Wextra -Werror -I " IMPACT_KERNEL
+                   " main.cpp -o main && ./main")
+                      .c_str()),
+      0);
+  for (size_t i = 0; i < std::size(runs); ++i) {
+    const std::string name = "rig" + std::to_string(i);
+    const auto rows = lines_of(read(file(name + ".csv"))), bits = lines_of(read(file(name + ".bits")));
+    ASSERT_EQ(rows.size(), bits.size() + 1) << runs[i].options;
+    double largest = 0;
+    for (size_t n = 0; n < bits.size(); ++n) {
+      const auto cells = split(rows[n + 1], ',');
+      ASSERT_EQ(cells[1] + "," + cells[2] + "," + cells[3] + "," + cells[4], bits[n])
+          << runs[i].options << " step " << n;
+      largest = std::max(largest, std::abs(std::stod(cells[2])));
+    }
+    EXPECT_GT(largest, 0.1) << "nothing moved: " << runs[i].options;
+  }
+  EXPECT_THAT(read(file("rig7.hpp")),
+              HasSubstr("--drive-file='it'\\''s forces' --step=1e-3 --duration=2 --rig=rig7.hpp"));
+}
+
+TEST_F(ImpactSim, ARigIsNotWrittenForARefusedRun) {
+  write(file("rig.hpp"), "precious\n");
+  EXPECT_EQ(run("--step 0.05 --newmark moment --rig rig.hpp").code, 2);
+  EXPECT_EQ(run("--sweep scenes.csv --rig rig.hpp").code, 2);
+  EXPECT_EQ(run("--rig rig.hpp --output ./rig.hpp").code, 2);
+  EXPECT_EQ(read(file("rig.hpp")), "precious\n");
+  EXPECT_EQ(run("--duration 0.01 --rig missing/rig.hpp").code, 1);
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -1,0 +1,197 @@
+// Many scenes: one row each, kept through interruption.
+
+#include <cmath>
+
+#include "impact_sim.hpp"
+
+namespace impact::host {
+namespace {
+
+class ImpactSimSweep : public ImpactSim {
+ protected:
+  ImpactSimSweep() {
+    std::string text = "restitution,clearance,law\n";
+    for (const char* law : {"hunt-crossley", "hooke-newton"}) {
+      for (const char* clearance : {"0.01", "0.02", "0.04"}) {
+        for (const char* restitution : {"0.5", "0.68", ""})
+          text += std::string(restitution) + "," + clearance + "," + law + "\n";
+      }
+    }
+    write(file("scenes.csv"), text);
+    EXPECT_EQ(run(sweep + "--output whole.csv").code, 0);
+    whole = read(file("whole.csv"));
+  }
+  const std::string sweep = "--sweep scenes.csv --duration 0.5 --newmark moment ";
+  std::string whole;
+};
+
+TEST_F(ImpactSimSweep, WritesARowPerSceneInTheirOrder) {
+  const auto lines = lines_of(whole);
+  ASSERT_THAT(lines, SizeIs(19));
+  EXPECT_EQ(
+      lines[0],
+      "scene,duration,newmark,restitution,clearance,law,max_x1,rms_x1,attenuation,energy_dissipated,impacts,fault");
+  EXPECT_THAT(lines[1], StartsWith("1,0.5,moment,0.5,0.01,hunt-crossley,"));
+  EXPECT_THAT(lines[18], StartsWith("18,0.5,moment,,0.04,hooke-newton,"));
+}
+
+TEST_F(ImpactSimSweep, SummarizesWhatTheTrajectoriesShow) {
+  const auto largest_and_rms = [&](const std::string& arguments) {
+    double largest = 0, squares = 0;
+    const auto lines = lines_of(run("--newmark moment --numeric float64 --duration 0.5 " + arguments).out);
+    for (size_t i = 1; i < lines.size(); ++i) {
+      const double x1 = std::stod(split(lines[i], ',')[1]);
+      largest = std::max(largest, std::abs(x1));
+      squares += x1 * x1;
+    }
+    return std::pair(largest, std::sqrt(squares / static_cast<double>(lines.size() - 1)));
+  };
+  const auto [largest, rms] = largest_and_rms("--restitution 0.68 --clearance 0.02");
+  const auto [bare, bare_rms] = largest_and_rms("--clearance 1000");
+  const auto row = split(lines_of(whole)[5], ',');
+  // The same doubles on both ways but for the order of a sum of 5001 terms: 5001 roundings.
+  EXPECT_EQ(std::stod(row[6]), largest);
+  EXPECT_NEAR(std::stod(row[7]), rms, 5001 * 1.2e-16 * rms);
+  EXPECT_NEAR(std::stod(row[8]), 1 - largest / bare, 1e-15);
+  EXPECT_GT(std::stod(row[9]), 0);
+  EXPECT_GE(std::stol(row[10]), 2);
+}
+
+TEST_F(ImpactSimSweep, ResumesWhereItWasInterrupted) {
+  const size_t header_end = whole.find('\n') + 1;
+  for (const size_t length :
+       {size_t{0}, header_end - 5, header_end, whole.size() / 2, whole.size() - 1, whole.size()}) {
+    write(file("part.csv"), whole.substr(0, length));
+    EXPECT_EQ(run(sweep + "--output part.csv").code, 0);
+    EXPECT_EQ(read(file("part.csv")), whole) << "from " << length << " bytes";
+  }
+}
+
+TEST_F(ImpactSimSweep, KeepsTheRowsThatAreThere) {
+  // A mark in a finished row survives: that scene was not run again.
+  std::string marked = whole;
+  const size_t impacts = marked.rfind(',', marked.find('\n', marked.find("\n4,") + 1));
+  marked.insert(impacts, "99");
+  const size_t third_from_last = marked.rfind("\n16,") + 1;
+  write(file("part.csv"), marked.substr(0, third_from_last));
+  EXPECT_EQ(run(sweep + "--output part.csv").code, 0);
+  EXPECT_EQ(read(file("part.csv")), marked);
+}
+
+TEST_F(ImpactSimSweep, KilledInTheMiddleLosesNothing) {
+  // The signal may come before, during or after the work: what is left must be whole rows, and the rest must follow.
+  const std::string slow = "--sweep scenes.csv --duration 5 --newmark moment ";
+  EXPECT_EQ(run(slow + "--output reference.csv").code, 0);
+  for (const char* delay : {"0.02", "0.1", "0.3"}) {
+    run(slow + "--output part.csv", "", std::string("& sleep ") + delay + "; kill -KILL $!; wait $!");
+    const std::string left = fs::exists(file("part.csv")) ? read(file("part.csv")) : "";
+    const auto rows = lines_of(left.substr(0, left.rfind('\n') + 1));
+    EXPECT_EQ(run(slow + "--output part.csv").code, 0);
+    const std::string done = read(file("part.csv"));
+    EXPECT_EQ(done, read(file("reference.csv")));
+    for (const std::string& row : rows) EXPECT_THAT(done, HasSubstr(row + "\n"));
+    fs::remove(file("part.csv"));
+  }
+}
+
+TEST_F(ImpactSimSweep, ShardsTogetherAreTheWhole) {
+  for (const char* shard : {"3/3", "1/3", "2/3"})
+    EXPECT_EQ(run(sweep + "--output joined.csv --shard " + shard).code, 0);
+  EXPECT_EQ(read(file("joined.csv")), whole);
+  const Result second = run(sweep + "--shard 2/3");
+  const auto lines = lines_of(second.out);
+  ASSERT_THAT(lines, SizeIs(1 + 6));
+  for (size_t i = 1; i < lines.size(); ++i) {
+    EXPECT_EQ(std::stol(lines[i]) % 3, 2);
+    EXPECT_THAT(whole, HasSubstr("\n" + lines[i] + "\n"));
+  }
+}
+
+TEST_F(ImpactSimSweep, RefusesAFileOfSomethingElse) {
+  const auto refuses = [&](const std::string& text, const std::string& arguments) {
+    write(file("other.csv"), text);
+    const Result result = run(arguments + " --output other.csv");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_THAT(result.err, HasSubstr("--output other.csv"));
+    EXPECT_EQ(read(file("other.csv")), text);
+  };
+  refuses("precious\n", sweep);
+  refuses("precious", sweep);
+  refuses(whole, "--sweep scenes.csv --duration 0.6 --newmark moment ");
+  refuses(whole + "19,0.5,moment,0.5,0.01,hunt-crossley,0,0,0,0,0,\n", sweep);
+  refuses("\n", sweep);
+}
+
+// A finished row holds for the samples that it was run with; a copy with another time stamp is the same file.
+TEST_F(ImpactSimSweep, RowsOfADriveFileThatHasChangedAreNotTakenOver) {
+  const auto forces = [](double force) {
+    std::string text;
+    for (int n = 0; n < 100; ++n) text += std::to_string(force) + "\n";
+    return text;
+  };
+  write(file("forces"), forces(1));
+  write(file("driven.csv"), "drive-file,clearance\nforces,0.01\n,0.01\nforces,0.02\n");
+  const std::string driven = "--sweep driven.csv --step 1e-4 --duration 0.01 --newmark moment --output rows.csv";
+  EXPECT_EQ(run(driven).code, 0);
+  const std::string rows = read(file("rows.csv"));
+  EXPECT_THAT(rows, HasSubstr(",drive-file,clearance,drive_samples,max_x1,"));
+  write(file("forces"), forces(1));
+  EXPECT_EQ(run(driven).code, 0);
+  EXPECT_EQ(read(file("rows.csv")), rows);
+  write(file("forces"), forces(2));
+  const Result result = run(driven);
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--output rows.csv line 2"));
+  EXPECT_THAT(result.err, HasSubstr("drive files as they are now"));
+  EXPECT_EQ(read(file("rows.csv")), rows);
+}
+
+TEST_F(ImpactSimSweep, ABadLineIsRefusedBeforeAnythingRuns) {
+  const auto refusal = [&](const std::string& text) {
+    write(file("bad.csv"), text);
+    const Result result = run("--sweep bad.csv --output new.csv");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_THAT(lines_of(result.err), SizeIs(1));
+    EXPECT_FALSE(fs::exists(file("new.csv")));
+    return result.err;
+  };
+  EXPECT_THAT(refusal("clearance\n0.02\n\n-1\n"),
+              HasSubstr("bad.csv line 4: --clearance -1: allowed: a number from 0"));
+  EXPECT_THAT(refusal("clearance,law\n0.02\n"), HasSubstr("line 2: a line of 1 cells: allowed: 2"));
+  EXPECT_THAT(refusal("clearence\n0.02\n"),
+              HasSubstr("line 1: --clearence: allowed: the options of --help; --clearance?"));
+  EXPECT_THAT(refusal("output\nx.csv\n"), HasSubstr("line 1: --output"));
+  EXPECT_THAT(refusal("x1,x1\n0,0\n"), HasSubstr("line 2: --x1 0: allowed: once"));
+  EXPECT_THAT(refusal(""), HasSubstr("--sweep bad.csv"));
+}
+
+TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
+  write(file("few.csv"), "contact-stiffness\n3e4\n3e8\n");
+  const Result result = run("--sweep few.csv --duration 1");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.err, HasSubstr("steps of "));
+  EXPECT_THAT(result.err, HasSubstr(" to 0.001 s"));
+  for (const char* scene : {"3e4", "3e8"}) {
+    const auto rows = lines_of(run(std::string("--duration 1 --contact-stiffness ") + scene).out);
+    double largest = 0;
+    for (size_t n = 1; n < rows.size(); ++n) largest = std::max(largest, std::abs(std::stod(split(rows[n], ',')[1])));
+    const auto row = split(lines_of(result.out)[scene[2] == '4' ? 1 : 2], ',');
+    EXPECT_EQ(std::stod(row[3]), largest) << scene;
+  }
+}
+
+TEST_F(ImpactSimSweep, OptionsOfTheCommandLineHoldForEveryScene) {
+  write(file("few.csv"), "restitution\n0.5\n0.9\n");
+  const Result result = run("--sweep few.csv --impact-speed 1.5 --duration 0.1");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("scene,impact-speed,duration,restitution,max_x1,"));
+  EXPECT_THAT(result.out, HasSubstr("\n2,1.5,0.1,0.9,"));
+}
+
+TEST_F(ImpactSimSweep, AFullDiskIsExitCodeOne) {
+  EXPECT_EQ(run(sweep + "--output /dev/full").code, 1);
+  EXPECT_EQ(run(sweep, "", "> /dev/full").code, 1);
+}
+
+}  // namespace
+}  // namespace impact::host

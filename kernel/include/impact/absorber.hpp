@@ -56,8 +56,10 @@ namespace detail {
 // Each argument as the contracts let it through.
 template <class Rig, class ContactLaw, class Stepper, class Drive, class Format>
 using CheckedSource =
-    PlanSource<contract::KeptRig<Rig>, Plan<contract::KeptFormat<Format>, contract::KeptLaw<ContactLaw>,
-                                            contract::KeptStepper<Stepper>, contract::KeptDrive<Drive>>>;
+    PlanSource<contract::KeptRig<Rig>,
+               Plan<contract::KeptFormat<Format>, contract::KeptLaw<ContactLaw>,
+                    contract::KeptStepper<Stepper, contract::KeptFormat<Format>, contract::KeptLaw<ContactLaw>>,
+                    contract::KeptDrive<Drive>>>;
 }  // namespace detail
 
 template <class Rig, class Law_, class Stepper_, class Drive_, class Format_, class... Features>
@@ -78,6 +80,9 @@ class Absorber
                 "the rig has no step: static constexpr double step = 1e-4;  // s");
   static_assert(has_law, "the second argument must be a law, such as HuntCrossley: see impact/contracts.hpp");
   static_assert(!has_law || has_stepper, "the third argument must be a stepper, such as Moment: see contracts.hpp");
+  static_assert(!has_law || !has_stepper ||
+                    contract::has_treatment<Stepper_, contract::KeptFormat<Format_>, contract::KeptLaw<Law_>>,
+                "the stepper's Contact<Format, Law> is no contact treatment: see impact/contracts.hpp");
   static_assert(!has_stepper || contract::is_drive<Drive_>,
                 "the fourth argument must be a drive, such as NoDrive, Sine or Sampled: see impact/contracts.hpp");
   static_assert(!contract::is_drive<Drive_> || contract::is_format<Format_>,

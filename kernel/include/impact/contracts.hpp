@@ -19,6 +19,15 @@
 //           steps(resolution)          Range, s: the steps with which it is right for such contacts
 //           Contact<Format, Law>       the contact treatment
 //
+// Treatment Plan                       its constants, with `response`: what an impulse and a moment do to the state
+//           make_plan(terms, flow, exponents)      SI in, law/terms.hpp
+//           force_unit(terms, exponents)           N: what its forces count in
+//           bound_forces(terms, largest)           adds the largest push and force to the bounds, m and m per step
+//           phase                      Phase: where the contact stands between steps
+//           start(plan, units, penetration, rate)  a contact that begins at this state
+//           resolve(plan, units, ..)   from the step as the stop sees it, the kick: stepper/treatment.hpp has its
+//           shapes
+//
 // Drive     is_sine, is_sampled        at most one of them
 //           Plan<Format>, State<Format>, Handover<Format>    constants, what changes from step to step, and what a
 //                                      change of plan needs
@@ -44,6 +53,7 @@
 #include <impact/features.hpp>
 #include <impact/law/hunt_crossley.hpp>
 #include <impact/law/resolution.hpp>
+#include <impact/law/terms.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/none.hpp>
 #include <impact/numeric/fixed32.hpp>
@@ -112,8 +122,18 @@ inline constexpr bool is_stepper<
     Type, Void<decltype(Type::kind), decltype(Type::longest_phase), decltype(Type::flow(value_of<Scene>(), 1.0)),
                decltype(Type::steps(value_of<Resolution>())), typename Type::template Contact<Fixed32, HuntCrossley>>> =
     is_same<LinearFlow, decltype(Type::flow(value_of<Scene>(), 1.0))>;
-template <class Type>
-using KeptStepper = typename Either<is_stepper<Type>, Type, Moment>::Type;
+
+template <class Stepper, class Format, class ContactLaw, class = void>
+inline constexpr bool has_treatment = false;
+template <class Stepper, class Format, class ContactLaw>
+inline constexpr bool
+    has_treatment<Stepper, Format, ContactLaw,
+                  Void<decltype(value_of<typename Stepper::template Contact<Format, ContactLaw>::Plan>().response),
+                       decltype(Stepper::template Contact<Format, ContactLaw>::phase),
+                       decltype(Stepper::template Contact<Format, ContactLaw>::force_unit(value_of<ContactTerms>(),
+                                                                                          value_of<UnitExponents>())),
+                       decltype(Stepper::template Contact<Format, ContactLaw>::make_plan(
+                           value_of<ContactTerms>(), value_of<LinearFlow>(), value_of<UnitExponents>()))>> = true;
 
 template <class Type, class = void>
 inline constexpr bool is_drive = false;
@@ -141,5 +161,10 @@ template <class Type>
 inline constexpr bool
     is_feature<Type, Void<decltype(Type::kind), decltype(Type::is_bound), typename Type::template State<Fixed32>>> =
         true;
+
+template <class Stepper, class Format, class ContactLaw>
+inline constexpr bool is_stepper_for = is_stepper<Stepper>&& has_treatment<Stepper, Format, ContactLaw>;
+template <class Stepper, class Format, class ContactLaw>
+using KeptStepper = typename Either<is_stepper_for<Stepper, Format, ContactLaw>, Stepper, Moment>::Type;
 
 }  // namespace impact::contract

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_ref/extremes.hpp"
+
 namespace impact::host {
 
 double largest_difference(const Samples& a, const Samples& b) {
   double largest = 0;
-  for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    const double difference = std::abs(a[i].x1 - b[i].x1);
-    if (std::isnan(difference)) return difference;
-    largest = std::max(largest, difference);
-  }
+  for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = larger(largest, std::abs(a[i].x1 - b[i].x1));
   return largest;
 }
 
@@ -33,7 +31,7 @@ Statistics statistics(const Samples& samples, double from) {
   if (first == samples.end()) return result;
   for (auto sample = first; sample != samples.end(); ++sample) {
     result.rms += sample->x1 * sample->x1;
-    result.maximum = std::max(result.maximum, std::abs(sample->x1));
+    result.maximum = larger(result.maximum, std::abs(sample->x1));
   }
   result.rms = std::sqrt(result.rms / static_cast<double>(samples.end() - first));
   const Sample& last = samples.back();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_ref/extremes.hpp"
 #include "host_ref/textbook_newmark.hpp"
 
 namespace impact::host {
@@ -105,7 +106,7 @@ std::optional<Rebounds> rebounds(const FreePair& free, Stepper stepper, Numeric 
       result.largest = ratio;
       result.phase_of_largest = phase;
     }
-    result.least = std::min(result.least, ratio);
+    result.least = smaller(result.least, ratio);
   }
   return result;
 }

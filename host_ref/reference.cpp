@@ -7,6 +7,8 @@
 #include <optional>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "host_ref/extremes.hpp"
+
 namespace impact::host {
 namespace {
 
@@ -208,7 +210,7 @@ class Reference::Motion {
     result.v2 = static_cast<double>(now_.v1 + now_.rate);
     Real deepest = -std::numeric_limits<Real>::infinity();
     for (const int side : {-1, 1}) {
-      if (has_stop(side)) deepest = std::max(deepest, penetration(side));
+      if (has_stop(side)) deepest = larger(deepest, penetration(side));
     }
     result.penetration = static_cast<double>(deepest);
     result.contact_force = phase_ == Phase::touching ? static_cast<double>(law_force()) : 0;
@@ -326,7 +328,7 @@ class Reference::Motion {
     result.dissipated += value(series_.col(dissipated), place);
     result.drive_work += value(series_.col(drive_work), place);
     if (phase_ == Phase::touching) {
-      result.peak_force = std::max(result.peak_force, largest(series_.col(force), place));
+      result.peak_force = larger(result.peak_force, largest(series_.col(force), place));
     }
     if (flow_) {
       const Vector z = flow_->advance(origin_, place);
@@ -494,7 +496,7 @@ Trajectory reference_trajectory(const Case& run, double sample_interval, double 
     coarse.advance(t);
     const Sample a = fine.sample(), b = coarse.sample();
     result.samples.push_back(a);
-    result.error_estimate = std::max({result.error_estimate, std::abs(a.x1 - b.x1), std::abs(a.x2 - b.x2)});
+    result.error_estimate = larger(result.error_estimate, larger(std::abs(a.x1 - b.x1), std::abs(a.x2 - b.x2)));
   }
   return result;
 }

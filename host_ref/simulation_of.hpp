@@ -7,6 +7,7 @@
 #include <impact/absorber.hpp>
 #include <type_traits>
 
+#include "host_ref/extremes.hpp"
 #include "host_ref/simulation.hpp"
 
 namespace impact::host {
@@ -85,10 +86,10 @@ class KernelSimulation final : public Simulation {
     } else if (kernel_.is_touching()) {
       sample.penetration = side * y - gap;
       // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
-      const double depth = ContactLaw::is_linear ? sample.penetration : std::max(sample.penetration, 0.0);
+      const double depth = ContactLaw::is_linear ? sample.penetration : larger(sample.penetration, 0.0);
       sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, side * (now.v2 - now.v1));
       if (scene.tension == Tension::clamp || !ContactLaw::is_linear)
-        sample.contact_force = std::max(sample.contact_force, 0.0);
+        sample.contact_force = larger(sample.contact_force, 0.0);
     }
     sample.energy_dissipated = state.dissipated.total() * pair_unit;
     if (kernel_.is_touching()) sample.energy_stored = plan.units.fraction(state.stored) * pair_unit;

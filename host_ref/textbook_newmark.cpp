@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_ref/extremes.hpp"
+
 namespace impact::host {
 namespace {
 
@@ -46,7 +48,7 @@ void account(const Case& run, double h, const Sample& before, int side_before, i
   now.drive_work =
       before.drive_work + h * (drive_force(run, before.t) * before.v1 + drive_force(run, now.t) * now.v1) / 2;
   now.impacts = before.impacts + (now.penetration > 0 && before.penetration <= 0 ? 1 : 0);
-  now.peak_force = std::max(before.peak_force, now.contact_force);
+  now.peak_force = larger(before.peak_force, now.contact_force);
 }
 
 Sample initial_sample(const Case& run) {
@@ -62,9 +64,9 @@ Sample initial_sample(const Case& run) {
     const double rate = side * (scene.v2 - scene.v1);
     sample.contact_force =
         contact_force(run.law, scene.contact_stiffness, scene.contact_damping, sample.penetration, rate).force;
-    if (scene.tension == Tension::clamp) sample.contact_force = std::max(sample.contact_force, 0.0);
+    if (scene.tension == Tension::clamp) sample.contact_force = larger(sample.contact_force, 0.0);
   }
-  sample.peak_force = std::max(sample.contact_force, 0.0);
+  sample.peak_force = larger(sample.contact_force, 0.0);
   return sample;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <host_ref/extremes.hpp>
 #include <host_ref/reference.hpp>
 #include <host_ref/report/paper_scenes.hpp>
 #include <host_ref/report/report_program.hpp>
@@ -47,7 +48,7 @@ Curve reference_curve(const PaperRun& run, const Curve& kernel) {
     const double t = 5 * paper_step * n;
     reference.advance(t);
     const host::Sample now = reference.sample();
-    peak = std::max(peak, std::abs(now.x1));
+    peak = host::larger(peak, std::abs(now.x1));
     if (t > kernel[curve.size()].t - paper_step) curve.push_back({t, now.x1, peak, now.energy_dissipated});
   }
   return curve;
@@ -120,7 +121,7 @@ class Figures {
 double early_difference(const Curves& curves) {
   double largest = 0;
   for (size_t i = 0; i < curves.kernel.size() && curves.kernel[i].t <= 1; ++i)
-    largest = std::max(largest, std::abs(curves.kernel[i].x1 - curves.reference[i].x1));
+    largest = host::larger(largest, std::abs(curves.kernel[i].x1 - curves.reference[i].x1));
   return largest;
 }
 

@@ -3,6 +3,7 @@
 // as its columns say. A count that is not its budget is said on standard error.
 
 #include <algorithm>
+#include <host_ref/extremes.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/tool/output.hpp>
@@ -33,7 +34,7 @@ void write_step_budget(const std::vector<std::string>& paths) {
   for (const Row& row : costs) {
     if (row.at("phase") == "iterating") continue;  // another scene
     double& worst = largest[configuration_of(row)];
-    worst = std::max(worst, number(row, "instructions_max"));
+    worst = host::larger(worst, number(row, "instructions_max"));
   }
 
   host::Output output(paths.at(0));

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <host_ref/extremes.hpp>
 #include <host_ref/tool/bare.hpp>
 #include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/run.hpp>
@@ -127,7 +128,7 @@ Summary summary_of(Simulation& simulation, const Request& request) {
   long samples = 0;
   summary.fault = run(simulation, request, step_count(request) + 1, [&](long, const double* x1, long count) {
     for (long i = 0; i < count; ++i) {
-      summary.largest = std::max(summary.largest, std::abs(x1[i]));
+      summary.largest = larger(summary.largest, std::abs(x1[i]));
       squares += x1[i] * x1[i];
     }
     samples += count;

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <impact/absorber.hpp>
 
+#include "host_ref/extremes.hpp"
+
 namespace impact {
 namespace {
 
@@ -91,7 +93,7 @@ TYPED_TEST(Tuning, KeepsTheDrivesPhase) {
       ++changes;
     }
     const double force = 2 * kernel.plan.units.fraction(kernel.state().drive.force(kernel.plan.drive));
-    worst = std::fmax(worst, std::fabs(force - std::sin(phase)));
+    worst = host::larger(worst, std::fabs(force - std::sin(phase)));
   }
   // A change rounds sine and cosine, each from two products, and value and slope of the oscillator: eight roundings of
   // half a place, whose signs are random. Plain float's oscillator adds its own, 6e-8 sqrt(steps).

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 #include "host_ref/simulation.hpp"
 
 namespace impact::host {
@@ -88,8 +89,8 @@ Rebounds rebounds(Request request) {
     for (int i = 0; i < steps; ++i) simulation->step(0);
     const Sample after = simulation->sample();
     EXPECT_EQ(after.contact_force, 0);
-    result.least = std::min(result.least, (after.v1 - after.v2) / speed);
-    result.most = std::max(result.most, (after.v1 - after.v2) / speed);
+    result.least = smaller(result.least, (after.v1 - after.v2) / speed);
+    result.most = larger(result.most, (after.v1 - after.v2) / speed);
   }
   return result;
 }
@@ -200,7 +201,7 @@ TEST(Choice, MomentKeepsWhatItStates) {
         const Resolution r = resolution(request);
         request.step = just_below * parts * r.detail / steps;
         const Rebounds found = rebounds(request);
-        const double error = std::max(found.most - contact.e, contact.e - found.least);
+        const double error = larger(found.most - contact.e, contact.e - found.least);
         const double stated = Moment::restitution_error(r, request.step / parts) + 1e-12;
         const std::string which = name_of(contact) + " at " + std::to_string(steps) + " of " + std::to_string(parts);
         EXPECT_LE(error, stated) << which;
@@ -238,7 +239,7 @@ TEST(Choice, TheDrivenSceneHoldsAtLargeSteps) {
       const auto found = displacements(step, stepper);
       ASSERT_EQ(found.size(), exact.size());
       double error = 0;
-      for (size_t i = 0; i < exact.size(); ++i) error = std::max(error, std::abs(found[i] - exact[i]));
+      for (size_t i = 0; i < exact.size(); ++i) error = larger(error, std::abs(found[i] - exact[i]));
       std::printf("  %s at %g s: %.1e m\n", std::string(host::name_of(stepper)).c_str(), step, error);
       if (stepper != Stepper::automatic || step > 4e-3) {
         EXPECT_LE(error, 1e-6 * std::pow(step / 5e-3, 4) + 1e-9) << step;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 #include "host_ref/simulation.hpp"
 
 namespace impact::host {
@@ -78,7 +79,7 @@ double restitution_error(const Scheme& scheme, int steps) {
     for (int i = 0; i < last; ++i) simulation->step(0);
     const Sample after = simulation->sample();
     EXPECT_LT(after.penetration, 0);
-    largest = std::fmax(largest, std::abs((after.v1 - after.v2) / speed - restitution(impact).value()));
+    largest = larger(largest, std::abs((after.v1 - after.v2) / speed - restitution(impact).value()));
   }
   return largest;
 }

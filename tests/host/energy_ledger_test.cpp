@@ -1,6 +1,7 @@
 // The energy ledger: what contact dissipates and the drive's work against the reference, and the balance with the
 // motion's own energies, over half a second of the paper's scene.
 
+#include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {
@@ -31,7 +32,7 @@ Errors errors_of(const Request& request) {
   double damped = 0;
   for (size_t n = 1; n < kernel.size(); ++n) {
     const Sample &before = kernel[n - 1], &now = kernel[n];
-    const auto keep = [](double& most, double error) { most = std::max(most, std::abs(error)); };
+    const auto keep = [](double& most, double error) { most = larger(most, std::abs(error)); };
     damped += scene.main_damping * request.step * (before.v1 * before.v1 + now.v1 * now.v1) / 2;
     if (now.penetration > 0) continue;
     keep(largest.dissipated, now.energy_dissipated - reference[n].energy_dissipated);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 #include "host_ref/simulation.hpp"
 
 namespace impact::host {
@@ -50,8 +51,8 @@ Rebounds rebounds(Law law, Numeric numeric, const Impact& impact, double steps_p
     for (int i = 0; i < static_cast<int>(2 * steps_per_contact) + 10; ++i) simulation->step(0);
     const Sample after = simulation->sample();
     EXPECT_EQ(simulation->fault(), nullptr);
-    result.least = std::min(result.least, (after.v1 - after.v2) / speed);
-    result.most = std::max(result.most, (after.v1 - after.v2) / speed);
+    result.least = smaller(result.least, (after.v1 - after.v2) / speed);
+    result.most = larger(result.most, (after.v1 - after.v2) / speed);
   }
   return result;
 }

@@ -4,6 +4,7 @@
 // In double, 10^4 steps of one rounding each, 1e-16 of the amplitude. In 32 bits the floors of rounding_test.cpp, which
 // are for a scene bounded by 62.5 mm and grow with the bound.
 
+#include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {
@@ -37,8 +38,8 @@ void expect_motion(Request request, Exact exact) {
     request.numeric = numeric;
     double error = 0, amplitude = 0;
     for (const Sample& sample : kernel_samples(request, interval, 1)) {
-      error = std::max(error, std::abs(sample.x1 - exact(sample.t)));
-      amplitude = std::max(amplitude, std::abs(exact(sample.t)));
+      error = larger(error, std::abs(sample.x1 - exact(sample.t)));
+      amplitude = larger(amplitude, std::abs(exact(sample.t)));
     }
     EXPECT_LE(error, std::max(1e-12 * amplitude, floor_of(numeric)))
         << name_of(numeric) << ", h = " << request.step << ", amplitude " << amplitude;

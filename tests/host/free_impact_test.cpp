@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {
@@ -60,7 +61,7 @@ Outcomes impact_at(const Known& known, Stepper stepper, Numeric numeric, int ste
   for (int n = 0; n < steps_per_contact + 8; ++n) {
     outcome.simulation->step(0);
     const Sample now = outcome.simulation->sample();
-    result.peak_penetration = std::max(result.peak_penetration, now.penetration);
+    result.peak_penetration = larger(result.peak_penetration, now.penetration);
     if (now.contact_force != 0) ++result.steps_in_contact;
   }
   EXPECT_EQ(outcome.simulation->fault(), nullptr);
@@ -83,7 +84,7 @@ Outcomes largest_errors(const Known& known, Stepper stepper, int steps_per_conta
   Outcomes largest{};
   for (int i = 0; i < phases; ++i) {
     const Outcomes got = impact_at(known, stepper, Numeric::float64, steps_per_contact, phase(i));
-    const auto keep = [](double& most, double error) { most = std::max(most, std::abs(error)); };
+    const auto keep = [](double& most, double error) { most = larger(most, std::abs(error)); };
     keep(largest.restitution, got.restitution - known.restitution);
     keep(largest.lost, (got.lost - known.lost) / energy);
     keep(largest.peak_penetration, got.peak_penetration / known.peak_penetration - 1);

@@ -120,7 +120,7 @@ TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
     TypeParam::step(kernel, n);
     const double force = si(kernel.contact_force(), kernel.force_unit());
     momentum -= force * h;
-    largest = std::max(largest, std::abs(force));
+    largest = host::larger(largest, std::abs(force));
     touched += force != 0;
     if (kernel.is_touching() || force != 0) continue;
     // Each step in contact rounds its force, and the ball's velocity, to some of their places.

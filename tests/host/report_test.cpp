@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 #include "host_ref/report/page/fragments.hpp"
 #include "host_ref/report/paper_scenes.hpp"
 #include "host_ref/report/textbook_methods.hpp"
@@ -44,7 +45,7 @@ double largest_difference(Model model, Matrix matrix) {
   for (int n = 0; n < 5000; ++n) {
     model.step();
     matrix.step();
-    largest = std::max(largest, std::abs(model.displacement() - matrix.sample().x1));
+    largest = host::larger(largest, std::abs(model.displacement() - matrix.sample().x1));
   }
   return largest;
 }

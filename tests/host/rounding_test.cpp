@@ -18,6 +18,7 @@
 #include <cstdio>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {
@@ -51,7 +52,7 @@ double amplification(Request request, const Samples& samples) {
   double largest = 0;
   for (const double sign : {-1, 1}) {
     request.scene.v2 = sign * change;
-    largest = std::max(largest, largest_difference(kernel_samples(request, interval, 1), samples) / change);
+    largest = larger(largest, largest_difference(kernel_samples(request, interval, 1), samples) / change);
   }
   return largest;
 }
@@ -67,12 +68,12 @@ TEST_P(Rounding, AddsLittleToTheMethodsError) {
   if (is_fixed) request.bounds = bounds_of(rounded);
   const ErrorParts parts = error_parts(reference, exact, kernel_samples(request, interval, 1));
 
-  double bound = std::max(is_fixed ? 2e-9 : 1e-8, 0.1 * parts.method);
+  double bound = larger(is_fixed ? 2e-9 : 1e-8, 0.1 * parts.method);
   if (rounded.law == Law::hooke_newton && rounded.stepper != Stepper::moment) {
-    bound = std::max(bound, parts.method);
+    bound = larger(bound, parts.method);
   } else if (rounded.law == Law::hooke_newton || (rounded.law == Law::hertz && !is_fixed)) {
     double speed = 0;
-    for (const Sample& sample : exact) speed = std::max(speed, std::abs(sample.v2 - sample.v1));
+    for (const Sample& sample : exact) speed = larger(speed, std::abs(sample.v2 - sample.v1));
     const Scene& scene = request.scene;
     const double reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
     const double steps =
@@ -82,7 +83,7 @@ TEST_P(Rounding, AddsLittleToTheMethodsError) {
         is_fixed ? 0x1p-31 * (speed + request.bounds->penetration / rounded.step / std::sqrt(steps)) : 0x1p-24 * speed;
     request.numeric = Numeric::float64;
     request.bounds.reset();
-    bound = std::max(bound, 2 * amplification(request, exact) * undetermined);
+    bound = larger(bound, 2 * amplification(request, exact) * undetermined);
   }
   EXPECT_LE(parts.rounding, bound) << "method's error: " << parts.method;
   std::printf("  rounding %.1e m, method %.1e m, bound %.1e m\n", parts.rounding, parts.method, bound);

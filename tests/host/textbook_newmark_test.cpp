@@ -7,6 +7,7 @@
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/error_measures.hpp"
+#include "host_ref/extremes.hpp"
 
 namespace impact::host {
 namespace {
@@ -165,7 +166,7 @@ double restitution_error(Textbook make, Law law, int steps_per_contact) {
     for (int n = 0; n < 2 * steps_per_contact + 10; ++n) textbook.step();
     const Sample& after = textbook.sample();
     EXPECT_LT(after.penetration, 0);
-    largest = std::max(largest, std::abs((after.v1 - after.v2) / impact.speed - e));
+    largest = larger(largest, std::abs((after.v1 - after.v2) / impact.speed - e));
   }
   return largest;
 }

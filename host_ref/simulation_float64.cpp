@@ -1,3 +1,0 @@
-#include "host_ref/simulation_of.hpp"
-
-template impact::host::Planned impact::host::plan_simulation<impact::Float64>(const Request&, const Bounds&);

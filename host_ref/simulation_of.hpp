@@ -1,6 +1,5 @@
 #pragma once
-// The kernel's template behind the run-time interface, for one number format. A source file each instantiates one
-// format, so that they compile side by side.
+// The kernel's template behind the run-time interface.
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +17,9 @@ struct Planned {
   PlanStatus status = PlanStatus::ok;
 };
 
-template <class Format>
-Planned plan_simulation(const Request& request, const Bounds& bounds);
-
-extern template Planned plan_simulation<Float32>(const Request&, const Bounds&);
-extern template Planned plan_simulation<Float32Plain>(const Request&, const Bounds&);
-extern template Planned plan_simulation<Fixed32>(const Request&, const Bounds&);
-extern template Planned plan_simulation<Float64>(const Request&, const Bounds&);
+// With any stepper and drive: simulation_instance.hpp.
+template <class Format, class ContactLaw>
+Planned plan_with_law(const Request& request, const Bounds& bounds);
 
 // The law in double at a penetration and its rate, for what the tool prints beside the state.
 template <class ContactLaw>
@@ -176,56 +171,19 @@ Planned plan_for(const Request& request, const Bounds& bounds) {
           PlanStatus::ok};
 }
 
-template <class Format, class ContactLaw, class Stepper>
-Planned plan_with_drive(const Request& request, const Bounds& bounds) {
-  switch (request.drive) {
-    case DriveKind::none:
-      return plan_for<Format, ContactLaw, Stepper, NoDrive>(request, bounds);
-    case DriveKind::sine:
-      return plan_for<Format, ContactLaw, Stepper, Sine>(request, bounds);
-    case DriveKind::sampled:
-      break;
-  }
-  return plan_for<Format, ContactLaw, Stepper, Sampled>(request, bounds);
-}
-
-template <class Format, class ContactLaw>
-Planned plan_with_stepper(const Request& request, const Bounds& bounds) {
-  switch (request.stepper) {
-    case Stepper::average:
-      return plan_with_drive<Format, ContactLaw, AverageAcceleration>(request, bounds);
-    case Stepper::linear:
-      return plan_with_drive<Format, ContactLaw, LinearAcceleration>(request, bounds);
-    case Stepper::fox_goodwin:
-      return plan_with_drive<Format, ContactLaw, FoxGoodwin>(request, bounds);
-    case Stepper::central:
-      return plan_with_drive<Format, ContactLaw, CentralDifference>(request, bounds);
-    case Stepper::moment_4:
-      return plan_with_drive<Format, ContactLaw, SubsteppedMoment<4>>(request, bounds);
-    case Stepper::moment_8:
-      return plan_with_drive<Format, ContactLaw, SubsteppedMoment<8>>(request, bounds);
-    case Stepper::energy:
-      return plan_with_drive<Format, ContactLaw, EnergyConsistent>(request, bounds);
-    case Stepper::impulsive:
-      return plan_with_drive<Format, ContactLaw, Impulsive>(request, bounds);
-    default:
-      return plan_with_drive<Format, ContactLaw, Moment>(request, bounds);
-  }
-}
-
 template <class Format>
 Planned plan_simulation(const Request& request, const Bounds& bounds) {
   switch (request.law) {
     case Law::hooke_newton:
-      return plan_with_stepper<Format, HookeNewton>(request, bounds);
+      return plan_with_law<Format, HookeNewton>(request, bounds);
     case Law::hertz:
-      return plan_with_stepper<Format, Hertz>(request, bounds);
+      return plan_with_law<Format, Hertz>(request, bounds);
     case Law::hunt_crossley:
       break;
   }
   // By the restitution that comes out, `Exact` is every law that sets the damping at each impact: make_simulation.
-  if (request.damping != Damping::constant) return plan_with_stepper<Format, Exact>(request, bounds);
-  return plan_with_stepper<Format, HuntCrossley>(request, bounds);
+  if (request.damping != Damping::constant) return plan_with_law<Format, Exact>(request, bounds);
+  return plan_with_law<Format, HuntCrossley>(request, bounds);
 }
 
 }  // namespace impact::host

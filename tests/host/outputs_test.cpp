@@ -9,6 +9,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "host_ref/extremes.hpp"
+
 namespace impact {
 namespace {
 

@@ -34,7 +34,7 @@ class Chooser {
   Chooser(const Table& budget, const Table& stability) {
     for (const Row& row : stability) {
       if (row.at("accepted") != "1" || row.at("newmark") == "energy") continue;
-      const double error = worse(1e-5, restitution_error(row));
+      const double error = host::larger(1e-5, restitution_error(row));
       if (!(error <= 0.1)) continue;
       candidates_[place_of(row.at("law"), number(row, "step_s"), number(row, "contact_stiffness"))].push_back(
           {row.at("newmark"), row.at("numeric"), error});

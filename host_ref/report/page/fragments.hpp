@@ -1,6 +1,7 @@
 #pragma once
 // What the page's parts share: the tables that they read, and the parts that one can buy.
 
+#include <host_ref/extremes.hpp>
 #include <host_ref/report/table.hpp>
 #include <optional>
 #include <string>
@@ -32,8 +33,6 @@ struct Configuration {
 std::optional<Configuration> configuration(const Table& budget, const std::string& target, const std::string& law,
                                            const std::string& newmark, const std::string& numeric);
 
-// The larger; what is not a number is larger than any.
-inline double worse(double a, double b) { return b > a || b != b ? b : a; }
 double restitution_error(const Row& stability);
 
 // A row of error_vs_time.csv or of accuracy.csv on the host, with its `cost` in instructions or nanoseconds per

@@ -25,8 +25,8 @@ std::string stability_table(const Table& stability) {
     Region& region = regions[key];
     if (row.at("accepted") != "1") continue;
     ++region.accepted;
-    region.error = worse(region.error, restitution_error(row));
-    region.gain = worse(region.gain, number(row, "energy_gain_max"));
+    region.error = host::larger(region.error, restitution_error(row));
+    region.gain = host::larger(region.gain, number(row, "energy_gain_max"));
   }
   std::string text = table_head(
       "In numbers, over the cells that the plan accepts", "stability.csv",

@@ -7,7 +7,7 @@
 namespace impact::report {
 
 double Configuration::worst() const {
-  return std::max(number(free, "instructions_max"), number(contact, "instructions_max"));
+  return host::larger(number(free, "instructions_max"), number(contact, "instructions_max"));
 }
 
 std::optional<Configuration> configuration(const Table& budget, const std::string& target, const std::string& law,
@@ -26,7 +26,8 @@ std::optional<Configuration> configuration(const Table& budget, const std::strin
 
 double restitution_error(const Row& row) {
   const double exact = number(row, "restitution_exact");
-  return worse(std::abs(number(row, "restitution_min") - exact), std::abs(number(row, "restitution_max") - exact));
+  return host::larger(std::abs(number(row, "restitution_min") - exact),
+                      std::abs(number(row, "restitution_max") - exact));
 }
 
 }  // namespace impact::report

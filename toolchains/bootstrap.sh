@@ -60,6 +60,9 @@ END
 
 run_tests() {
   ctest --test-dir "$1" --output-on-failure -j "$(nproc)" || failed=1
+  # CTest says which tests were skipped, and keeps to its log why.
+  awk '/^[0-9]+\/[0-9]+ Test: / { name = $3 } /^skipped: / { print name ": " $0 }
+    /: Skipped$/ { getline; print name ": skipped: " $0 }' "$1/Testing/Temporary/LastTest.log"
 }
 
 build_host() {

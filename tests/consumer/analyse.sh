@@ -4,7 +4,7 @@
 # clang-tidy's checks are in .clang-tidy at the top; cppcheck's suppressions are in cppcheck.txt beside this file.
 set -eu
 tool=$1 project=$2
-command -v "$tool" >/dev/null || { echo "$tool is not installed" && exit 77; }
+command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed" && exit 77; }
 unit=$project/tests/consumer/main_configurations.cpp
 case $tool in
   clang-tidy)

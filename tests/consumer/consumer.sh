@@ -3,7 +3,7 @@
 #   consumer.sh WAY PROJECT [TOOLCHAIN_FILE]
 set -eu
 way=$1 project=$2 toolchain=${3-}
-[ -z "$toolchain" ] || command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed" && exit 77; }
+[ -z "$toolchain" ] || command -v arm-none-eabi-g++ >/dev/null || { echo "skipped: arm-none-eabi-g++ is not installed" && exit 77; }
 here=$project/tests/consumer
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT

@@ -4,7 +4,7 @@
 # X11's own where they are installed.
 set -eu
 compiler=$1 project=$2
-command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
+command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 cd "$project/kernel/include"

@@ -5,7 +5,7 @@
 # a stand-in for idf_component_register; the Arduino layout compiles.
 set -eu
 project=$1
-command -v python3 >/dev/null || { echo "python3 is not installed" && exit 77; }
+command -v python3 >/dev/null || { echo "skipped: python3 is not installed" && exit 77; }
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 cp -r "$project/kernel" "$folder/kernel"

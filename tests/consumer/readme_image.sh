@@ -1,7 +1,7 @@
 # Read by the tests that run the README's image: makes the folder with a copy of kernel/ and what the manual says under
 # "From nothing to an image", and goes there. Needs $project.
 for tool in arm-none-eabi-g++ qemu-system-arm; do
-  command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
+  command -v $tool >/dev/null || { echo "skipped: $tool is not installed" && exit 77; }
 done
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT

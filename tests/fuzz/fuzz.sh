@@ -5,12 +5,12 @@
 # FOLDER keeps the fuzzer and what it has learnt; a finding is left there as crash-*, to be given to the fuzzer again.
 set -eu
 project=$1 folder=$2 kind=$3 && shift 3
-command -v clang++ >/dev/null || { echo "clang++ is not installed" && exit 77; }
+command -v clang++ >/dev/null || { echo "skipped: clang++ is not installed" && exit 77; }
 mkdir -p "$folder/corpus"
 cd "$folder"
 echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' > none.cpp
 sanitize=-fsanitize=fuzzer,address,undefined
-clang++ $sanitize none.cpp -o none 2>none.log || { echo "clang++ has no libFuzzer (libclang-rt-*-dev)" && exit 77; }
+clang++ $sanitize none.cpp -o none 2>none.log || { echo "skipped: clang++ has no libFuzzer (libclang-rt-*-dev)" && exit 77; }
 case $kind in
   kernel) sources="" flags="-DIMPACT_NUMERIC=impact::$1" libraries="" ;;
   tool)

@@ -3,7 +3,7 @@
 #   headers.sh PROJECT COMPILER STANDARD
 set -eu
 project=$1 compiler=$2 standard=$3
-command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
+command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 

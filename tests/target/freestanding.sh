@@ -4,7 +4,7 @@
 #   freestanding.sh TRIPLE PROJECT
 set -eu
 triple=$1 project=$2
-command -v clang++ >/dev/null || { echo "clang++ is not installed" && exit 77; }
+command -v clang++ >/dev/null || { echo "skipped: clang++ is not installed" && exit 77; }
 
 compile() {
   clang++ --target="$triple" -std=c++17 -nostdlibinc -nostdinc++ -ffreestanding -fno-exceptions -fno-rtti \

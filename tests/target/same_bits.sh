@@ -2,8 +2,8 @@
 # The trajectories on a host, compiled by any compiler with any flags: same_bits.sh PROJECT COMPILER FLAG...
 set -eu
 project=$1 compiler=$2 && shift 2
-command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
-case "$*" in *-mfma*) grep -qw fma /proc/cpuinfo || { echo "this processor has no FMA" && exit 77; } ;; esac
+command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
+case "$*" in *-mfma*) grep -qw fma /proc/cpuinfo || { echo "skipped: this processor has no FMA" && exit 77; } ;; esac
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 "$compiler" "$@" -std=c++17 -ffp-contract=off \

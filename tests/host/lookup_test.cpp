@@ -112,13 +112,22 @@ static_assert(sizeof square_root_table<6, 2> == 576, "the table's size as its he
 static_assert(sizeof square_root_table<6, 1> == 384, "the table's size as its header states it");
 static_assert(sizeof reciprocal_table == 128, "the table's size as its header states it");
 
+// All numbers in four parts, so that as many processors share them; a part begins with what the number before it gives.
+class LookupOfAQuarter : public testing::TestWithParam<uint32_t> {};
+INSTANTIATE_TEST_SUITE_P(Quarters, LookupOfAQuarter, testing::Range(0u, 4u));
+
 // Judged on squares, so that the test takes no root itself: with T = sqrt(y 2^32), |root - T| <= 2^-27 T + 1/2 is
 // |root^2 - T^2| <= 2^-26 T^2 + root = 64 y + root. The power is floor(y root / 2^32), whose bound follows: the root's
 // error times y / 2^32 is at most 2^-27 of the power plus 1/2, and the floor takes less than 1.
-TEST(Lookup, EveryUint32) {
+TEST_P(LookupOfAQuarter, OfEveryUint32) {
   int64_t root_failures = 0, power_failures = 0;
+  const uint64_t first = GetParam() * (two_32 / 4);
   uint64_t previous_root = 0, previous_power = 0;
-  for (uint64_t y = 1; y < two_32; ++y) {
+  if (first > 0) {
+    previous_root = square_root_q32(static_cast<uint32_t>(first - 1));
+    previous_power = power_three_halves_q32(static_cast<uint32_t>(first - 1));
+  }
+  for (uint64_t y = first == 0 ? 1 : first; y < first + two_32 / 4; ++y) {
     const uint64_t root = square_root_q32(static_cast<uint32_t>(y));
     const auto excess = static_cast<int64_t>(root * root - y * two_32);
     root_failures += (root < previous_root) + beyond(excess, static_cast<int64_t>(64 * y + root));
@@ -165,14 +174,19 @@ TEST(Lookup, EndsOfUint32) {
 
 constexpr uint32_t infinity_bits = 0x7f800000;
 
-TEST(Lookup, EveryFloat) {
+TEST_P(LookupOfAQuarter, OfEveryFloat) {
   const double root_bound = std::ldexp(1.0, -27) + std::ldexp(1.0, -24);
   const double power_bound = root_bound + std::ldexp(1.0, -29);
   const double smallest = static_cast<double>(FLT_MIN) * static_cast<double>(FLT_MIN);
   const double largest = static_cast<double>(FLT_MAX) * static_cast<double>(FLT_MAX);
   int64_t root_failures = 0, power_failures = 0;
+  const uint32_t first = GetParam() * (infinity_bits / 4);
   float previous_root = 0, previous_power = 0;
-  for (uint32_t bits = 0; bits < infinity_bits; ++bits) {
+  if (first > 0) {
+    previous_root = square_root(float_of(first - 1));
+    previous_power = power_three_halves(float_of(first - 1));
+  }
+  for (uint32_t bits = first; bits < first + infinity_bits / 4; ++bits) {
     const float root = square_root(float_of(bits));
     const auto y = static_cast<double>(float_of(bits)), r = static_cast<double>(root);
     root_failures += (root < previous_root) + (std::fabs(r * r - y) <= 2 * root_bound * y ? 0 : 1);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <host_ref/error_measures.hpp>
+#include <host_ref/paper_scene.hpp>
 #include <host_ref/reference.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/textbook_methods.hpp>
@@ -25,13 +26,6 @@ using namespace host;
 
 constexpr double interval = 0.01, duration = 1;  // s
 constexpr int intervals = 100;
-
-template <Law law>
-constexpr Scene scene_under() {
-  Scene scene;
-  if (law == Law::hooke_newton) scene.contact_damping = 20.81;  // the paper's table 1, N s/m
-  return scene;
-}
 
 struct LawReference {
   Samples samples;
@@ -174,7 +168,7 @@ class StepLength {
 
 template <Law law, int steps_per_interval>
 struct BaselineRig {
-  static constexpr Scene scene = scene_under<law>();
+  static constexpr Scene scene = paper_scene(law);
   static constexpr double step = interval / steps_per_interval;
 };
 
@@ -199,7 +193,7 @@ template <Law law, int... steps_per_interval>
 void write_law(Output& output, Progress& progress, long done, std::integer_sequence<int, steps_per_interval...>) {
   Case run;
   run.law = law;
-  run.scene = scene_under<law>();
+  run.scene = paper_scene(law);
   const LawReference reference(run);
   ((progress.at(done++), write_step_length<law, steps_per_interval>(output, reference, run)), ...);
 }

@@ -5,6 +5,7 @@
 // separates, as (2.1) is written. Figure 8: c1 of a restitution by (2.3) with (2.4), and by (2.9) at the 0.8 m/s of
 // Table 2's c1.
 
+#include <host_ref/paper_scene.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>
 
@@ -39,10 +40,7 @@ constexpr double hooke_newton_damping(const Scene& scene, double e) {
 }
 
 constexpr PaperRun paper_run(int index) {
-  Scene scene;
-  Scene pulling;
-  pulling.tension = Tension::allow;
-  pulling.contact_damping = 20.81;
+  Scene scene, pulling = paper_scene(Law::hooke_newton, Tension::allow);
   if (index == 0) {
     scene.clearance = 0.2;  // never reached: the system without absorber
     return {"without-absorber", Law::hertz, scene, 0};

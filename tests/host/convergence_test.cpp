@@ -10,6 +10,7 @@
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
+#include "host_ref/paper_scene.hpp"
 #include "host_ref/simulation.hpp"
 
 namespace impact::host {
@@ -58,11 +59,10 @@ double restitution_error(const Scheme& scheme, int steps) {
   request.law = scheme.law;
   request.stepper = scheme.stepper;
   request.drive = DriveKind::none;
+  request.scene = paper_scene(scheme.law, scheme.tension);
   request.scene.main_stiffness = 0;
   request.scene.main_damping = 0;
-  request.scene.tension = scheme.tension;
   request.scene.v2 = speed;
-  if (scheme.law == Law::hooke_newton) request.scene.contact_damping = 20.81;
   Impact impact;
   impact.law = scheme.law;
   impact.contact_damping = request.scene.contact_damping;

@@ -107,11 +107,7 @@ struct Rig {
   static constexpr double step = 1e-3;
 };
 struct LinearRig : Rig {
-  static constexpr Scene scene = [] {
-    Scene made;
-    made.contact_damping = 20.81;
-    return made;
-  }();
+  static constexpr Scene scene = paper_scene(Law::hooke_newton);
 };
 
 template <class Kernel>

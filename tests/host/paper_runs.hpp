@@ -8,18 +8,11 @@
 #include <string>
 
 #include "host_ref/error_measures.hpp"
+#include "host_ref/paper_scene.hpp"
 #include "host_ref/reference.hpp"
 #include "host_ref/simulation.hpp"
 
 namespace impact::host {
-
-inline Scene paper_scene(Law law, Tension tension = Tension::clamp) {
-  Scene scene;
-  scene.tension = tension;
-  if (law == Law::hooke_newton) scene.contact_damping = 20.81;  // Table 1; N s/m
-  if (law == Law::hertz) scene.contact_damping = 0;
-  return scene;
-}
 
 inline Request paper_request(Law law, Stepper stepper, double step, Tension tension = Tension::clamp) {
   Request request;

@@ -8,6 +8,7 @@
 #include "host_ref/closed_form.hpp"
 #include "host_ref/error_measures.hpp"
 #include "host_ref/extremes.hpp"
+#include "host_ref/paper_scene.hpp"
 
 namespace impact::host {
 namespace {
@@ -27,8 +28,7 @@ constexpr Variant variants[] = {{"hooke-newton, clamped", Law::hooke_newton, Ten
 Case paper_case(const Variant& variant) {
   Case run;
   run.law = variant.law;
-  run.scene.tension = variant.tension;
-  if (variant.law == Law::hooke_newton) run.scene.contact_damping = 20.81;
+  run.scene = paper_scene(variant.law, variant.tension);
   return run;
 }
 

@@ -11,6 +11,7 @@
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
+#include "host_ref/paper_scene.hpp"
 #include "host_ref/report/page/fragments.hpp"
 #include "host_ref/report/paper_scenes.hpp"
 #include "host_ref/report/textbook_methods.hpp"
@@ -21,12 +22,7 @@ namespace {
 
 template <Law law>
 struct Rig {
-  static constexpr Scene made() {
-    Scene paper;
-    if (law == Law::hooke_newton) paper.contact_damping = 20.81;  // table 1, N s/m
-    return paper;
-  }
-  static constexpr Scene scene = made();
+  static constexpr Scene scene = paper_scene(law);
   static constexpr double step = 1e-4;
 };
 

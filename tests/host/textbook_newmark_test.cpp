@@ -8,6 +8,7 @@
 #include "host_ref/closed_form.hpp"
 #include "host_ref/error_measures.hpp"
 #include "host_ref/extremes.hpp"
+#include "host_ref/paper_scene.hpp"
 
 namespace impact::host {
 namespace {
@@ -22,8 +23,7 @@ InternalForce no_force(const Eigen::VectorXd& x, const Eigen::VectorXd&) {
 Case paper_case(Law law, Tension tension = Tension::clamp) {
   Case run;
   run.law = law;
-  run.scene.tension = tension;
-  if (law == Law::hooke_newton) run.scene.contact_damping = 20.81;
+  run.scene = paper_scene(law, tension);
   return run;
 }
 

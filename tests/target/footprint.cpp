@@ -1,11 +1,25 @@
 // The smallest firmware around one absorber. What a configuration takes is this image's size less that of the one
 // without an absorber.
 
-#ifdef IMPACT_CONFIGURATION
+#ifdef IMPACT_LABEL
 
 #include "configurations.hpp"
 
-using Measured = impact::target::Configuration<IMPACT_CONFIGURATION>;
+namespace impact::target {
+
+// Of those that have a budget the one with this label.
+template <class First, class... Others>
+constexpr auto labelled(List<First, Others...>) {
+  if constexpr (is_same(First::label.text, IMPACT_LABEL))
+    return First{};
+  else
+    return labelled(List<Others...>{});
+}
+using Measured = decltype(labelled(Budgeted{}));
+
+}  // namespace impact::target
+
+using impact::target::Measured;
 
 static Measured::Absorber<100> absorber;
 

@@ -80,14 +80,16 @@ Request request_for(const FreePair& free, Stepper stepper, Numeric numeric, doub
 }
 
 std::optional<Rebounds> rebounds(const FreePair& free, Stepper stepper, Numeric numeric, const MakeSimulation& make) {
+  return rebounds(request_for(free, stepper, numeric, 0), most_steps(free), make);
+}
+
+std::optional<Rebounds> rebounds(Request request, long steps, const MakeSimulation& make) {
   Rebounds result;
-  const long steps = most_steps(free);
   const long looked_every = std::max(1L, steps / 64);  // apart, the pair keeps its velocities
-  Request request = request_for(free, stepper, numeric, 0);
-  const double first = request.scene.x2;
+  const double first = request.scene.x2, speed = request.scene.v2 - request.scene.v1;
   for (int i = 0; i < phases_of_impact; ++i) {
     const double phase = static_cast<double>(i) / phases_of_impact;
-    request.scene.x2 = first - free.speed * free.step * phase;
+    request.scene.x2 = first - speed * request.step * phase;
     const std::unique_ptr<Simulation> simulation = make(request);
     if (!simulation) return {};
     bool is_apart = false;
@@ -96,7 +98,7 @@ std::optional<Rebounds> rebounds(const FreePair& free, Stepper stepper, Numeric 
       simulation->step(0);
       if (n % looked_every != 0 && n != steps) continue;
       const Sample now = simulation->sample();
-      ratio = (now.v1 - now.v2) / free.speed;
+      ratio = (now.v1 - now.v2) / speed;
       is_apart = now.penetration < 0 && now.contact_force == 0 && ratio > 0;
     }
     if (!(std::abs(ratio) < blown_up)) ratio = blown_up;

@@ -47,6 +47,8 @@ Request request_for(const FreePair& free, Stepper stepper, Numeric numeric, doub
 // Over all phases; none where `make` refuses the request.
 using MakeSimulation = std::function<std::unique_ptr<Simulation>(const Request&)>;
 std::optional<Rebounds> rebounds(const FreePair& free, Stepper stepper, Numeric numeric, const MakeSimulation& make);
+// The same of a request of one's own, which reaches the right stop one step after the start, over so many steps.
+std::optional<Rebounds> rebounds(Request request, long steps, const MakeSimulation& make);
 
 // The yardstick: the classical Runge-Kutta method in double (textbook_newmark.hpp), whatever stepper and format a
 // request names. It has no plan and refuses nothing.

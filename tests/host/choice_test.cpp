@@ -74,8 +74,8 @@ std::string name_of(const Contact& contact) {
 Rebounds rebounds(Request request) {
   request.scene.v1 = -speed / 2;
   request.scene.v2 = speed / 2;
-  request.scene.x2 = request.scene.clearance / 2 - speed * request.step;
-  const long steps = std::lround(1.5 * resolution(request).contact_time / request.step) + 8;
+  request.scene.x2 = request.scene.clearance / 2 - speed * request.step * (1 + 0.5 / phases_of_impact);
+  const long steps = std::lround(4 * resolution(request).contact_time / request.step) + 20;
   const auto found = rebounds(request, steps, [](const Request& asked) { return make_simulation(asked).simulation; });
   EXPECT_TRUE(found) << "refused";
   if (!found) return {};

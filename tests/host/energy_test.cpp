@@ -34,6 +34,7 @@ Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) 
   EXPECT_TRUE(found) << "refused";
   if (!found) return {};
   EXPECT_FALSE(found->has_fault);
+  EXPECT_TRUE(found->is_apart);
   return *found;
 }
 

@@ -15,16 +15,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity(),
                  no_number = std::numeric_limits<double>::quiet_NaN();
 
 // Numbers within the ranges that a fault holds them in: displacements below 2^20 m, in Fixed32 half of the unit that
-// they count in.
+// they count in, but for a reading's last place.
 template <class Kernel>
 bool is_held(const Kernel& absorber) {
   const auto now = absorber.reading();
   const auto& units = absorber.plan.units;
   double most = 0x1p20;
-  if constexpr (std::is_same_v<typename Kernel::Format, Fixed32>) most = std::ldexp(1, units.position_exponent - 1);
+  if constexpr (std::is_same_v<typename Kernel::Format, Fixed32>)
+    most = std::ldexp(1 + 0x1p-30, units.position_exponent - 1);
   const auto& state = absorber.state();
-  return std::abs(now.x1) <= most && std::abs(now.x2) <= most && std::isfinite(now.v1) && std::isfinite(now.v2) &&
-         units.in_range(state.x1, state.x2, state.w1, state.w2);
+  return std::abs(now.x1) <= most && std::isfinite(now.x2) && std::isfinite(now.v1) && std::isfinite(now.v2) &&
+         units.in_range(state.x1, state.x2, state.w1);
 }
 
 template <class Kernel>

@@ -10,7 +10,7 @@ namespace impact::target {
 // Of those that have a budget the one with this label.
 template <class First, class... Others>
 constexpr auto labelled(List<First, Others...>) {
-  if constexpr (is_same(First::label.text, IMPACT_LABEL))
+  if constexpr (First::label == IMPACT_LABEL)
     return First{};
   else
     return labelled(List<Others...>{});

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <host_ref/extremes.hpp>
 #include <host_ref/tool/bare.hpp>
 #include <host_ref/tool/run.hpp>
 #include <impact/status.hpp>
@@ -9,7 +10,7 @@ namespace {
 double largest_alone(const Request& bare) {
   double largest = 0;
   run(*outcome_of(bare).simulation, bare, step_count(bare) + 1, [&](long, const double* x1, long count) {
-    for (long i = 0; i < count; ++i) largest = std::max(largest, std::abs(x1[i]));
+    for (long i = 0; i < count; ++i) largest = larger(largest, std::abs(x1[i]));
   });
   return largest;
 }

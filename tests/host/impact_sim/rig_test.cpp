@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "host_ref/extremes.hpp"
 #include "impact_sim.hpp"
 
 namespace impact::host {
@@ -75,7 +76,7 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
       const auto cells = split(rows[n + 1], ',');
       ASSERT_EQ(cells[1] + "," + cells[2] + "," + cells[3] + "," + cells[4], bits[n])
           << runs[i].options << " step " << n;
-      largest = std::max(largest, std::abs(std::stod(cells[2])));
+      largest = impact::host::larger(largest, std::abs(std::stod(cells[2])));
     }
     EXPECT_GT(largest, 0.1) << "nothing moved: " << runs[i].options;
   }

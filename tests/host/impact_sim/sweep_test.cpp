@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "host_ref/extremes.hpp"
 #include "impact_sim.hpp"
 
 namespace impact::host {
@@ -41,7 +42,7 @@ TEST_F(ImpactSimSweep, SummarizesWhatTheTrajectoriesShow) {
     const auto lines = lines_of(run("--newmark moment --numeric float64 --duration 0.5 " + arguments).out);
     for (size_t i = 1; i < lines.size(); ++i) {
       const double x1 = std::stod(split(lines[i], ',')[1]);
-      largest = std::max(largest, std::abs(x1));
+      largest = impact::host::larger(largest, std::abs(x1));
       squares += x1 * x1;
     }
     return std::pair(largest, std::sqrt(squares / static_cast<double>(lines.size() - 1)));
@@ -174,7 +175,8 @@ TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
   for (const char* scene : {"3e4", "3e8"}) {
     const auto rows = lines_of(run(std::string("--duration 1 --contact-stiffness ") + scene).out);
     double largest = 0;
-    for (size_t n = 1; n < rows.size(); ++n) largest = std::max(largest, std::abs(std::stod(split(rows[n], ',')[1])));
+    for (size_t n = 1; n < rows.size(); ++n)
+      largest = impact::host::larger(largest, std::abs(std::stod(split(rows[n], ',')[1])));
     const auto row = split(lines_of(result.out)[scene[2] == '4' ? 1 : 2], ',');
     EXPECT_EQ(std::stod(row[3]), largest) << scene;
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "host_ref/extremes.hpp"
 #include "impact_sim.hpp"
 
 namespace impact::host {
@@ -75,7 +76,7 @@ TEST_F(ImpactSim, WritesTheDigitsOfTheFormat) {
       mantissa.erase(0, mantissa.find_first_of("123456789"));
       size_t count = 0;
       for (const char letter : mantissa) count += letter >= '0' && letter <= '9' ? 1 : 0;
-      most = std::max(most, count);
+      most = impact::host::larger(most, count);
     }
     return most;
   };

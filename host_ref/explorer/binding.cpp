@@ -2,20 +2,22 @@
 // a run is known by its slot.
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <string>
 
 #include "host_ref/explorer/recorded_run.hpp"
 #include "host_ref/explorer/scene_text.hpp"
+#include "host_ref/tool/rig.hpp"
+#include "host_ref/without_absorber.hpp"
 
 namespace impact::host {
 namespace {
 
 constexpr size_t slots = 16;
 std::optional<RecordedRun> runs[slots];
+Request made[slots];  // as they were planned
 char text[1 << 16];
-std::string csv;
+std::string long_text;
 
 void reply(const std::string& message) {
   const size_t size = std::min(message.size(), sizeof text - 1);
@@ -23,23 +25,9 @@ void reply(const std::string& message) {
   text[size] = 0;
 }
 
-// Stops out of the ball's reach.
-Request without_absorber(Request request) {
-  request.scene.clearance = 1e12;  // m
-  request.numeric = Numeric::float64;
-  request.bounds.reset();
-  return request;
-}
-
 bool refuse(const Refusal& refusal) {
   reply("refused\n" + refusal.field + "\n" + refusal.value + "\n" + refusal.allowed + "\n");
   return false;
-}
-
-std::string exact(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.17g", value);
-  return digits;
 }
 
 }  // namespace
@@ -63,10 +51,9 @@ EXPORT(plan) bool plan(int slot, bool with_absorber) {
   if (!with_absorber) request = without_absorber(request);
   Outcome outcome = make_simulation(request);
   if (!outcome.simulation) return refuse(outcome.refusal);
-  const std::string why = outcome.description;
-  const bool is_automatic = request.stepper == Stepper::automatic;
-  reply("planned\n" + (is_automatic ? why.substr(0, why.find(',')) : std::string(name_of(request.stepper))) + "\n" +
-        why + "\n" + exact(request.scene.contact_damping) + "\n");
+  made[slot] = outcome.made;
+  reply("planned\n" + std::string(name_of(outcome.made.stepper)) + "\n" + outcome.description + "\n" +
+        shortest_text(request.scene.contact_damping) + "\n");
   run.emplace(request, std::move(outcome.simulation));
   return true;
 }
@@ -104,15 +91,26 @@ EXPORT(law_restitution) double law_restitution(int slot, double speed) {
 // As impact-sim writes it with --every row_every.
 EXPORT(csv) const char* write_csv(int slot) {
   const RecordedRun& run = *runs[slot];
-  const Numeric numeric = run.request().numeric;
-  const int digits = numeric == Numeric::float64 ? 17 : numeric == Numeric::fixed32 ? 13 : 9;
-  csv = "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n";
+  const int digits = significant_digits(run.request().numeric);
+  long_text = "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n";
   for (const Row& row : run.rows()) {
-    char line[256];
-    const int size = std::snprintf(line, sizeof line, "%.15g,%.*g,%.*g,%.*g,%.*g,%.*g,%.*g,%.*g\n", row.t, digits,
-                                   row.x1, digits, row.v1, digits, row.x2, digits, row.v2, digits, row.penetration,
-                                   digits, row.contact_force, digits, row.energy_dissipated);
-    csv.append(line, static_cast<size_t>(size));
+    append_number(long_text, row.t, 15);
+    for (const double value :
+         {row.x1, row.v1, row.x2, row.v2, row.penetration, row.contact_force, row.energy_dissipated}) {
+      long_text += ',';
+      append_number(long_text, value, digits);
+    }
+    long_text += '\n';
   }
-  return csv.c_str();
+  return long_text.c_str();
+}
+
+// As impact-sim --rig writes it for the command of which the buffer has the options.
+EXPORT(rig) const char* write_rig(int slot) {
+  std::vector<Argument> arguments;
+  for_each_line(text, [&](std::string_view option, std::string_view value) {
+    arguments.push_back({std::string(option), std::string(value)});
+  });
+  long_text = rig_text(made[slot], arguments);
+  return long_text.c_str();
 }

@@ -36,8 +36,7 @@ export class Kernel {
 
   // { stepper, why, contactDamping }, or { refusal: { option, value, allowed } }.
   plan(slot, options, withAbsorber) {
-    const text = new TextEncoder().encode(options.map(([name, value]) => `${name} ${value}\n`).join('') + '\0');
-    new Uint8Array(this.calls.memory.buffer, this.calls.text(), text.length).set(text);
+    this.#say(options);
     const isPlanned = this.calls.plan(slot, withAbsorber);
     const [, ...lines] = this.#textAt(this.calls.text()).split('\n');
     if (!isPlanned) return { refusal: { option: lines[0], value: lines[1], allowed: lines[2] } };
@@ -79,10 +78,18 @@ export class Kernel {
   lawRestitution(slot, speed) {
     return this.calls.law_restitution(slot, speed);
   }
+  rig(slot, options) {
+    this.#say(options);
+    return this.#textAt(this.calls.rig(slot));
+  }
   csv(slot) {
     return this.#textAt(this.calls.csv(slot));
   }
 
+  #say(options) {
+    const text = new TextEncoder().encode(options.map(([name, value]) => `${name} ${value}\n`).join('') + '\0');
+    new Uint8Array(this.calls.memory.buffer, this.calls.text(), text.length).set(text);
+  }
   #table(address, count, width) {
     return { data: new Float64Array(this.calls.memory.buffer, address, count * width), count, width };
   }

@@ -10,7 +10,7 @@ import { readTheme } from './plot.mjs';
 import { DisplacementPlot, EnergyPlot, LoopPlot, RestitutionPlot, SweepPlot } from './plots.mjs';
 import { presets } from './presets.mjs';
 import { Run } from './run.mjs';
-import { commandOf, initialScene, usualDamping } from './scene.mjs';
+import { argumentsOf, commandOf, initialScene, usualDamping } from './scene.mjs';
 import { runTrajectories, verdictOf } from './self_test.mjs';
 import { Sweep } from './sweep.mjs';
 import { numbersRow, sentenceOf } from './words.mjs';
@@ -241,7 +241,9 @@ class Page {
     find('summary').textContent = this.ready.map((run) => sentenceOf(run, this.compares)).join(' ') || `No run: ${this.runs.a.refusal.option} ${this.runs.a.refusal.value} is refused.`;
     find('link').textContent = location.href;
     for (const [letter, run] of Object.entries(this.runs)) {
-      find(`command-${letter}`).textContent = run.isReady ? commandOf(run.scene, this.initial, run.every) : '';
+      const options = run.isReady ? argumentsOf(run.scene, this.initial, run.every) : [];
+      find(`command-${letter}`).textContent = run.isReady ? commandOf(options) : '';
+      find(`rig-${letter}`).textContent = run.isReady ? this.kernel.rig(run.slot, options) : '';
       const costs = run.isReady ? costOf(this.costs, find('part').value, run.scene, run.plan.stepper) : [];
       find(`cost-${letter}`).replaceChildren(...costs.flatMap(([what, value]) => [element('dt', { textContent: what }), element('dd', { textContent: value })]));
     }

@@ -77,14 +77,13 @@ export function optionsOf(scene) {
   return options;
 }
 
-// impact-sim's own defaults are left out, but for the damping, which depends on the law.
+// The options of the command: impact-sim's own defaults are left out, but for the damping, which depends on the law, and
+// the step, which it would choose.
 const toolDefaults = { duration: '1', tension: 'clamp', stops: 'both', drive: 'sine' };
-export function commandOf(scene, initial, every) {
-  const isDefault = (name, text) =>
-    name !== 'contact-damping' && name !== 'restitution' && text === (toolDefaults[name] ?? String(initial[name]));
-  const words = optionsOf(scene)
-    .filter(([name, text]) => !isDefault(name, text))
-    .map(([name, text]) => name === 'paper-damping' ? '--paper-damping' : `--${name}=${text}`);
-  if (every > 1) words.push(`--every=${every}`);
-  return ['impact-sim', ...words].join(' ');
+const alwaysStated = ['contact-damping', 'restitution', 'step'];
+export function argumentsOf(scene, initial, every) {
+  const isDefault = (name, text) => !alwaysStated.includes(name) && text === (toolDefaults[name] ?? String(initial[name]));
+  const options = optionsOf(scene).filter(([name, text]) => !isDefault(name, text));
+  return every > 1 ? [...options, ['every', String(every)]] : options;
 }
+export const commandOf = (options) => ['impact-sim', ...options.map(([name, text]) => `--${name}=${text}`)].join(' ');

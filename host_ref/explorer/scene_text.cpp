@@ -1,9 +1,7 @@
 #include "host_ref/explorer/scene_text.hpp"
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "host_ref/closed_form.hpp"
+#include "host_ref/tool/text.hpp"
 
 namespace impact::host {
 namespace {
@@ -49,14 +47,8 @@ struct Stated {
   double impact_speed = 0.8;  // m/s
 };
 
-std::string text_of(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
 // False where the value is none of the option's.
-bool store(Request& request, Stated& stated, std::string_view option, const std::string& text) {
+bool store(Request& request, Stated& stated, std::string_view option, std::string_view text) {
   Scene& scene = request.scene;
   if (option == "law") {
     const auto law = law_named(text);
@@ -81,9 +73,9 @@ bool store(Request& request, Stated& stated, std::string_view option, const std:
   }
   if (option == "paper-damping") return stated.by_paper = text == "yes", true;
 
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || *end != 0) return false;
+  const auto number = number_from(text);
+  if (!number) return false;
+  const double value = *number;
   if (option == "restitution") stated.restitution = true;
   for (const auto& [name, member] : scene_values)
     if (option == name) return scene.*member = value, true;
@@ -113,17 +105,11 @@ std::optional<double> damping_of(const Request& request, const Stated& stated) {
 ScenePlan scene_from(std::string_view text) {
   ScenePlan plan;
   Stated stated;
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(line.size() < text.size() ? line.size() + 1 : text.size());
-    const size_t space = line.find(' ');
-    const std::string_view option = line.substr(0, space);
-    const std::string value(space == line.npos ? std::string_view{} : line.substr(space + 1));
-    if (!store(plan.request, stated, option, value)) {
-      plan.refusal = {std::string(option), value.empty() ? "nothing" : value, "a value of --help"};
-      return plan;
-    }
-  }
+  for_each_line(text, [&](std::string_view option, std::string_view value) {
+    if (plan.refusal.field.empty() && !store(plan.request, stated, option, value))
+      plan.refusal = {std::string(option), value.empty() ? "nothing" : std::string(value), "a value of --help"};
+  });
+  if (!plan.refusal.field.empty()) return plan;
   Scene& scene = plan.request.scene;
   if (plan.request.damping != Damping::constant) {
     scene.contact_damping = 0;
@@ -133,7 +119,7 @@ ScenePlan scene_from(std::string_view text) {
     const auto damping = damping_of(plan.request, stated);
     if (damping) scene.contact_damping = *damping;
     if (!damping)
-      plan.refusal = {"restitution", text_of(scene.restitution),
+      plan.refusal = {"restitution", shortest_text(scene.restitution),
                       plan.request.law == Law::hertz ? "1 to 1" : "0.001 to 1"};
   }
   return plan;
@@ -148,8 +134,8 @@ std::string default_scene() {
   add("law", name_of(request.law));
   add("newmark", name_of(request.stepper));
   add("numeric", name_of(request.numeric));
-  add("step", text_of(request.step));
-  for (const auto& [name, member] : scene_values) add(name, text_of(request.scene.*member));
+  add("step", shortest_text(request.step));
+  for (const auto& [name, member] : scene_values) add(name, shortest_text(request.scene.*member));
   return text;
 }
 

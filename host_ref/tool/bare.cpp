@@ -2,7 +2,6 @@
 #include <host_ref/extremes.hpp>
 #include <host_ref/tool/bare.hpp>
 #include <host_ref/tool/run.hpp>
-#include <impact/status.hpp>
 
 namespace impact::host {
 namespace {
@@ -16,36 +15,6 @@ double largest_alone(const Request& bare) {
 }
 
 }  // namespace
-
-Request without_absorber(const Request& request) {
-  Request bare;
-  bare.law = Law::hertz;
-  switch (request.stepper) {
-    case Stepper::average:
-    case Stepper::linear:
-    case Stepper::fox_goodwin:
-    case Stepper::central:
-      bare.stepper = request.stepper;
-      break;
-    default:  // fly exactly
-      bare.stepper = Stepper::moment;
-  }
-  bare.drive = request.drive;
-  bare.samples = request.samples;
-  bare.step = request.step;
-  bare.duration = request.duration;
-  bare.scene.main_mass = request.scene.main_mass;
-  bare.scene.main_stiffness = request.scene.main_stiffness;
-  bare.scene.main_damping = request.scene.main_damping;
-  bare.scene.drive_amplitude = request.scene.drive_amplitude;
-  bare.scene.drive_pulsation = request.scene.drive_pulsation;
-  bare.scene.x1 = request.scene.x1;
-  bare.scene.v1 = request.scene.v1;
-  bare.scene.clearance = clearance_range.most;
-  bare.scene.contact_stiffness = contact_stiffness_range.least;
-  bare.scene.contact_damping = 0;
-  return bare;
-}
 
 double BareRuns::largest(const Request& request, const std::string& drive_file) {
   const Request bare = without_absorber(request);

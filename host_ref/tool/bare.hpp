@@ -1,17 +1,14 @@
 #pragma once
-// The same main mass without absorber.
+// The largest displacement of the same main mass without absorber.
 
 #include <future>
-#include <host_ref/simulation.hpp>
+#include <host_ref/without_absorber.hpp>
 #include <map>
 #include <mutex>
 #include <string>
 #include <vector>
 
 namespace impact::host {
-
-// The stops out of the ball's reach, and so soft that they allow any step: it depends on no value of ball and contact.
-Request without_absorber(const Request& request);
 
 // Largest |x1| of the main mass alone, run once for all scenes that share what it depends on.
 class BareRuns {

@@ -25,7 +25,14 @@ inline std::optional<long> whole_number_from(std::string_view text) { return val
 
 // Finite numbers only.
 inline std::optional<double> number_from(std::string_view text) {
+#ifdef __cpp_lib_to_chars
   const auto value = value_from<double>(text);
+#else  // a library that reads whole numbers only, as the explorer's does
+  const std::string copy(text);
+  char* end = nullptr;
+  std::optional<double> value = std::strtod(copy.c_str(), &end);
+  if (copy.empty() || end != copy.c_str() + copy.size()) value.reset();
+#endif
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 

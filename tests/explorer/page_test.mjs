@@ -121,6 +121,20 @@ async function refusals(page) {
   check(status === 2 && allowed !== undefined && words.includes(allowed), `the tool says the same: ${stderr.trim()}`);
 }
 
+// But for the command in its comment, the header that the tool writes.
+async function rigs(page) {
+  const folder = mkdtempSync(join(tmpdir(), 'rig-')), file = join(folder, 'rig.hpp'), code = (rig) => rig.replace(/^\/\/ {5}impact-sim.*$/m, '');
+  for (const preset of ['paper', 'stiff', 'laws', 'fixed']) {
+    await page.click(`[data-preset="${preset}"]`);
+    await settled(page);
+    for (const letter of await page.value("explorer.compares ? ['a', 'b'] : ['a']")) {
+      const { status, stderr } = toolAt(`${await text(page, `command-${letter}`)} --rig ${file}`), shown = await text(page, `rig-${letter}`);
+      check(status === 0 && shown.includes('using Absorber') && code(shown) === code(readFileSync(file, 'utf8')), `preset ${preset}: the rig of ${letter} ${status === 0 ? '' : stderr}`);
+    }
+  }
+  rmSync(folder, { recursive: true });
+}
+
 async function sweep(page) {
   await page.click('[data-preset="paper"]');
   await typeInto(page, 'value-duration-number', '0.5');
@@ -194,7 +208,7 @@ async function selfTest() {
 const page = await Browser.open(chromium, url, { height: 1600 });
 try {
   await page.until('!!window.explorer');
-  for (const part of [sliders, choices, refusals, sweep, playing, link]) await part(page);
+  for (const part of [sliders, choices, refusals, rigs, sweep, playing, link]) await part(page);
   check(page.complaints.length === 0, `the page has no complaint ${page.complaints}`);
   await selfTest();
 } finally {

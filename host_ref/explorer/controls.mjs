@@ -98,7 +98,6 @@ function controlOf(option) {
 function allowedValue(value, { allowed }, asked) {
   if (value.choices) {
     const words = allowed.split(/[^a-z0-9-]+/);
-    if (words[0] === 'another') return 'float32';
     return words.find((word) => word in value.choices) ?? null;
   }
   const ranges = [...allowed.matchAll(/(\S+) to ([^\s,;]+)/g)].map(([, least, most]) => [Number(least), Number(most)]);

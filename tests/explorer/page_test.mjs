@@ -142,7 +142,7 @@ async function sweep(page) {
   await checkDrawn(page, { 'plot-sweep': { a: 100 } }, 'sweep');
   const points = await page.value(`(() => { const { own } = explorer.sweep.curves[0]; return Array.from({ length: own.count }, (_, i) => [own.data[2 * i], own.data[2 * i + 1]]); })()`);
   const folder = mkdtempSync(join(tmpdir(), 'sweep-')), scenes = join(folder, 'scenes.csv');
-  writeFileSync(scenes, `duration,drive-pulsation\n${points.map(([pulsation]) => `0.5,${pulsation}`).join('\n')}\n`);
+  writeFileSync(scenes, `duration,step,drive-pulsation\n${points.map(([pulsation]) => `0.5,1e-4,${pulsation}`).join('\n')}\n`);
   const rows = toolAt(`impact-sim --sweep ${scenes}`).stdout.trim().split('\n').map((line) => line.split(','));
   rmSync(folder, { recursive: true });
   const at = rows[0].indexOf('max_x1'), byScene = rows.slice(1).sort((a, b) => a[0] - b[0]);

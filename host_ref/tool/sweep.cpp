@@ -22,7 +22,7 @@ namespace impact::host {
 namespace {
 
 struct SweptScene {
-  long number;
+  long number = 0;
   std::vector<Argument> arguments;
   Settings settings;  // without the samples of a drive file, of which there may be many
   std::string key;    // how its row begins: the number and the values, each with its comma
@@ -97,7 +97,10 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
       if (cells.size() != columns.size())
         throw BadInput("a line", "of " + std::to_string(cells.size()) + " cells",
                        std::to_string(columns.size()) + " as in the header");
-      SweptScene swept{scene, common, {}, std::to_string(scene) + ","};
+      SweptScene swept;
+      swept.number = scene;
+      swept.arguments = common;
+      swept.key = std::to_string(scene) + ",";
       for (const Argument& argument : common) swept.key += argument.value + ",";
       for (size_t i = 0; i < cells.size(); ++i) {
         if (!cells[i].empty()) swept.arguments.push_back({columns[i], cells[i]});

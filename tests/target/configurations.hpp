@@ -116,7 +116,7 @@ struct Configuration {
   template <int microseconds>
   struct Rig {
     static constexpr Scene scene = scene_of<Law, Newmark, Drive>();
-    static constexpr Bounds bounds{};
+    static constexpr Bounds bounds{0.1, 2, 0.03, 10};  // the default, with a penetration of its own
     static constexpr double step = microseconds * 1e-6;
   };
   template <int microseconds>

@@ -164,13 +164,13 @@ class Absorber
   constexpr Value displacement() const { return plan.units.position(state_.x1); }  // of the main mass
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(rate_ahead());
-    if constexpr (Contact::carries) rate = rate - carried(plan.contact.w1_share);
+    if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.w1_share);
     return plan.units.velocity(plan.units.displacement(state_.w1) + rate);
   }
   constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
   constexpr Value ball_velocity() const {
     Value rate = plan.units.displacement(state_.w2);
-    if constexpr (Contact::carries) rate = rate + carried(plan.contact.w2_share);
+    if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.w2_share);
     return plan.units.velocity(rate);
   }
   // On the main mass, along x, the mean of the last step; the ball feels the opposite.
@@ -248,7 +248,7 @@ class Absorber
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
-    constexpr bool is_bound = Contact::carries || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
+    constexpr bool is_bound = Contact::keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && state_.contact.phase != Phase::apart) return false;
     hand_over(plan, next, state_);
@@ -266,7 +266,7 @@ class Absorber
   constexpr Reading reading() const {
     if (Source::is_refused()) return {};
     double u1 = plan.units.si(state_.w1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.w2);
-    if constexpr (Contact::carries) {
+    if constexpr (Contact::keeps_force) {
       const double side = state_.at_left ? -1 : 1;
       u1 -= side * plan.units.si_penetration(plan.contact.w1_share * state_.contact.force);
       u2 += side * plan.units.si_penetration(plan.contact.w2_share * state_.contact.force);
@@ -304,9 +304,9 @@ class Absorber
     if (Source::is_refused()) return;
     if constexpr (Drive::is_sampled)
       if (!state_.drive.accepts(plan.drive, sample)) hold_sample(sample);
-    Long made = state_.w1;
-    if constexpr (Drive::is_sampled) plan.units.add(made, state_.drive.kick(plan.drive, sample));
-    state_.x1.advance(made);
+    Long main_travel = state_.w1;
+    if constexpr (Drive::is_sampled) plan.units.add(main_travel, state_.drive.kick(plan.drive, sample));
+    state_.x1.advance(main_travel);
     state_.x2.advance(state_.w2);
     Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
                       Format::term(plan.damping, plan.units.displacement(state_.w1));
@@ -318,9 +318,9 @@ class Absorber
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
       if constexpr (Format::calls_contact)
-        call_touch(increment, made);
+        call_touch(increment, main_travel);
       else
-        touch(increment, made);
+        touch(increment, main_travel);
     } else if (judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.w1)) {
       hold();
     }
@@ -372,7 +372,7 @@ class Absorber
       state_.contact.phase = before.phase;
     } else {
       state_.contact.phase = Phase::apart;
-      if constexpr (Contact::carries) state_.contact.force = Value{};
+      state_.contact.drop_force();
     }
   }
 
@@ -384,91 +384,61 @@ class Absorber
     return ahead;
   }
 
-  [[gnu::noinline]] constexpr void call_touch(Value increment, Long made) { touch(increment, made); }
-  [[gnu::always_inline]] constexpr void touch(Value increment, Long made) {
-    const auto& units = plan.units;
+  [[gnu::noinline]] constexpr void call_touch(Value increment, Long main_travel) { touch(increment, main_travel); }
+  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel) {
     if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
     const bool left = plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
-    if constexpr (Contact::carries) {
-      const Value carried = mirrored(state_.contact.force, left);
-      units.push(state_.w1, plan.contact.w1_next * carried);
-      units.push(state_.w2, -(plan.contact.w2_next * carried));
-    }
-    const Long along = mirrored(state_.x2 - state_.x1, left);
-    Value trial = units.penetration(along);
-    if (state_.contact.phase == Phase::apart && !is_positive(trial)) {
+    state_.contact.carry_over(plan.contact, plan.units, state_, left);
+    Approach<Value> step{};
+    if (!is_inside(step, left)) {
       if constexpr (judges_contact_once) hold_in_range();
       return;
     }
-    if (!units.fits(along)) raise(Fault::penetration);
-    const Value trial_rate = relative_rate(left);
-    const Value travel = mirrored(units.relative(state_.w2 - made), left);
-    Value before = trial - travel;
-    if (state_.contact.phase == Phase::apart && is_positive(before)) {
-      // Inside without having come there: by a rounding, or across a cavity shorter than the way of a step.
-      if constexpr (Contact::returns) {
-        units.displace(state_.x2, -mirrored(before, left));
-        trial = travel;
-        if (!is_positive(trial)) return;
-      }
-      before = Value{};
-    }
-
-    const Contact contact_before = state_.contact;
-    if constexpr (Contact::splits) {
-      const Value main_rate = mirrored(units.relative(state_.w1) + rate_ahead(), left);
-      const auto kick =
-          state_.contact.resolve(plan.contact, units, trial, trial_rate, travel, -mirrored(increment, left), main_rate);
-      push(kick, kick.ball, left);
-      if (state_.contact.rests) state_.x2 = units.stop(state_.x1, left);
-      if (hold_in_range()) return;
-      if constexpr (sizeof...(Features) > 0) {
-        const Value after = kick.rate - kick.ball.impulse - kick.ball.impulse;
-        const Kick<Value> force = {kick.ball.impulse, Format::value(half(kick.ball.impulse))};
-        const ContactStep<Value> step = {force, Value{}, kick.rate, after, contact_before.phase == Phase::apart, false};
-        (Features::after_contact(plan, state_, step), ...);
-      }
-    } else {
-      const auto kick =
-          state_.contact.resolve(plan.contact, units, trial, trial_rate, before, -mirrored(increment, left));
-      push(kick, ball_of(kick), left);
-      if constexpr (Contact::slips) units.displace(state_.x2, -mirrored(state_.contact.slip, left));
-      if (hold_in_range()) return;
-      if constexpr (sizeof...(Features) > 0) {
-        const auto& response = plan.contact.response;
-        Value rate{}, penetration{};
-        if constexpr (Contact::sums) {
-          rate = state_.contact.step_rate;
-          penetration = state_.contact.penetration;
-        } else {
-          rate = trial_rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
-          penetration = trial - response.penetration * kick.moment;
-        }
-        const bool begins = contact_before.phase == Phase::apart;
-        const Value rate_before = (trial - before) + (trial - before) - trial_rate;
-        Value stored{};
-        if constexpr (Contact::slips)
-          stored = state_.contact.stored(plan.contact, units);
-        else if (state_.contact.phase == Phase::touching)
-          stored = ContactLaw::template stored<Format>(units, penetration);
-        const ContactStep<Value> step = {Contact::moments(plan.contact, contact_before, state_.contact, kick),
-                                         stored,
-                                         rate_before,
-                                         rate,
-                                         begins,
-                                         !begins};
-        (Features::after_contact(plan, state_, step), ...);
-      }
-    }
+    step.rate = relative_rate(left);
+    step.travel = mirrored(plan.units.relative(state_.w2 - main_travel), left);
+    step.before = step.penetration - step.travel;
+    if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }
 
-  constexpr void push(const Kick<Value>& main, const Kick<Value>& ball, bool left) {
+  // The penetration; whether there is a contact, under way or begun.
+  [[gnu::always_inline]] constexpr bool is_inside(Approach<Value>& step, bool left) {
+    const Long along = mirrored(state_.x2 - state_.x1, left);
+    step.penetration = plan.units.penetration(along);
+    if (state_.contact.phase == Phase::apart && !is_positive(step.penetration)) return false;
+    if (!plan.units.fits(along)) raise(Fault::penetration);
+    return true;
+  }
+
+  // The ball that has left one stop comes to the other in the same step, at the rate that it left with.
+  [[gnu::noinline]] constexpr void cross(Value increment, bool left) {
+    Approach<Value> step{};
+    if (!is_inside(step, left)) return;
+    state_.at_left = left;
+    step.travel = step.rate = relative_rate(left);
+    step.before = step.penetration - step.rate;
+    if (is_positive(step.before) && !put_back(plan.units, state_, step, left)) return;
+    push(step, increment, left);
+  }
+
+  // What the contact does to both masses. False where the ball was put back to its stop or a state was held.
+  [[gnu::always_inline]] constexpr bool push(Approach<Value> step, Value increment, bool left) {
     const auto& units = plan.units;
+    Contact& contact = state_.contact;
+    if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left))
+      return false;
+    step.increment = -mirrored(increment, left);
+    step.main_rate = mirrored(units.relative(state_.w1) + rate_ahead(), left);
+    const Contact contact_before = contact;
+    const auto kick = contact.resolve(plan.contact, units, step);
     reload(state_);
-    const auto& response = plan.contact.response;
-    const Kick<Value> on_main = {mirrored(main.impulse, left), mirrored(main.moment, left)};
-    const Kick<Value> on_ball = {mirrored(ball.impulse, left), mirrored(ball.moment, left)};
-    response.answer(units, state_, on_main, on_ball);
+    plan.contact.response.answer(units, state_, mirrored(kick, left));
+    contact.place_ball(units, state_, left);
+    if (hold_in_range()) return false;
+    if constexpr (sizeof...(Features) > 0) {
+      const auto seen = contact.record(plan.contact, units, step, contact_before, kick);
+      (Features::after_contact(plan, state_, seen), ...);
+    }
+    return true;
   }
 
   // Rate of penetration, for the state as it stands.
@@ -494,10 +464,7 @@ class Absorber
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (has_own_damping) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
-    if constexpr (Contact::carries)
-      is_sound = is_sound && Format::is_sound(plan.contact.w1_share * state.contact.force) &&
-                 Format::is_sound(plan.contact.w2_share * state.contact.force);
-    return is_sound && (Features::is_sound(plan, state) && ...);
+    return is_sound && state.contact.is_sound(plan.contact) && (Features::is_sound(plan, state) && ...);
   }
 
   // What contact or a change of plan has left beyond its range.
@@ -511,7 +478,7 @@ class Absorber
     plan.units.hold_displacement(state_.w1);
     plan.units.hold_displacement(state_.w2);
     state_.contact.phase = Phase::apart;  // and no more: to clear it all is a call of memset on a Cortex-M0
-    if constexpr (Contact::carries) state_.contact.force = Value{};
+    state_.contact.drop_force();
     raise(is_far || is_ball_far ? Fault::displacement : Fault::speed);
   }
   __attribute__((noinline)) constexpr void hold_sample(Value& sample) {

@@ -10,15 +10,6 @@
 
 namespace impact {
 
-// A step in contact as the features see it: the force's impulse and moment, the energy stored at its end, the rate of
-// penetration at both ends (the first unless the step follows one in contact, with whose end it begins).
-template <class Value>
-struct ContactStep {
-  Kick<Value> force;
-  Value stored, rate_at_impact, rate;
-  bool begins, follows;
-};
-
 // Energies since the start: what contact has dissipated, what it stores now, and the work of the drive.
 //
 //     work on the contact in a step   = J0 v1 - (v1 - v0) J1 / h     (the rate linear in time; exact for a free pair)

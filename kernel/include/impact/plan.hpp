@@ -34,6 +34,7 @@ struct Plan {
   typename Treatment::Plan contact;
   double force_unit, drive_unit;  // N
   bool left_stop, right_stop;
+  bool crosses;                      // a step can leave one stop and touch the other
   Long x1, w1, x2, w2;               // the initial state
   uint32_t identity;                 // the fingerprint of scene, bounds, step and types
   Handover<Format, Drive> handover;  // read by a change of plan only
@@ -119,7 +120,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   UnitBounds largest{};
   largest.position = bounds.displacement;
   largest.displacement = bounds.speed * h;
-  largest.penetration = larger(bounds.penetration, terms.largest_rate * h);
+  largest.penetration = larger(terms.largest_penetration, terms.largest_rate * h);
   const double drive = larger(scene.drive_amplitude, bounds.force);
   // A state is held at up to twice its bounds.
   const double held = constant::power_of_two(constant::exponent_above(bounds.displacement));
@@ -134,7 +135,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
 
   terms.force_unit = Treatment::force_unit(terms, exponents);
   terms.damping_exponent = exponents.force + (terms.is_linear ? exponents.penetration : 0);
-  if (!Treatment::splits &&
+  if (!Treatment::is_instantaneous &&
       !Format::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass), exponents.kick))
     return refused(PlanStatus::contact_stiffness);
 
@@ -154,6 +155,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   plan.drive_unit = Drive::template force_unit<Format>(scene, bounds);
   plan.left_stop = scene.stops != Stops::right;
   plan.right_stop = scene.stops != Stops::left;
+  plan.crosses = Treatment::meets_both_stops && scene.stops == Stops::both && terms.largest_rate * h >= scene.clearance;
   plan.x1 = units.state_at(scene.x1);
   plan.w1 = units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0));
   plan.x2 = units.state_at(scene.x2);

@@ -51,7 +51,7 @@ struct Scene {
 struct Bounds {
   double displacement = 0.1;  // of either mass, m
   double speed = 2.0;         // of either mass, m/s
-  double penetration = 0.03;  // m
+  double penetration = 0;     // m; 0: the deepest that the others allow, law/depth.hpp
   double force = 10.0;        // of a sampled drive, N
 };
 

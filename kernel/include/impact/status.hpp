@@ -96,7 +96,7 @@ constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
     return PlanStatus::displacement_bound;
   if (!bound_range.holds(bounds.speed)) return PlanStatus::speed_bound;
   if (!within(scene.v1, bounds.speed) || !within(scene.v2, bounds.speed)) return PlanStatus::speed_bound;
-  if (!bound_range.holds(bounds.penetration)) return PlanStatus::penetration_bound;
+  if (bounds.penetration != 0 && !bound_range.holds(bounds.penetration)) return PlanStatus::penetration_bound;
   if (!force_range.holds(bounds.force)) return PlanStatus::force_bound;
   return PlanStatus::ok;
 }

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How finely a step resolves a contact: what decides which stepper is right (choice.hpp), taken at the scene's fastest
-// impact, 2 Bounds::speed. A slower one lasts longer, as V^(-1/5) (power laws; Hooke-Newton: as long).
+// How finely a step resolves a contact: what decides which steppers a scene bears, and which is right (choice.hpp). A
+// plan promises for every state within its bounds, so that each number is of the worst of them:
+//
+//     contact_time, restitution, detail    the fastest impact of two free masses, 2 Bounds::speed; a slower one lasts
+//                                          longer, as V^(-1/5) (power laws; Hooke-Newton: as long)
+//     pulsation, damping                   the contact linearised at the deepest penetration (depth.hpp) in the
+//                                          coupled machine: omega^2 = (3/2) k1 d^(1/2)/mu and c/mu = c1 d^(3/2)/mu,
+//                                          or k1/mu and c1/mu
+//     crossing                             the least time from one stop to the other
 //
 // Damping makes part of a contact shorter than the whole. With e the restitution and mu = m M/(m + M),
 //
-//     power laws      the ball is stopped in about e/(1 + e) of the contact: detail = contact time x min(1, 4 e/(1 +
-//     e)) Hooke-Newton    the damper alone relaxes with mu/c1:                  detail = min(contact time, 6 mu/c1)
+//     power laws      the ball is stopped in about e/(1 + e) of it    detail = contact time x min(1, 4 e/(1 + e))
+//     Hooke-Newton    the damper alone relaxes with mu/c1             detail = min(contact time, 6 mu/c1)
 //
 // so that the moment-fitted step errs alike at alike steps per `detail`, for e from 0.05 to 1 (choice_test.cpp).
 
@@ -19,10 +26,13 @@ namespace impact {
 
 struct Resolution {
   bool is_linear;
-  double contact_time;  // s
-  double restitution;   // the law's own, 0 to 1
-  double detail;        // s
-  double main_phase;    // radians of the main mass's own vibration during the contact
+  double contact_time;        // s
+  double restitution;         // the law's own, 0 to 1
+  double detail;              // s
+  double main_phase;          // radians of the main mass's own vibration during the contact
+  double main_pulsation;      // w0, rad/s
+  double pulsation, damping;  // omega, rad/s, and c/mu, 1/s, at the deepest penetration
+  double crossing;            // s; for one stop never
 
   constexpr double steps_per_contact(double step) const { return contact_time / step; }
 };
@@ -37,10 +47,21 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   const double e = impact.restitution, time = impact.contact_time;
   double detail = time * constant::smaller(1, 4 * e / (1 + e));
   if (ContactLaw::is_linear) {
-    const double mu = 1 / (1 / terms.ball_mass + 1 / terms.main_mass), c1 = terms.damping_time * terms.stiffness;
-    detail = c1 * time > 6 * mu ? 6 * mu / c1 : time;
+    const double relaxation = terms.reduced_mass() / (terms.damping_time * terms.stiffness + 1e-300);
+    detail = constant::smaller(time, 6 * relaxation);
   }
-  return {ContactLaw::is_linear, time, e, detail, constant::square_root(scene.main_stiffness / scene.main_mass) * time};
+  const double mu = terms.reduced_mass(), d = terms.deepest, k1 = terms.stiffness;
+  const double w0 = constant::square_root(scene.main_stiffness / scene.main_mass);
+  const double slope = terms.is_linear ? k1 : 1.5 * k1 * constant::square_root(d);
+  return {ContactLaw::is_linear,
+          time,
+          e,
+          detail,
+          w0 * time,
+          w0,
+          constant::square_root(slope / mu),
+          terms.damping_time * k1 * (terms.is_linear ? 1 : terms.to_the_power(d)) / mu,
+          scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never};
 }
 
 }  // namespace impact

@@ -11,6 +11,7 @@
 
 #include <stdint.h>
 
+#include <impact/law/depth.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
@@ -25,12 +26,14 @@ struct ContactTerms {
   double damping_time = 0;  // c1 / k1, s (Hooke-Newton) or s/m
   double ball_mass = 0;     // m, kg
   double main_mass = 0, main_stiffness = 0, main_damping = 0;
-  double largest_penetration = 0, largest_rate = 0;  // m, m/s
+  double largest_penetration = 0, largest_rate = 0;  // that units have room for, m and m/s
+  double deepest = 0;                                // that the bounds allow, m: depth.hpp
   double force_unit = 0;                             // N
   int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
   double damping_ratio = 0;                          // a = c1 v0/k1, where it is set at each impact of a speed v0
   bool clamped = true;
 
+  constexpr double reduced_mass() const { return 1 / (1 / ball_mass + 1 / main_mass); }
   constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }
 };
 
@@ -52,7 +55,8 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   terms.main_mass = scene.main_mass;
   terms.main_stiffness = scene.main_stiffness;
   terms.main_damping = scene.main_damping;
-  terms.largest_penetration = bounds.penetration;
+  terms.deepest = deepest_penetration(scene, bounds, terms.is_linear);
+  terms.largest_penetration = bounds.penetration > 0 ? bounds.penetration : terms.deepest;
   terms.largest_rate = 2 * bounds.speed;
   terms.damping_ratio = damping_ratio<ContactLaw>(scene);
   terms.clamped = scene.tension == Tension::clamp;

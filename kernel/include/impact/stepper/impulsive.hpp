@@ -56,7 +56,7 @@ struct Impulsive {
   }
 
   template <class Format, class ContactLaw>
-  struct Contact {
+  struct Contact : Treatment {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
@@ -98,29 +98,43 @@ struct Impulsive {
           Format::sample(0.999999 / unit_impulse)};
     }
 
-    static constexpr bool carries = false, slips = false, returns = false, splits = true;
+    static constexpr bool is_instantaneous = true;
 
     Phase phase;
     uint32_t rests;  // put on the stop by the last step
 
     constexpr void start(const Plan&, const Units&, Value, Value) { phase = Phase::touching; }
 
-    // `travel` is D, `gain` the increment of the rate by spring and drive, `main_rate` h v1; all towards the stop.
-    [[gnu::always_inline]] constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units, Value trial,
-                                                              Value trial_rate, Value travel, Value gain,
-                                                              Value main_rate) {
+    template <class State>
+    constexpr void place_ball(const Units& units, State& state, bool left) const {
+      if (rests) state.x2 = units.stop(state.x1, left);
+    }
+    constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&, const Contact& before,
+                                        const SplitKick<Value>& kick) const {
+      const Value impulse = kick.ball.impulse;
+      return {{impulse, Format::value(half(impulse))},
+              Value{},
+              kick.rate,
+              kick.rate - impulse - impulse,
+              before.phase == Phase::apart,
+              false};
+    }
+
+    [[gnu::always_inline]] constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units,
+                                                              Approach<Value> step) {
+      const Value trial = step.penetration, trial_rate = step.rate, travel = step.travel;
       rests = 0;
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
       if (!is_positive(trial) || !is_positive(trial_rate)) return {{}, {}, trial_rate};
       const Value rate = units.held(trial_rate, plan.largest_rate);
-      const Value acceleration = plan.acceleration * gain;
+      const Value acceleration = plan.acceleration * step.increment;
       const auto bounce = plan.rebound.at(is_positive(travel) ? units.held(travel, plan.largest_rate) : rate);
       const Value pressed = Format::value(acceleration * bounce.depth);
       if (!is_positive(pressed - Format::value(half(rate * rate)))) {
         const Value beyond = trial - bounce.depth;
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
-        const Instant at(plan, t, rate, acceleration, main_rate);
+        const Instant at(plan, t, rate, acceleration, step.main_rate);
         const Value touch_rate = at.rate - over(pressed, travel);
         const Value impulse =
             held(plan, units, at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate))));
@@ -132,7 +146,7 @@ struct Impulsive {
       }
       rests = 1;
       const auto t = Format::quotient(positive_part(trial), positive_part(rate));
-      const Instant at(plan, t, rate, acceleration, main_rate);
+      const Instant at(plan, t, rate, acceleration, step.main_rate);
       const Value half_rate = Format::value(half(rate));
       return at.kick(t, held(plan, units, is_positive(at.rate - half_rate) ? half_rate : at.rate));
     }

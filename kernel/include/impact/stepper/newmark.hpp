@@ -79,20 +79,33 @@ struct Pointwise {
               terms.clamped};
     }
 
-    static constexpr bool carries = true, slips = false, returns = false;
+    static constexpr bool keeps_force = true;
 
     Value force;  // at the start of the step
     Phase phase;
 
+    template <class State>
+    static constexpr void carry_over(const Plan& plan, const Units& units, State& state, bool left) {
+      const Value carried = mirrored(state.contact.force, left);
+      units.push(state.w1, plan.w1_next * carried);
+      units.push(state.w2, -(plan.w2_next * carried));
+    }
+    constexpr bool is_sound(const Plan& plan) const {
+      return Format::is_sound(plan.w1_share * force) && Format::is_sound(plan.w2_share * force);
+    }
+    constexpr void drop_force() { force = Value{}; }
     // The force, linear over the step between its values before and after.
-    static constexpr Kick<Value> moments(const Plan&, const Contact& before, const Contact& after, Kick<Value>) {
-      return {Format::value(half(before.force + after.force)),
-              Format::value(Format::constant(0.5 - beta) * before.force) +
-                  Format::value(Format::constant(beta) * after.force)};
+    constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
+                                        const Contact& before, const Kick<Value>& kick) const {
+      const Kick<Value> mean = {
+          Format::value(half(before.force + force)),
+          Format::value(Format::constant(0.5 - beta) * before.force) + Format::value(Format::constant(beta) * force)};
+      return recorded<Format, ContactLaw>(plan.response, units, step, kick, mean, before.phase == Phase::apart,
+                                          phase == Phase::touching);
     }
 
-    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
-                                                         Value trial_rate, Value, Value) {
+    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+      const Value trial = step.penetration, trial_rate = step.rate;
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)
         if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);

@@ -6,6 +6,7 @@
 //
 // inside a contact this is linear in d1; as the ball enters or leaves it is a quadratic.
 
+#include <impact/law/hooke_newton.hpp>
 #include <impact/stepper/energy/response.hpp>
 
 namespace impact {
@@ -38,8 +39,6 @@ struct EnergyLinear : ResolvedForces {
             terms.clamped};
   }
 
-  static constexpr bool carries = false, slips = false, returns = true;
-
   Value penetration;  // at the start of the step, while touching
   Phase phase;
 
@@ -47,12 +46,19 @@ struct EnergyLinear : ResolvedForces {
     penetration = at;
     phase = Phase::touching;
   }
-  static constexpr Kick<Value> moments(const Plan&, const EnergyLinear&, const EnergyLinear&, Kick<Value> kick) {
-    return {kick.impulse, Format::value(half(kick.impulse))};
+  template <class State>
+  static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
+    return put_back(units, state, step, left);
+  }
+  constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
+                                      const EnergyLinear& before, const Kick<Value>& kick) const {
+    return recorded<Format, HookeNewton>(plan.response, units, step, kick,
+                                         {kick.impulse, Format::value(half(kick.impulse))},
+                                         before.phase == Phase::apart, phase == Phase::touching);
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value,
-                                                       Value before, Value) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+    const Value trial = step.penetration, before = step.before;
     Value force = phase == Phase::apart ? entering(plan, units, trial, before) : inside(plan, units, trial);
     if (plan.clamped && !is_positive(force)) force = Value{};
     penetration = trial - plan.response.penetration * force;

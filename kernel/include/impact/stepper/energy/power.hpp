@@ -102,8 +102,6 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
         Format::wide(0.4 * terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) / terms.force_unit)};
   }
 
-  static constexpr bool carries = false, slips = true, returns = true;
-
   Value penetration;
   Root root;                // at the start of the step, while touching
   Value slip;               // of the last step
@@ -118,12 +116,25 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
   }
-  static constexpr Kick<Value> moments(const Plan&, const EnergyPower&, const EnergyPower&, Kick<Value> kick) {
-    return {kick.impulse, Format::value(half(kick.impulse))};
+  template <class State>
+  static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
+    return put_back(units, state, step, left);
+  }
+  template <class State>
+  constexpr void place_ball(const Units& units, State& state, bool left) const {
+    units.displace(state.x2, -mirrored(slip, left));
+  }
+  constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
+                                      const EnergyPower& before, const Kick<Value>& kick) const {
+    const bool begins = before.phase == Phase::apart;
+    ContactStep<Value> result = recorded<Format, ContactLaw>(
+        plan.response, units, step, kick, {kick.impulse, Format::value(half(kick.impulse))}, begins, false);
+    result.stored = stored(plan, units);
+    return result;
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
-                                                       Value trial_rate, Value before, Value) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+    const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::apart) {
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, trial_rate);
       penetration = before;

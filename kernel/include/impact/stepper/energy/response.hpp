@@ -17,7 +17,7 @@ struct ConstantForceGains {
   Gain penetration, rate, rate_by_moment;
 
   template <class Units, class State, class Kick>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, Kick kick, Kick) const {
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Kick& kick) const {
     units.push(state.x1, x1 * kick.impulse);
     units.push(state.w1, w1 * kick.impulse);
     const auto ball = w2 * -kick.impulse;

@@ -17,6 +17,7 @@
 //     leaving   at the root of d (tension allowed) or of f (clamped: what the spring still holds is lost, and
 //               the ball is free until it is out or a positive force pushes it in again)
 
+#include <impact/law/hooke_newton.hpp>
 #include <impact/stepper/moment/response.hpp>
 
 namespace impact {
@@ -69,7 +70,7 @@ struct MomentLinear : ResolvedForces {
             terms.clamped};
   }
 
-  static constexpr bool carries = false, slips = false, returns = false;
+  static constexpr bool meets_both_stops = true;
 
   Value penetration, rate;  // at the start of the step, while touching or let go inside
   Phase phase;
@@ -80,12 +81,14 @@ struct MomentLinear : ResolvedForces {
     const bool pulls = !is_positive(units.elastic(at) + plan.damping * at_rate);
     phase = plan.clamped && pulls ? Phase::released : Phase::touching;
   }
-  static constexpr Kick<Value> moments(const Plan&, const MomentLinear&, const MomentLinear&, Kick<Value> kick) {
-    return kick;
+  constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
+                                      const MomentLinear& before, const Kick<Value>& kick) const {
+    return recorded<Format, HookeNewton>(plan.response, units, step, kick, kick, before.phase == Phase::apart,
+                                         phase == Phase::touching);
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Value trial,
-                                                       Value trial_rate, Value before, Value) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+    const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
     const Value change = trial - penetration, rate_change = trial_rate - rate, sag = change - rate;

@@ -57,7 +57,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             unit.kick - unit.increment};
   }
 
-  static constexpr bool carries = false, slips = false, returns = false;
+  static constexpr bool meets_both_stops = true;
 
   // While touching, at the start of the step: the change is that of the rate in a step around it, without contact.
   Value penetration, change;
@@ -71,13 +71,16 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
   }
-  static constexpr Kick<Value> moments(const Plan& plan, const MomentPower&, const MomentPower&, Kick<Value> kick) {
-    return {plan.force * kick.impulse, plan.force * kick.moment};
+  constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
+                                      const MomentPower& before, const Kick<Value>& kick) const {
+    return recorded<Format, ContactLaw>(plan.response, units, step, kick,
+                                        {plan.force * kick.impulse, plan.force * kick.moment},
+                                        before.phase == Phase::apart, phase == Phase::touching);
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units&, Value trial, Value, Value before,
-                                                       Value change_after) {
-    const Value after = Format::moved(change_after, plan.change_places);
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units&, Approach<Value> step) {
+    const Value trial = step.penetration, before = step.before;
+    const Value after = Format::moved(step.increment, plan.change_places);
     const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
     change = after;
     const Kick<Value> kick = respond(plan, trial, before, g);

@@ -96,7 +96,7 @@ struct SubsteppedMoment {
       return plan;
     }
 
-    static constexpr bool sums = true;
+    static constexpr bool meets_both_stops = false;
 
     Value step_rate;  // of penetration, at the end of the last step in contact
 
@@ -105,13 +105,22 @@ struct SubsteppedMoment {
       step_rate = at_rate;
     }
     // For the ledger: J0 (v0 + v1)/2 is a free pair's whole work, however the force runs.
-    static constexpr Kick<Value> moments(const Plan& plan, const Contact&, const Contact&, SplitKick<Value> kick) {
+    constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
+                                        const Contact& before, const SplitKick<Value>& kick) const {
       const Value impulse = plan.force * kick.ball.impulse;
-      return {impulse, Format::value(half(impulse))};
+      Value stored{};
+      if (this->phase == Phase::touching) stored = ContactLaw::template stored<Format>(units, this->penetration);
+      const bool begins = before.phase == Phase::apart;
+      return {{impulse, Format::value(half(impulse))},
+              stored,
+              step.travel + step.travel - step.rate,
+              step_rate,
+              begins,
+              !begins};
     }
 
-    constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units, Value trial, Value trial_rate,
-                                       Value before, Value) {
+    constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+      const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
       const bool begins = this->phase == Phase::apart;
       Value at = begins ? before : this->penetration;
       const Value rate_before = begins ? (trial - before) + (trial - before) - trial_rate : step_rate;
@@ -142,7 +151,8 @@ struct SubsteppedMoment {
           if (is_positive(at)) at = Value{};
         }
         const Value part_rate = free_rate - Format::moved(u + w, plan.travel_places);
-        const Kick<Value> kick = Inner::resolve(plan.inner, units, part_trial, part_rate, at, curvature);
+        const Kick<Value> kick =
+            Inner::resolve(plan.inner, units, {part_trial, part_rate, part_trial - at, at, curvature, Value{}});
         x = x + plan.main_x * kick.moment;
         u = u + plan.main_u * kick.impulse + plan.main_u_by_moment * kick.moment;
         y = y + plan.ball * kick.moment;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The deepest penetration that any state within the bounds can lead to, in the coupled machine: what a plan has to hold
+// and to be stable at. With V = 2 Bounds::speed the largest rate of approach, mu the reduced mass and W(d) the energy
+// that the law stores, (2/5) k1 d^(5/2) or k1 d^2/2, two balances bound d, and the less of both counts:
+//
+//     of the whole          W <= (M + m) v^2/2 + k x^2/2 + 2 F x       v, x, F: the bounds of speed, displacement,
+//     drive of relative motion    W <= mu V^2/2 + P d                        P = mu (k x + c v + F)/M
+//
+// The first is all that both masses, the spring and the drive can give up; the second what the approach brings and what
+// the main spring, its damper and the drive press on the way. Damping only takes. A hundredth is added for rounding.
+// Bounds::penetration, where it is stated, limits it further.
+
+#include <impact/numeric/constant_math.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+namespace detail {
+
+// The root d of W(d) = energy + press d, by Newton's method from above: W is convex, and the sum of the roots for each
+// part alone is above the root and less than twice it.
+constexpr double depth_of(double stiffness, double energy, double press, bool is_linear) {
+  const double scale = is_linear ? stiffness / 2 : 0.4 * stiffness;
+  const auto root_of_order = [](double x, double order) { return x > 0 ? constant::power(x, 1 / order) : 0; };
+  double d = is_linear ? constant::square_root(energy / scale) + press / scale
+                       : root_of_order(energy / scale, 2.5) + root_of_order(press / scale, 1.5);
+  for (int pass = 0; pass < 6 && d > 0; ++pass) {
+    const double root = constant::square_root(d), shape = is_linear ? d : d * root;
+    d -= (scale * shape * d - energy - press * d) / (scale * shape * (is_linear ? 2 : 2.5) - press);
+  }
+  return d;
+}
+
+}  // namespace detail
+
+constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, bool is_linear) {
+  const double main = scene.main_mass, ball = scene.ball_mass, mu = 1 / (1 / main + 1 / ball);
+  const double v = bounds.speed, x = bounds.displacement;
+  const double drive = constant::larger(scene.drive_amplitude, bounds.force);
+  const double whole = (main + ball) * v * v / 2 + scene.main_stiffness * x * x / 2 + 2 * drive * x;
+  const double press = mu * (scene.main_stiffness * x + scene.main_damping * v + drive) / main;
+  const double depth =
+      1.01 * constant::smaller(detail::depth_of(scene.contact_stiffness, whole, 0, is_linear),
+                               detail::depth_of(scene.contact_stiffness, 2 * mu * v * v, press, is_linear));
+  return bounds.penetration > 0 ? constant::smaller(depth, bounds.penetration) : depth;
+}
+
+}  // namespace impact

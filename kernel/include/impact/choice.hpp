@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Which stepper is right for a scene and a step: one rule, from the number of steps per contact N of the fastest impact
-// (law/resolution.hpp; `detail` steps count where damping makes a part of the contact shorter) and the radians w0
-// tc of the main mass's own vibration during that contact.
+// Which stepper is right for a scene and a step: one rule, from how the step resolves the contacts that the bounds
+// allow (law/resolution.hpp). N is the number of steps per contact of the fastest impact (`detail` counts where damping
+// makes a part of the contact shorter), w0 tc the radians of the main mass's own vibration during it. The first that
+// holds:
 //
 //     N >= 8                     Moment             fourth order
 //     N < 8, w0 tc <= 0.05       Impulsive          the law's own restitution, at an instant
-//     1 <= N < 8, otherwise      SubsteppedMoment   with 4 sub-steps from N = 2 on, else 8
-//     N < 1, otherwise           EnergyConsistent   passive at any stiffness; for Hooke-Newton, which it then refuses,
-//                                                   Impulsive up to w0 tc = 0.25
-//     Hooke-Newton, hardly damped: what it loses does not cover what Moment may gain
-//                                EnergyConsistent   passive
+//     4 N or 8 N >= 8            SubsteppedMoment   with 4 or 8 sub-steps
+//     any                        EnergyConsistent   passive at any stiffness, damping and clearance
+//     Hooke-Newton that this refuses (N < 1), w0 tc <= 0.25
+//                                Impulsive
+//
+// Moment and SubsteppedMoment are passed over where the plan would refuse them: where the step is long beside the main
+// mass's vibration, or beside the stiffness or the damping of the deepest contact, with sub-steps also where the ball
+// can cross the clearance within a step; and for a Hooke-Newton contact that loses less than they may create.
 //
 //     struct Rig { .. };
 //     using Stepper = impact::Chosen<Rig, impact::HuntCrossley>;
@@ -29,17 +33,23 @@ enum class Choice { moment, four_sub_steps, eight_sub_steps, energy, impulsive }
 
 constexpr Choice choice_for(const Resolution& contact, double step) {
   constexpr double shortest_phase = 0.05;
-  const double share = Moment::precise_steps * step / contact.detail;
-  if (share > 1 && contact.main_phase <= shortest_phase) return Choice::impulsive;
-  const bool is_passive = EnergyConsistent::steps(contact).holds(step);
-  if (!is_passive && contact.main_phase <= Impulsive::longest_main_phase) return Choice::impulsive;
-  const int parts = share <= 1 ? 1 : share <= 4 ? 4 : 8;
+  const double e = contact.restitution, loss = 1 - e * e;
   // An undamped Hooke-Newton contact gains 1e-5 of the impact's energy at 8 sub-steps, with the sixth power of the
   // step; twice that for safety.
-  const double e = contact.restitution, loss = 1 - e * e, part = share / parts;
-  const double gain = contact.is_linear ? 2e-5 * part * part * part * part * part * part : 0;
-  if (part > 1 || loss < gain) return Choice::energy;
-  return parts == 1 ? Choice::moment : parts == 4 ? Choice::four_sub_steps : Choice::eight_sub_steps;
+  const auto is_right = [&](const Range& steps, double longest_phase, int parts) {
+    const double part = Moment::precise_steps * step / (parts * contact.detail);
+    const double gain = contact.is_linear ? 2e-5 * part * part * part * part * part * part : 0;
+    return part <= 1 && gain <= loss && steps.holds(step) && contact.main_pulsation * step <= longest_phase;
+  };
+  if (is_right(Moment::steps(contact), Moment::longest_phase, 1)) return Choice::moment;
+  const bool is_short = Moment::precise_steps * step > contact.detail;
+  if (is_short && contact.main_phase <= shortest_phase) return Choice::impulsive;
+  using Four = SubsteppedMoment<4>;
+  using Eight = SubsteppedMoment<8>;
+  if (is_right(Four::steps(contact), Four::longest_phase, 4)) return Choice::four_sub_steps;
+  if (is_right(Eight::steps(contact), Eight::longest_phase, 8)) return Choice::eight_sub_steps;
+  const bool is_passive = EnergyConsistent::steps(contact).holds(step);
+  return !is_passive && contact.main_phase <= Impulsive::longest_main_phase ? Choice::impulsive : Choice::energy;
 }
 
 namespace detail {

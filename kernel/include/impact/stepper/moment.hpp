@@ -10,9 +10,21 @@
 // time gives both in closed form, the damping is a total derivative, and the deviation of the rates from a uniform one
 // enters to first order. One square root and one quotient a step; fourth order.
 //
-// Range, measured on free pairs over 64 phases of the impact within the step, e = 0.05 to 1 (choice_test.cpp): from 5
-// steps per Resolution::detail on a contact gains no energy (an undamped Hooke-Newton one 1.4e-4 of it at 5 steps, 1e-5
-// at 8, falling with the sixth power); from 8 on its restitution is within 1 % of the law's.
+// Range. Free pairs, over 64 phases of the impact within the step, e = 0.05 to 1 (choice_test.cpp): from 5 steps per
+// Resolution::detail on a contact gains no energy (an undamped Hooke-Newton one 1.4e-4 of it at 5 steps, 1e-5 at 8,
+// falling with the sixth power); from 8 on its restitution is within 1 % of the law's.
+//
+// In the coupled machine (coupled_scenes_test.cpp) three more numbers decide. A contact linearised at a penetration has
+// per step the stiffness k = (h omega)^2 and the damping z = h c/mu, and the formulas of moment/power.hpp map its
+// deviation (a, b) of penetration and rate to (a + b - J1, b - J0). Without stiffness that takes the rate by
+//
+//     b' = (1 - z + z^2/2 - z^3/6 + z^4/24) b
+//
+// the exponential series to fourth order, which grows above z = 2.785. Without damping the map damps, by 1 - (h
+// omega)^6/900 at first, and grows above h omega = 2.69. With both it grows nowhere within z <= 2.7, h omega <= 2.2.
+// The step is taken up to z = 2 and h omega = 0.8 (5 steps a contact), where both are well inside.
+// The response of the main mass (moment/response.hpp) leaves out terms of third order in w0 h: up to 0.3 it creates no
+// more than 1e-5 of the energy in a contact.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>
@@ -38,11 +50,17 @@ struct MomentContact<true> {
 struct Moment {
   static constexpr uint32_t kind = 1;  // a saved state is of one kind of stepper
   // Radians of the main mass's own vibration in a step.
-  static constexpr double longest_phase = 1;
+  static constexpr double longest_phase = 0.3;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
   static constexpr double fewest_steps = 5, precise_steps = 8;  // per Resolution::detail
-  static constexpr Range steps(const Resolution& contact) { return {0, contact.detail / fewest_steps}; }
+  // Radians of the contact's own vibration, and its damping h c/mu, at the deepest penetration.
+  static constexpr double longest_contact_phase = 0.8, largest_damping = 2;
+  static constexpr Range steps(const Resolution& contact) {
+    using constant::smaller;
+    return {0, smaller(smaller(contact.detail / fewest_steps, longest_contact_phase / contact.pulsation),
+                       largest_damping / (contact.damping + 1e-300))};
+  }
   // An upper bound: 1.5e-3 (power laws) or 5e-5 (Hooke-Newton) at 8 steps.
   static constexpr double restitution_error(const Resolution& contact, double step) {
     const double share = precise_steps * step / contact.detail, fourth = share * share * share * share;

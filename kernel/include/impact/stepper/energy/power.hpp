@@ -50,25 +50,19 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Wide stiff_give, force_of_back, stored_share;  // G and 1/B for the solver, and a stored energy's unit
   };
 
-  // The deepest that an impact at the largest speed goes, without damping.
-  static constexpr double peak_of(const ContactTerms& terms) {
-    const double mobility = 1 / terms.ball_mass + 1 / terms.main_mass, v = terms.largest_rate;
-    return constant::power(1.25 * v * v / (mobility * terms.stiffness), 0.4);
-  }
-  // Whether a contact lasts 20 steps and u stays below 1/2, by the peak of an elastic impact at the largest speed:
-  // N^2 = 8.1 over G (3/2) sqrt(peak).
+  // Whether a contact lasts 20 steps and u stays below 1/2, at the deepest penetration: N^2 = 8.1 over G (3/2)
+  // sqrt(d), and u = h c/(2 mu).
   static constexpr bool is_resolved(const ContactTerms& terms) {
-    const double mobility = 1 / terms.ball_mass + 1 / terms.main_mass, h = terms.step, v = terms.largest_rate;
-    const double peak = peak_of(terms);
-    const double slope = terms.stiffness * h * h * mobility / 2 * constant::square_root(peak);
-    return 1.5 * slope <= 0.02 && slope * peak * (terms.damping_time * v) <= 0.5 * v * h;
+    const double give = terms.step * terms.step / (2 * terms.reduced_mass()), d = terms.deepest;
+    const double slope = terms.stiffness * give * constant::square_root(d);
+    return 1.5 * slope <= 0.02 && slope * d * terms.damping_time / terms.step <= 0.5;
   }
   // No force can do more in a step than to send the ball back at its own speed, and no penetration be more than an
   // impact's or a few steps' way.
   static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
     if (is_resolved(terms)) return ResolvedForces::bound_forces(terms, largest);
     const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
-    largest.penetration = constant::smaller(largest.penetration, constant::larger(1.2 * peak_of(terms), 4 * rate));
+    largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double force = 2.1 * rate / (h * h * mobility);
     largest.force_factor = force / (terms.stiffness * terms.to_the_power(unit));

@@ -118,6 +118,8 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   terms.step = h;
 
   UnitBounds largest{};
+  largest.gap = scene.clearance / 2;
+  largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
   largest.position = bounds.displacement;
   largest.displacement = bounds.speed * h;
   largest.penetration = larger(terms.largest_penetration, terms.largest_rate * h);
@@ -130,7 +132,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   Treatment::bound_forces(terms, largest);
   const UnitExponents exponents = Format::exponents(largest);
 
-  status = status_of(Format::overflow_of(exponents, scene.clearance / 2));
+  status = status_of(Format::overflow_of(exponents, largest));
   if (status != PlanStatus::ok) return refused(status);
 
   terms.force_unit = Treatment::force_unit(terms, exponents);

@@ -101,22 +101,12 @@ constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
   return PlanStatus::ok;
 }
 
-// The bound that leaves a quantity no room beside the others.
+// In fixed point: c1/k1 times the speed, or the penetration into a stop far softer than the main spring, is too large
+// beside the rest.
 constexpr PlanStatus status_of(Overflow overflow) {
-  switch (overflow) {
-    case Overflow::none:
-      return PlanStatus::ok;
-    case Overflow::displacement:
-    case Overflow::force:
-      return PlanStatus::speed_bound;
-    case Overflow::penetration:
-    case Overflow::push:
-      return PlanStatus::penetration_bound;
-    case Overflow::gap:
-    case Overflow::increment:
-      break;
-  }
-  return PlanStatus::displacement_bound;
+  return overflow == Overflow::force         ? PlanStatus::speed_bound
+         : overflow == Overflow::penetration ? PlanStatus::contact_stiffness
+                                             : PlanStatus::ok;
 }
 
 // Against the steps with which a stepper is right, see law/resolution.hpp.

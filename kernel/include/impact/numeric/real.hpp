@@ -84,7 +84,7 @@ struct RealFormat {
   static constexpr bool calls_contact = false;
 
   static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
-  static constexpr Overflow overflow_of(const UnitExponents&, double) { return Overflow::none; }
+  static constexpr Overflow overflow_of(const UnitExponents&, const UnitBounds&) { return Overflow::none; }
   static constexpr bool resolves(double, int) { return true; }
 
   struct Units {

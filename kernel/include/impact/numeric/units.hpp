@@ -15,12 +15,12 @@ struct UnitExponents {
   int force = 0;         // of the contact force over k1 * 2^(penetration * exponent of the law)
 };
 
-// Which quantity has no room beside the others in a format of fixed point.
-enum class Overflow { none, gap, displacement, penetration, push, increment, force };
+// Which quantity is too large beside the others for a format of fixed point.
+enum class Overflow { none, force, penetration };
 
 // The largest magnitudes in a scene, in the same units.
 struct UnitBounds {
-  double position, displacement, increment, push, penetration, force_factor;
+  double gap, amplitude, position, displacement, increment, push, penetration, force_factor;
 };
 
 }  // namespace impact

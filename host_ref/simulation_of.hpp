@@ -75,7 +75,7 @@ class KernelSimulation final : public Simulation {
     sample.penetration = scene.stops == Stops::right  ? y - gap
                          : scene.stops == Stops::left ? -y - gap
                                                       : std::abs(y) - gap;
-    if constexpr (Kernel::Contact::splits) {
+    if constexpr (Kernel::Contact::is_instantaneous) {
       // The mean over the last step.
       sample.contact_force = scene.ball_mass * std::abs(now.v2 - v2_before_) / step_;
     } else if (kernel_.is_touching()) {
@@ -117,7 +117,7 @@ class KernelSimulation final : public Simulation {
  private:
   // The mean force of an impact that may have come and gone within a step is had from what the ball has felt.
   void note_ball() {
-    if constexpr (Kernel::Contact::splits) v2_before_ = kernel_.reading().v2;
+    if constexpr (Kernel::Contact::is_instantaneous) v2_before_ = kernel_.reading().v2;
   }
 
   void advance(double force) {

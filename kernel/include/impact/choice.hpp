@@ -34,20 +34,22 @@ enum class Choice { moment, four_sub_steps, eight_sub_steps, energy, impulsive }
 constexpr Choice choice_for(const Resolution& contact, double step) {
   constexpr double shortest_phase = 0.05;
   const double e = contact.restitution, loss = 1 - e * e;
+  const auto part = [&](int parts) { return Moment::precise_steps * step / (parts * contact.detail); };
+  const auto is_right = [&](const Range& steps, double longest_phase, int parts) {
+    return part(parts) <= 1 && steps.holds(step) && contact.main_pulsation * step <= longest_phase;
+  };
   // An undamped Hooke-Newton contact gains 1e-5 of the impact's energy at 8 sub-steps, with the sixth power of the
   // step; twice that for safety.
-  const auto is_right = [&](const Range& steps, double longest_phase, int parts) {
-    const double part = Moment::precise_steps * step / (parts * contact.detail);
-    const double gain = contact.is_linear ? 2e-5 * part * part * part * part * part * part : 0;
-    return part <= 1 && gain <= loss && steps.holds(step) && contact.main_pulsation * step <= longest_phase;
+  const auto if_passive = [&](Choice choice, int parts) {
+    const double square = part(parts) * part(parts), gain = contact.is_linear ? 2e-5 * square * square * square : 0;
+    return gain <= loss ? choice : Choice::energy;
   };
-  if (is_right(Moment::steps(contact), Moment::longest_phase, 1)) return Choice::moment;
-  const bool is_short = Moment::precise_steps * step > contact.detail;
-  if (is_short && contact.main_phase <= shortest_phase) return Choice::impulsive;
+  if (is_right(Moment::steps(contact), Moment::longest_phase, 1)) return if_passive(Choice::moment, 1);
+  if (part(1) > 1 && contact.main_phase <= shortest_phase) return Choice::impulsive;
   using Four = SubsteppedMoment<4>;
   using Eight = SubsteppedMoment<8>;
-  if (is_right(Four::steps(contact), Four::longest_phase, 4)) return Choice::four_sub_steps;
-  if (is_right(Eight::steps(contact), Eight::longest_phase, 8)) return Choice::eight_sub_steps;
+  if (is_right(Four::steps(contact), Four::longest_phase, 4)) return if_passive(Choice::four_sub_steps, 4);
+  if (is_right(Eight::steps(contact), Eight::longest_phase, 8)) return if_passive(Choice::eight_sub_steps, 8);
   const bool is_passive = EnergyConsistent::steps(contact).holds(step);
   return !is_passive && contact.main_phase <= Impulsive::longest_main_phase ? Choice::impulsive : Choice::energy;
 }

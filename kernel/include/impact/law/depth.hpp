@@ -34,15 +34,18 @@ constexpr double depth_of(double stiffness, double energy, double press, bool is
 
 }  // namespace detail
 
-constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, bool is_linear) {
+// `damping` is a for Hunt-Crossley, or 0.
+constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, bool is_linear, double damping) {
   const double main = scene.main_mass, ball = scene.ball_mass, mu = 1 / (1 / main + 1 / ball);
   const double v = bounds.speed, x = bounds.displacement;
   const double drive = constant::larger(scene.drive_amplitude, bounds.force);
   const double whole = (main + ball) * v * v / 2 + scene.main_stiffness * x * x / 2 + 2 * drive * x;
   const double press = mu * (scene.main_stiffness * x + scene.main_damping * v + drive) / main;
+  const double kept =
+      damping > 1e-3 ? 2 * (damping - constant::logarithm_of_one_plus(damping)) / (damping * damping) : 1;
   const double depth =
       1.01 * constant::smaller(detail::depth_of(scene.contact_stiffness, whole, 0, is_linear),
-                               detail::depth_of(scene.contact_stiffness, 2 * mu * v * v, press, is_linear));
+                               detail::depth_of(scene.contact_stiffness, kept * 2 * mu * v * v, press, is_linear));
   return bounds.penetration > 0 ? constant::smaller(depth, bounds.penetration) : depth;
 }
 

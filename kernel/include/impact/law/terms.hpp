@@ -55,8 +55,6 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   terms.main_mass = scene.main_mass;
   terms.main_stiffness = scene.main_stiffness;
   terms.main_damping = scene.main_damping;
-  terms.deepest = deepest_penetration(scene, bounds, terms.is_linear);
-  terms.largest_penetration = bounds.penetration > 0 ? bounds.penetration : terms.deepest;
   terms.largest_rate = 2 * bounds.speed;
   terms.damping_ratio = damping_ratio<ContactLaw>(scene);
   terms.clamped = scene.tension == Tension::clamp;
@@ -64,6 +62,9 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   if (ContactLaw::is_damped)
     terms.damping_time = ContactLaw::is_damped_per_impact ? terms.damping_ratio / terms.largest_rate
                                                           : scene.contact_damping / terms.stiffness;
+  const double damping = terms.is_linear ? 0 : terms.damping_time * terms.largest_rate;
+  terms.deepest = deepest_penetration(scene, bounds, terms.is_linear, damping);
+  terms.largest_penetration = bounds.penetration > 0 ? bounds.penetration : terms.deepest;
   return terms;
 }
 

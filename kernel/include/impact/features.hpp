@@ -117,7 +117,7 @@ struct ContactForce {
   static constexpr void start(const Plan&, State&) {}
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
-    state.force_of_step = mirrored(step.force.impulse, state.at_left & 1);
+    state.force_of_step = state.force_of_step + mirrored(step.force.impulse, state.at_left & 1);
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State& state) {

@@ -16,6 +16,23 @@ constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const Un
   return Format::gain(terms.damping_time / terms.step, unit.penetration, terms.damping_exponent);
 }
 
+// The rate below which an impact is damped as one at this rate, in penetrations per step. A slow impact of the speed v
+// that is then pressed in by an acceleration A (depth.hpp) has at its deepest the damping h c/mu = (5/2) a h A/v: where
+// this would pass what the treatment bears (`largest`), the press has long outweighed the impact's own speed.
+template <class Format, bool is_per_impact>
+struct SlowestImpact {
+  static constexpr SlowestImpact make(const ContactTerms&, const UnitExponents&, double) { return {}; }
+};
+template <class Format>
+struct SlowestImpact<Format, true> {
+  typename Format::Value rate;
+
+  static constexpr SlowestImpact make(const ContactTerms& terms, const UnitExponents& unit, double largest) {
+    const double rate = 2.5 * terms.damping_ratio * terms.pressing * terms.step * terms.step / largest;
+    return {Format::sample(rate * constant::power_of_two(-unit.penetration))};
+  }
+};
+
 template <class Format, bool is_per_impact>
 struct ImpactDamping {};
 
@@ -23,9 +40,11 @@ template <class Format>
 struct ImpactDamping<Format, true> {
   typename Format::HeldGain own_damping;  // of the contact under way
 
-  // An impact without speed is one without damping.
-  constexpr void begin(typename Format::Gain share, typename Format::Value rate) {
-    own_damping = {is_positive(rate) ? Format::gain_over(share, rate) : typename Format::Gain{}};
+  // An impact without speed is one without damping, where nothing presses.
+  constexpr void begin(const SlowestImpact<Format, true>& slowest, typename Format::Gain share,
+                       typename Format::Value rate) {
+    const auto held = is_positive(rate - slowest.rate) ? rate : slowest.rate;
+    own_damping = {is_positive(held) ? Format::gain_over(share, held) : typename Format::Gain{}};
   }
 };
 

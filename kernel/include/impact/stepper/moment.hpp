@@ -55,7 +55,7 @@ struct Moment {
 
   static constexpr double fewest_steps = 5, precise_steps = 8;  // per Resolution::detail
   // Radians of the contact's own vibration, and its damping h c/mu, at the deepest penetration.
-  static constexpr double longest_contact_phase = 0.9, largest_damping = 2;
+  static constexpr double longest_contact_phase = 0.9, largest_damping = largest_damping_of_moment;
   static constexpr Range steps(const Resolution& contact) {
     using constant::smaller;
     return {0, smaller(smaller(contact.detail / fewest_steps, longest_contact_phase / contact.pulsation),

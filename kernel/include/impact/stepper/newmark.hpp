@@ -108,14 +108,14 @@ struct Pointwise {
       const Value trial = step.penetration, trial_rate = step.rate;
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)
-        if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);
+        if (touches && phase == Phase::apart) this->begin({}, plan.damping, trial_rate);
       phase = touches ? Phase::touching : Phase::apart;
       force = touches ? found(plan, units, trial, trial_rate) : Value{};
       return {force, force};
     }
 
     constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
-      if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
+      if constexpr (ContactLaw::is_damped_per_impact) this->begin({}, plan.damping, at_rate);
       phase = Phase::touching;
       if constexpr (ContactLaw::is_linear) {
         force = units.elastic(at) + damping(plan) * at_rate;

@@ -48,14 +48,16 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Weight give;     // G for n
     bool is_resolved;
     Wide stiff_give, force_of_back, stored_share;  // G and 1/B for the solver, and a stored energy's unit
+    SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
 
   // Whether a contact lasts 20 steps and u stays below 1/2, at the deepest penetration: N^2 = 8.1 over G (3/2)
   // sqrt(d), and u = h c/(2 mu).
+  static constexpr double largest_ratio = 0.5;  // of u
   static constexpr bool is_resolved(const ContactTerms& terms) {
     const double give = terms.step * terms.step / (2 * terms.reduced_mass()), d = terms.deepest;
     const double slope = terms.stiffness * give * constant::square_root(d);
-    return 1.5 * slope <= 0.02 && slope * d * terms.damping_time / terms.step <= 0.5;
+    return 1.5 * slope <= 0.02 && slope * d * terms.damping_time / terms.step <= largest_ratio;
   }
   // No force can do more in a step than to send the ball back at its own speed, and no penetration be more than an
   // impact's or a few steps' way.
@@ -79,21 +81,22 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             true,
             {},
             {},
-            {}};
+            {},
+            decltype(Plan::slowest)::make(terms, unit, 2 * largest_ratio)};
   }
   static constexpr Plan make_stiff_plan(ContactTerms terms, const ConstantForceResponse& answer,
                                         const UnitExponents& unit) {
     using constant::power_of_two;
     terms.damping_exponent = 0;
     const double give = terms.force_unit * power_of_two(-unit.force) * answer.penetration();
-    return {
-        answer.gains<Format>(terms.force_unit, unit),
-        Weight{damping_gain<Format, ContactLaw>(terms, unit)},
-        {},
-        false,
-        Format::wide(give * power_of_two(-unit.penetration)),
-        Format::wide(power_of_two(unit.penetration) / (terms.force_unit * answer.penetration())),
-        Format::wide(0.4 * terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) / terms.force_unit)};
+    return {answer.gains<Format>(terms.force_unit, unit),
+            Weight{damping_gain<Format, ContactLaw>(terms, unit)},
+            {},
+            false,
+            Format::wide(give * power_of_two(-unit.penetration)),
+            Format::wide(power_of_two(unit.penetration) / (terms.force_unit * answer.penetration())),
+            Format::wide(0.4 * terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) / terms.force_unit),
+            {}};
   }
 
   Value penetration;
@@ -108,7 +111,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     taken = plan.give * Format::value(root * without_sign(at));
     rise = bend = Value{};
     phase = Phase::touching;
-    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
+    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.slowest, plan.damping, at_rate);
   }
   template <class State>
   static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
@@ -130,7 +133,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
     const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::apart) {
-      if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, trial_rate);
+      if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.slowest, plan.damping, trial_rate);
       penetration = before;
       taken = rise = bend = Value{};
     }

@@ -23,6 +23,9 @@
 
 namespace impact {
 
+// h c/mu that the step bears, see moment.hpp.
+constexpr double largest_damping_of_moment = 2;
+
 template <class Format, class ContactLaw>
 struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
@@ -39,6 +42,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Weight sixth_damping;              // K C/6, by what a kick does to a rate
     Gain force;                        // 1/K: from a kick to the force's own impulse
     int travel_places, change_places;  // from kicks to penetrations, from increments to kicks
+    SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const MomentResponse response(terms);
@@ -54,7 +58,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Format::weight(stiffness * damping / 6, unit.kick, 0),
             Format::gain(1 / of_force, unit.kick, 0),
             unit.penetration - unit.kick,
-            unit.kick - unit.increment};
+            unit.kick - unit.increment,
+            decltype(Plan::slowest)::make(terms, unit, largest_damping_of_moment)};
   }
 
   static constexpr bool meets_both_stops = true;
@@ -69,7 +74,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     change = Value{};
     root = Format::root(at);
     phase = Phase::touching;
-    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.damping, at_rate);
+    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.slowest, plan.damping, at_rate);
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
                                       const MomentPower& before, const Kick<Value>& kick) const {
@@ -130,7 +135,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
     if constexpr (ContactLaw::is_damped_per_impact)
-      this->begin(plan.damping, trial - before - Format::value(half(travel(plan, g))));
+      this->begin(plan.slowest, plan.damping, trial - before - Format::value(half(travel(plan, g))));
     const auto d = without_sign(trial);
     const auto s = Format::root(trial);
     const auto u = Format::quotient(d, without_sign(trial - before));

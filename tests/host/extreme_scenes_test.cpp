@@ -90,10 +90,8 @@ TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
   EXPECT_GE(accepted_, 2);
 }
 
-// The ball could cross the cavity up to a thousand times within a step. The energy-consistent step is not made for
-// that: it knows one stop at a time.
+// The ball could cross the cavity up to a thousand times within a step.
 TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
-  if (GetParam().stepper == Stepper::energy) GTEST_SKIP() << "the energy-consistent step knows one stop at a time";
   constexpr double speed = 1, step = 1e-3;
   for (const double stiffness : {1e8, 1e12}) {
     for (const double clearance : {0.0, 1e-6, 1e-4, 5e-4}) {
@@ -115,7 +113,10 @@ TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
       EXPECT_LE(largest, first * (1 + 500 * share())) << stiffness << " " << clearance;
     }
   }
-  EXPECT_GE(accepted_, 2);
+  // Hooke-Newton's energy step is for contacts of a step and more.
+  if (GetParam().law != Law::hooke_newton || GetParam().stepper != Stepper::energy) {
+    EXPECT_GE(accepted_, 2);
+  }
 }
 
 // To the left as to the right. Fixed32 rounds down and so not alike on both sides: within its share of the energy.

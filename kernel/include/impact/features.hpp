@@ -13,6 +13,7 @@ namespace impact {
 // Energies since the start: what contact has dissipated, what it stores now, and the work of the drive.
 //
 //     work on the contact in a step   = J0 v1 - (v1 - v0) J1 / h     (the rate linear in time; exact for a free pair)
+//                                   = f (d1 - d0) where the force is constant over the step: exact
 //     dissipated                      = work - change of the stored energy; what a spring still holds when it lets go
 //     is lost work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
 //
@@ -40,8 +41,9 @@ struct EnergyLedger {
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     using Format = typename Plan::FormatType;
     const auto rate_before = step.follows ? state.rate : step.rate_at_impact;
-    const auto work = Format::rounded_product(step.force.impulse, step.rate) -
-                      Format::rounded_product(step.rate - rate_before, step.force.moment);
+    const auto work = step.has_way ? Format::rounded_product(step.force.impulse, step.way)
+                                   : Format::rounded_product(step.force.impulse, step.rate) -
+                                         Format::rounded_product(step.rate - rate_before, step.force.moment);
     state.dissipated.add(work - (step.stored - state.stored));
     state.stored = step.stored;
     state.rate = step.rate;

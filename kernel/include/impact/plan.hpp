@@ -122,7 +122,11 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
   largest.position = bounds.displacement;
   largest.displacement = bounds.speed * h;
-  largest.penetration = larger(terms.largest_penetration, terms.largest_rate * h);
+  // Where the ball crosses the clearance in a step, a treatment that waits for the next finds it beyond the stop by the
+  // ways of both.
+  terms.crosses = scene.stops == Stops::both && terms.largest_rate * h >= scene.clearance;
+  const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
+  largest.penetration = larger(terms.largest_penetration, way);
   const double drive = larger(scene.drive_amplitude, bounds.force);
   // A state is held at up to twice its bounds.
   const double held = constant::power_of_two(constant::exponent_above(bounds.displacement));
@@ -157,7 +161,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   plan.drive_unit = Drive::template force_unit<Format>(scene, bounds);
   plan.left_stop = scene.stops != Stops::right;
   plan.right_stop = scene.stops != Stops::left;
-  plan.crosses = Treatment::meets_both_stops && scene.stops == Stops::both && terms.largest_rate * h >= scene.clearance;
+  plan.crosses = terms.crosses && Treatment::meets_both_stops;
   plan.x1 = units.state_at(scene.x1);
   plan.w1 = units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0));
   plan.x2 = units.state_at(scene.x2);

@@ -33,6 +33,15 @@ struct SlowestImpact<Format, true> {
   }
 };
 
+// 1 + c1/k1 v in the unit of forces.
+template <bool is_per_impact, class Units, class Value>
+constexpr Value strength(const Units& units, Value damped) {
+  if constexpr (is_per_impact)
+    return units.held_sum(units.one(), damped);
+  else
+    return units.one() + damped;
+}
+
 template <class Format, bool is_per_impact>
 struct ImpactDamping {};
 

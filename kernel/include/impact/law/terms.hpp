@@ -32,6 +32,7 @@ struct ContactTerms {
   int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
   double damping_ratio = 0;                          // a = c1 v0/k1, where it is set at each impact of a speed v0
   bool clamped = true;
+  bool crosses = false;  // the ball can cross the clearance within a step
 
   constexpr double reduced_mass() const { return 1 / (1 / ball_mass + 1 / main_mass); }
   constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }

@@ -247,6 +247,8 @@ struct Fixed32 {
       return upper ^ upper << 1;
     }
     static constexpr Value held(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
+    // x + y, held at the upper end of the range.
+    static constexpr Value held_sum(Value x, Value y) { return x + held(y, Value{INT32_MAX} - x); }
     constexpr Long stop(Long main, bool left) const { return {left ? main.raw - gap : main.raw + gap}; }
     constexpr bool hold_position(Long& x) const {
       constexpr int64_t bound = (int64_t{1} << 62) - 1;

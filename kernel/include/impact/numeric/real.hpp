@@ -137,6 +137,7 @@ struct RealFormat {
       return (apart < 0 ? -apart : apart) >= gap.sum;
     }
     static constexpr Value held(Value x, Value) { return x; }
+    static constexpr Value held_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const {
       main.advance(mirrored(gap, left));
       return main;
@@ -252,9 +253,11 @@ struct RealFormat {
   static constexpr Real rough_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real square_over_five(Real z, Real p) { return z * z / (5 * p); }
   static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
-  // A root t of a decreasing function, moved by its value over its steepness.
+  // A root t of a decreasing function, from 0 to 1, moved by its value over its steepness.
   static constexpr Real corrected(Real t, Real value, Real steepness) {
-    return steepness > 0 ? t + value / steepness : t;
+    if (!(steepness > 0)) return t;
+    const Real next = t + value / steepness;
+    return next > 0 ? (next < 1 ? next : 1) : 0;
   }
 };
 

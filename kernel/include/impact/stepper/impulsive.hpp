@@ -77,7 +77,7 @@ struct Impulsive {
     static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
       const double rate = terms.largest_rate * terms.step;
       largest.force_factor = 1;
-      largest.penetration = rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
+      largest.penetration = (terms.crosses ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
       largest.push = rate;
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {

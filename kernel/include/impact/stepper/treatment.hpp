@@ -57,12 +57,15 @@ constexpr const Kick<Value>& felt_by_ball(const SplitKick<Value>& kick) {
 }
 
 // A step in contact as the features see it: the force's impulse and moment, the energy stored at its end, the rate of
-// penetration at both ends (the first unless the step follows one in contact, with whose end it begins).
+// penetration at both ends (the first unless the step follows one in contact, with whose end it begins). A treatment
+// whose force is constant knows its way, and with it the work to rounding.
 template <class Value>
 struct ContactStep {
   Kick<Value> force;
   Value stored, rate_at_impact, rate;
   bool begins, follows;
+  bool has_way = false;
+  Value way{};
 };
 
 // The step of a treatment whose kick acts on both masses alike, by its response.

@@ -52,9 +52,13 @@ struct EnergyLinear : ResolvedForces {
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
                                       const EnergyLinear& before, const Kick<Value>& kick) const {
-    return recorded<Format, HookeNewton>(plan.response, units, step, kick,
-                                         {kick.impulse, Format::value(half(kick.impulse))},
-                                         before.phase == Phase::apart, phase == Phase::touching);
+    const bool begins = before.phase == Phase::apart;
+    ContactStep<Value> result = recorded<Format, HookeNewton>(plan.response, units, step, kick,
+                                                              {kick.impulse, Format::value(half(kick.impulse))}, begins,
+                                                              phase == Phase::touching);
+    result.has_way = true;
+    result.way = penetration - (begins ? step.before : before.penetration);
+    return result;
   }
 
   [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {

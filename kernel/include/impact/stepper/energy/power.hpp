@@ -127,6 +127,9 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     ContactStep<Value> result = recorded<Format, ContactLaw>(
         plan.response, units, step, kick, {kick.impulse, Format::value(half(kick.impulse))}, begins, false);
     result.stored = stored(plan, units);
+    result.has_way = true;
+    result.way =
+        step.penetration - plan.response.penetration * kick.impulse - (begins ? step.before : before.penetration);
     return result;
   }
 
@@ -144,7 +147,8 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Value force = units.elastic(n), back = give, due{};
     if constexpr (ContactLaw::is_damped) {
       due = units.whole(Format::value(give * (damping(plan) * give) * Format::short_constant(1.0 / 3)));
-      const auto factor = positive_part(units.one() + damping(plan) * (depth - penetration + due));
+      const auto factor =
+          positive_part(strength<ContactLaw::is_damped_per_impact>(units, damping(plan) * (depth - penetration + due)));
       force = Format::value(n * factor);
       back = units.whole(Format::value(give * factor));
     }

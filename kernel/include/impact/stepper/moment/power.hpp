@@ -24,7 +24,7 @@
 namespace impact {
 
 // h c/mu that the step bears, see moment.hpp.
-constexpr double largest_damping_of_moment = 2;
+constexpr double largest_damping_of_moment = 2.5;
 
 template <class Format, class ContactLaw>
 struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
@@ -204,7 +204,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   // K (1 + C v)
   constexpr Value strength(const Plan& plan, Value rate) const {
     const Value elastic = Format::value(plan.stiffness);
-    if constexpr (ContactLaw::is_damped)
+    if constexpr (ContactLaw::is_damped_per_impact)
+      return Units::held_sum(elastic, this->own_damping * rate);
+    else if constexpr (ContactLaw::is_damped)
       return elastic + damping(plan) * rate;
     else
       return elastic;

@@ -49,11 +49,12 @@ struct SubsteppedMoment {
       Gain force;                                       // from the ball's kick to the force's impulse
       int travel_places;
     };
-    // A kick counts by what it does in a sub-step, and all of a step's change a speed by no more than twice the largest
-    // rate.
+    // A kick counts by what it does in a sub-step. A step's n kicks change the displacement per step by no more than
+    // n^2 of them, and a speed by no more than twice the largest rate.
     static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
       Inner::bound_forces(in_a_part(terms), largest);
-      largest.push = constant::larger(largest.push, 4 * terms.largest_rate * terms.step);
+      largest.push =
+          constant::larger(largest.push, constant::smaller(4 * terms.largest_rate * terms.step, n * n * largest.push));
     }
     static constexpr ContactTerms in_a_part(ContactTerms terms) {
       terms.step /= n;

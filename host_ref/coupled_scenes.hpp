@@ -30,8 +30,8 @@ std::string text_of(const Request& request);
 // Steps the scene and keeps the largest energy seen while the ball is apart.
 struct CoupledRun {
   bool is_accepted = false, has_fault = false;
-  double gain = 0;       // over the energy at the start
-  double returned = 0;   // what the ledger ever went back by, over the energy at the start
+  double gain = 0;      // over the energy at the start
+  double returned = 0;  // what the ledger ever went back by, over the energy at the start
 };
 CoupledRun run_coupled(const CoupledScene& scene, long steps);
 

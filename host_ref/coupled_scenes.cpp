@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "coupled_scenes.hpp"
+#include "host_ref/coupled_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,8 +60,8 @@ CoupledScene coupled_scene(Law law, Edge edge, unsigned index) {
   constexpr double margin = 1.01;
   Bounds bounds;
   bounds.speed = margin * std::sqrt(2 * energy / std::min(scene.main_mass, scene.ball_mass));
-  bounds.displacement =
-      margin * (std::sqrt(2 * energy / scene.main_stiffness) + scene.clearance / 2 + depth) + bounds.speed * request.step;
+  bounds.displacement = margin * (std::sqrt(2 * energy / scene.main_stiffness) + scene.clearance / 2 + depth) +
+                        bounds.speed * request.step;
   bounds.force = 0;
   request.bounds = bounds;
   result.energy = energy;
@@ -78,14 +78,15 @@ std::string text_of(const Request& request) {
   const Scene& scene = request.scene;
   const Bounds& bounds = *request.bounds;
   char text[1024];
-  std::snprintf(text, sizeof text,
-                "impact-sim --law %s --newmark %s --numeric %s --main-mass %.17g --ball-mass %.17g --main-stiffness %.17g "
-                "--main-damping 0 --clearance %.17g --contact-stiffness %.17g --contact-damping %.17g --drive none --step "
-                "%.17g --v1 %.17g --x2 %.17g --v2 %.17g --bound-displacement %.17g --bound-speed %.17g",
-                std::string(name_of(request.law)).c_str(), std::string(name_of(request.stepper)).c_str(),
-                std::string(name_of(request.numeric)).c_str(), scene.main_mass, scene.ball_mass, scene.main_stiffness,
-                scene.clearance, scene.contact_stiffness, scene.contact_damping, request.step, scene.v1, scene.x2,
-                scene.v2, bounds.displacement, bounds.speed);
+  std::snprintf(
+      text, sizeof text,
+      "impact-sim --law %s --newmark %s --numeric %s --main-mass %.17g --ball-mass %.17g --main-stiffness %.17g "
+      "--main-damping 0 --clearance %.17g --contact-stiffness %.17g --contact-damping %.17g --drive none --step "
+      "%.17g --v1 %.17g --x2 %.17g --v2 %.17g --bound-displacement %.17g --bound-speed %.17g",
+      std::string(name_of(request.law)).c_str(), std::string(name_of(request.stepper)).c_str(),
+      std::string(name_of(request.numeric)).c_str(), scene.main_mass, scene.ball_mass, scene.main_stiffness,
+      scene.clearance, scene.contact_stiffness, scene.contact_damping, request.step, scene.v1, scene.x2, scene.v2,
+      bounds.displacement, bounds.speed);
   return text;
 }
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: MIT
 #include "host_ref/coupled_scenes.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: MIT
 #pragma once
 // Random scenes of the coupled machine: a ball between two stops in a mass on a spring, undriven and undamped but for
 // its contacts, over masses 1e-2 to 1e2 kg, mass ratios 1e-3 to 1e3, w0 h up to 0.9, stiffnesses 1e2 to 1e13,

@@ -1,0 +1,67 @@
+// coupled OUTPUT.csv: random scenes of the coupled machine (coupled_scenes.hpp), 2000 steps each, by the rule and by
+// each stepper where the plan accepts it. scenes: accepted ones. faults: of them within their bounds. energy_gain_max:
+// the largest growth of the energy over that of the start while the ball is apart.
+
+#include <host_ref/coupled_scenes.hpp>
+#include <host_ref/report/report_program.hpp>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/progress.hpp>
+#include <host_ref/tool/text.hpp>
+
+namespace impact::report {
+namespace {
+
+using namespace host;
+
+constexpr unsigned scenes = 150;  // an edge
+constexpr long steps = 2000;
+
+void append_row(std::string& rows, Law law, Stepper stepper, Numeric numeric) {
+  long accepted = 0, faults = 0;
+  double worst = 0;
+  for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball}) {
+    for (unsigned index = 0; index < scenes; ++index) {
+      CoupledScene scene = coupled_scene(law, edge, index);
+      scene.request.stepper = stepper;
+      scene.request.numeric = numeric;
+      const CoupledRun run = run_coupled(scene, steps);
+      if (!run.is_accepted) continue;
+      ++accepted;
+      if (run.has_fault) ++faults;
+      if (!(run.gain <= worst)) worst = run.gain;
+    }
+  }
+  if (accepted == 0) return;
+  rows += std::string(name_of(law)) + "," + std::string(name_of(stepper)) + "," + std::string(name_of(numeric)) + "," +
+          std::to_string(accepted) + "," + std::to_string(faults) + ",";
+  append_number(rows, worst, 6);
+  rows += "\n";
+}
+
+void write_coupled(const std::string& path) {
+  Output output(path);
+  output.write("law,newmark,numeric,scenes,faults,energy_gain_max\n");
+  const Law laws[] = {Law::hooke_newton, Law::hertz, Law::hunt_crossley};
+  const Numeric numerics[] = {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32};
+  const Stepper steppers[] = {Stepper::automatic, Stepper::moment,    Stepper::moment_4, Stepper::moment_8,
+                              Stepper::energy,    Stepper::impulsive, Stepper::average};
+  Progress progress("coupled scenes", std::size(laws) * std::size(numerics));
+  long done = 0;
+  for (const Law law : laws) {
+    for (const Numeric numeric : numerics) {
+      progress.at(done++);
+      std::string rows;
+      for (const Stepper stepper : steppers) append_row(rows, law, stepper, numeric);
+      output.write(rows);
+    }
+  }
+  output.commit();
+}
+
+}  // namespace
+}  // namespace impact::report
+
+int main(int count, char** arguments) {
+  return impact::report::run_program(count, arguments,
+                                     [](const auto& paths) { impact::report::write_coupled(paths.at(0)); });
+}

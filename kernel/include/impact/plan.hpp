@@ -116,6 +116,10 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   const LinearFlow flow = Stepper::flow(scene, h);
   ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
   terms.step = h;
+  terms.pressing = largest_acceleration(scene, bounds,
+                                        Drive::is_sine      ? scene.drive_amplitude
+                                        : Drive::is_sampled ? bounds.force
+                                                            : 0);
 
   UnitBounds largest{};
   largest.gap = scene.clearance / 2;

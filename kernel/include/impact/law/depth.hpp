@@ -34,11 +34,9 @@ constexpr double depth_of(double stiffness, double energy, double press, bool is
 
 }  // namespace detail
 
-// Of the main mass where nothing touches it, m/s^2.
-constexpr double largest_acceleration(const Scene& scene, const Bounds& bounds) {
-  return (scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed +
-          constant::larger(scene.drive_amplitude, bounds.force)) /
-         scene.main_mass;
+// Of the main mass where nothing but a force of `drive` newtons touches it, m/s^2.
+constexpr double largest_acceleration(const Scene& scene, const Bounds& bounds, double drive) {
+  return (scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed + drive) / scene.main_mass;
 }
 
 // `damping` is a for Hunt-Crossley, or 0.
@@ -47,7 +45,7 @@ constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, b
   const double v = bounds.speed, x = bounds.displacement;
   const double drive = constant::larger(scene.drive_amplitude, bounds.force);
   const double whole = (main + ball) * v * v / 2 + scene.main_stiffness * x * x / 2 + 2 * drive * x;
-  const double press = mu * largest_acceleration(scene, bounds);
+  const double press = mu * largest_acceleration(scene, bounds, drive);
   const double kept =
       damping > 1e-3 ? 2 * (damping - constant::logarithm_of_one_plus(damping)) / (damping * damping) : 1;
   const double depth =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact
-// from its own speed. A contact that begins slowly and is then driven in faster leaves the range that 1 + c1/k1 v has in
-// Fixed32, the first power of two above 2 a and 1 + a: there c1/k1 v is held, between half that range and the whole.
+// from its own speed. A contact that begins slowly and is then driven in faster leaves the range that 1 + c1/k1 v has
+// in Fixed32, the first power of two above 2 a and 1 + a: there c1/k1 v is held, between half that range and the whole.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>
@@ -49,11 +49,11 @@ template <class Format>
 struct ImpactDamping<Format, true> {
   typename Format::HeldGain own_damping;  // of the contact under way
 
-  // An impact without speed is one without damping, where nothing presses.
+  // An impact without speed is one without damping, and so is a contact under way at the start.
   constexpr void begin(const SlowestImpact<Format, true>& slowest, typename Format::Gain share,
                        typename Format::Value rate) {
     const auto held = is_positive(rate - slowest.rate) ? rate : slowest.rate;
-    own_damping = {is_positive(held) ? Format::gain_over(share, held) : typename Format::Gain{}};
+    own_damping = {is_positive(rate) ? Format::gain_over(share, held) : typename Format::Gain{}};
   }
 };
 

@@ -27,7 +27,8 @@ struct ContactTerms {
   double ball_mass = 0;     // m, kg
   double main_mass = 0, main_stiffness = 0, main_damping = 0;
   double largest_penetration = 0, largest_rate = 0;  // that units have room for, m and m/s
-  double deepest = 0, pressing = 0;                  // that the bounds allow, m and m/s^2: depth.hpp
+  double deepest = 0;                                // that the bounds allow, m: depth.hpp
+  double pressing = 0;                               // the main mass's largest acceleration, m/s^2: set by the plan
   double force_unit = 0;                             // N
   int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
   double damping_ratio = 0;                          // a = c1 v0/k1, where it is set at each impact of a speed v0
@@ -64,7 +65,6 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
     terms.damping_time = ContactLaw::is_damped_per_impact ? terms.damping_ratio / terms.largest_rate
                                                           : scene.contact_damping / terms.stiffness;
   const double damping = terms.is_linear ? 0 : terms.damping_time * terms.largest_rate;
-  terms.pressing = largest_acceleration(scene, bounds);
   terms.deepest = deepest_penetration(scene, bounds, terms.is_linear, damping);
   terms.largest_penetration = bounds.penetration > 0 ? bounds.penetration : terms.deepest;
   return terms;

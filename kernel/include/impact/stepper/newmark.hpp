@@ -115,7 +115,7 @@ struct Pointwise {
     }
 
     constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
-      if constexpr (ContactLaw::is_damped_per_impact) this->begin({}, plan.damping, at_rate);
+      if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
       phase = Phase::touching;
       if constexpr (ContactLaw::is_linear) {
         force = units.elastic(at) + damping(plan) * at_rate;

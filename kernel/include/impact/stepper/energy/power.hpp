@@ -105,13 +105,13 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   Value taken, rise, bend;  // y1, y1 - y2, y1 - 2 y2 + y3
   Phase phase;
 
-  constexpr void start(const Plan& plan, const Units&, Value at, Value at_rate) {
+  constexpr void start(const Plan& plan, const Units&, Value at, Value) {
     penetration = at;
     root = Format::root(at);
     taken = plan.give * Format::value(root * without_sign(at));
     rise = bend = Value{};
     phase = Phase::touching;
-    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.slowest, plan.damping, at_rate);
+    if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
   }
   template <class State>
   static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {

@@ -69,12 +69,12 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   Root root;
   Phase phase;
 
-  constexpr void start(const Plan& plan, const Units&, Value at, Value at_rate) {
+  constexpr void start(const Plan&, const Units&, Value at, Value) {
     penetration = at;
     change = Value{};
     root = Format::root(at);
     phase = Phase::touching;
-    if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.slowest, plan.damping, at_rate);
+    if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
                                       const MomentPower& before, const Kick<Value>& kick) const {

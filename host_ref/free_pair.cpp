@@ -75,7 +75,7 @@ Request request_for(const FreePair& free, Stepper stepper, Numeric numeric, doub
   const double fastest = 2 * free.speed;
   const double travelled = fastest * free.step * static_cast<double>(most_steps(free) + 2);
   request.bounds =
-      Bounds{free.clearance / 2 + travelled, fastest, 4 * peak_penetration(impact).value() + fastest * free.step, 1};
+      Bounds{free.clearance / 2 + travelled, fastest, 4 * peak_penetration(impact).value() + fastest * free.step, 0};
   return request;
 }
 

@@ -78,7 +78,8 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
         EXPECT_FALSE(run.has_fault) << text_of(found.request);
         EXPECT_LE(run.gain, most_gain + rounding(found)) << text_of(found.request);
         // The energy step knows the work of its force to rounding; the others' ledgers are of second order.
-        if (stepper == Stepper::energy) {
+        // In Fixed32 its impulses are counted more coarsely than the energies of a hard stop.
+        if (stepper == Stepper::energy && GetParam().numeric != Numeric::fixed32) {
           EXPECT_LE(run.returned, most_gain + rounding(found)) << text_of(found.request);
         }
         if (!(run.gain <= worst)) worst = run.gain;
@@ -134,9 +135,9 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
     ++compared;
     const double off = std::abs(stepped.energy_dissipated - exact.energy_dissipated) / found.energy;
     if (!(off <= worst)) worst = off;
-    const bool is_energy = outcome.simulation->description().rfind("energy", 0) == 0;
+    const bool is_energy = outcome.description.rfind("energy", 0) == 0;
     EXPECT_LE(off, is_energy ? 0.1 : 0.02) << text_of(request) << ": " << stepped.energy_dissipated << " J, not "
-                                           << exact.energy_dissipated << ", " << outcome.simulation->description();
+                                           << exact.energy_dissipated << ", " << outcome.description;
   }
   std::printf("  %u first impacts, off by at most %.2g of the energy\n", compared, worst);
   EXPECT_GE(compared, 20u);

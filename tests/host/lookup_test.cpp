@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <impact/numeric/fixed32.hpp>
 #include <impact/numeric/power_three_halves.hpp>
 #include <impact/numeric/reciprocal.hpp>
 #include <impact/numeric/square_root.hpp>
-#include <impact/numeric/fixed32.hpp>
 #include <random>
 #include <vector>
 

@@ -51,11 +51,13 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
 
-  // Whether a contact lasts 20 steps and u stays below 1/2, at the deepest penetration: N^2 = 8.1 over G (3/2)
-  // sqrt(d), and u = h c/(2 mu).
+  // Whether a contact lasts 20 steps and u stays below 1/2, at the deepest penetration and at the peak of an elastic
+  // impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d), and u = h c/(2 mu).
   static constexpr double largest_ratio = 0.5;  // of u
   static constexpr bool is_resolved(const ContactTerms& terms) {
-    const double give = terms.step * terms.step / (2 * terms.reduced_mass()), d = terms.deepest;
+    const double mu = terms.reduced_mass(), give = terms.step * terms.step / (2 * mu), v = terms.largest_rate;
+    const double peak = constant::power(1.25 * mu * v * v / terms.stiffness, 0.4);
+    const double d = constant::larger(terms.deepest, peak);
     const double slope = terms.stiffness * give * constant::square_root(d);
     return 1.5 * slope <= 0.02 && slope * d * terms.damping_time / terms.step <= largest_ratio;
   }

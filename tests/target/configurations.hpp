@@ -172,10 +172,18 @@ template <class... Numerics>
 constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
 }
-// Those whose trajectories are kept.
+// Those whose trajectories are kept; of them the linear law's alone (1) or the others' (2) for an image in 256 K.
+#if !defined(IMPACT_GOLDEN_PART)
+#define IMPACT_GOLDEN_PART 0
+#endif
 template <class... Numerics>
 constexpr auto golden_configurations() {
-  return all_configurations<Numerics...>() + (with_damping_per_impact<Numerics>() + ...);
+  if constexpr (IMPACT_GOLDEN_PART == 1)
+    return (with_laws<Numerics>(List<HookeNewton>{}) + ...);
+  else if constexpr (IMPACT_GOLDEN_PART == 2)
+    return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...) + (with_damping_per_impact<Numerics>() + ...);
+  else
+    return all_configurations<Numerics...>() + (with_damping_per_impact<Numerics>() + ...);
 }
 
 // Those whose cost is measured and has a budget.

@@ -421,7 +421,7 @@ class Absorber
   }
 
   // What the contact does to both masses. False where the ball was put back to its stop or a state was held.
-  [[gnu::always_inline]] constexpr bool push(Approach<Value> step, Value increment, bool left) {
+  [[gnu::always_inline]] constexpr bool push(Approach<Value>& step, Value increment, bool left) {
     const auto& units = plan.units;
     Contact& contact = state_.contact;
     if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left))

@@ -104,7 +104,7 @@ struct Pointwise {
                                           phase == Phase::touching);
     }
 
-    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
       const Value trial = step.penetration, trial_rate = step.rate;
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)

@@ -32,7 +32,7 @@ struct Kick {
   Value impulse, moment;
 };
 template <class Value>
-constexpr Kick<Value> mirrored(const Kick<Value>& kick, bool left) {
+[[gnu::always_inline]] constexpr Kick<Value> mirrored(const Kick<Value>& kick, bool left) {
   return {mirrored(kick.impulse, left), mirrored(kick.moment, left)};
 }
 
@@ -43,7 +43,7 @@ struct SplitKick : Kick<Value> {
   Value rate;
 };
 template <class Value>
-constexpr SplitKick<Value> mirrored(const SplitKick<Value>& kick, bool left) {
+[[gnu::always_inline]] constexpr SplitKick<Value> mirrored(const SplitKick<Value>& kick, bool left) {
   return {{mirrored(kick.impulse, left), mirrored(kick.moment, left)}, mirrored(kick.ball, left), kick.rate};
 }
 
@@ -94,7 +94,7 @@ struct Treatment {
   // The ball is inside the stop without having come there: by a rounding, or across a cavity shorter than the way of a
   // step. False ends the step.
   template <class Units, class State, class Value>
-  static constexpr bool begin_inside(const Units&, State&, Approach<Value>& step, bool) {
+  [[gnu::always_inline]] static constexpr bool begin_inside(const Units&, State&, Approach<Value>& step, bool) {
     step.before = Value{};
     return true;
   }
@@ -109,7 +109,7 @@ struct Treatment {
 
 // The ball goes back to its stop before it is touched: no energy is made of a penetration that no force has led to.
 template <class Units, class State, class Value>
-constexpr bool put_back(const Units& units, State& state, Approach<Value>& step, bool left) {
+[[gnu::always_inline]] constexpr bool put_back(const Units& units, State& state, Approach<Value>& step, bool left) {
   units.displace(state.x2, -mirrored(step.before, left));
   step.penetration = step.travel;
   step.before = Value{};

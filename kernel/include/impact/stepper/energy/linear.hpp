@@ -47,7 +47,7 @@ struct EnergyLinear : ResolvedForces {
     phase = Phase::touching;
   }
   template <class State>
-  static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
+  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
     return put_back(units, state, step, left);
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
@@ -61,7 +61,7 @@ struct EnergyLinear : ResolvedForces {
     return result;
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
     const Value trial = step.penetration, before = step.before;
     Value force = phase == Phase::apart ? entering(plan, units, trial, before) : inside(plan, units, trial);
     if (plan.clamped && !is_positive(force)) force = Value{};

@@ -116,11 +116,11 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
   }
   template <class State>
-  static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
+  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
     return put_back(units, state, step, left);
   }
   template <class State>
-  constexpr void place_ball(const Units& units, State& state, bool left) const {
+  [[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left) const {
     units.displace(state.x2, -mirrored(slip, left));
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
@@ -135,7 +135,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     return result;
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
     const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::apart) {
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.slowest, plan.damping, trial_rate);

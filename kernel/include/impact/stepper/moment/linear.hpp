@@ -87,7 +87,7 @@ struct MomentLinear : ResolvedForces {
                                          phase == Phase::touching);
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
     const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);

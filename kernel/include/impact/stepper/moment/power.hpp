@@ -83,7 +83,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
                                         before.phase == Phase::apart, phase == Phase::touching);
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units&, Approach<Value> step) {
+  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units&, const Approach<Value>& step) {
     const Value trial = step.penetration, before = step.before;
     const Value after = Format::moved(step.increment, plan.change_places);
     const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));

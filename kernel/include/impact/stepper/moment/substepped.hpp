@@ -124,7 +124,7 @@ struct SubsteppedMoment {
               !begins};
     }
 
-    constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units, Approach<Value> step) {
+    constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
       const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
       const bool begins = this->phase == Phase::apart;
       Value at = begins ? before : this->penetration;

@@ -177,7 +177,7 @@ struct GeneratedRig {
     return spread(seed, 2e-5, 1e-3);
   }
   static constexpr Scene scene = make_scene();
-  static constexpr Bounds bounds{};
+  static constexpr Bounds bounds{0.1, 2, 0.03, 10};  // the default, with a penetration of its own
   static constexpr double step = make_step();
 };
 

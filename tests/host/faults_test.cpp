@@ -284,6 +284,18 @@ TEST(Exponents, EndForEveryNumber) {
   EXPECT_EQ(constant::exponent_above(no_number), 0);
 }
 
+// The paper's scene goes 7 mm deep; its unit holds less than twice the bound.
+struct ShallowRig {
+  static constexpr Scene scene{};
+  static constexpr Bounds bounds{0.1, 2, 1e-3, 10};
+  static constexpr double step = 1e-4;
+};
+TEST(Penetration, BeyondItsBoundIsAFaultInFixedPoint) {
+  Absorber<ShallowRig, HuntCrossley, Moment, Sine, Fixed32> kernel;
+  for (int i = 0; i < 20000 && kernel.fault() == Fault::none; ++i) kernel.step();
+  EXPECT_EQ(kernel.fault(), Fault::penetration);
+}
+
 // A contact that begins at a thousandth of the speed at which it is then driven in: its damping, set at the impact,
 // leaves Fixed32's range and is held there, where it still opposes the motion.
 TEST(DampingPerImpact, IsHeldInFixedPoint) {

@@ -99,7 +99,10 @@ async function refusals(page) {
   await page.click('[data-preset="paper"]');
   for (const [name, value] of [['step', '0.05'], ['main-mass', '0'], ['main-mass', '1e300'], ['restitution', '2'], ['clearance', '-1'], ['drive-pulsation', '1e9']]) {
     if (name === 'restitution') await page.value(`(() => { const it = document.getElementById('value-damping-by'); it.value = 'restitution'; it.dispatchEvent(new Event('change')); })()`);
+    await page.until('explorer.due.size === 0');
     await typeInto(page, `value-${name}-number`, value);
+    // On a busy machine the page says so some frames later.
+    await page.until(`document.querySelector('#value-${name}-refusal button') !== null`, 20);
     const words = await text(page, `value-${name}-refusal`);
     check(/is refused\. Allowed: \S+/.test(words), `${name} ${value}: ${words}`);
     await page.click(`#value-${name}-refusal button`);

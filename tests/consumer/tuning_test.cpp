@@ -43,7 +43,8 @@ class Tuning : public testing::Test {};
 using Formats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(Tuning, Formats);
 
-// One rounding of a velocity, m/s: of the reading's own 32-bit terms, and in floating point of w1 and of the increment.
+// One rounding of a velocity, m/s: of the reading's own 32-bit terms, and in floating point of dx1 and of the
+// increment.
 template <class Kernel>
 double velocity_place(const Kernel& kernel) {
   using Format = typename Kernel::Format;
@@ -69,7 +70,7 @@ TYPED_TEST(Tuning, LeavesPositionsAndVelocitiesWhereTheyAre) {
     in_contact += kernel.is_touching();
     ASSERT_TRUE(same_bits(state.x1, kernel.state().x1));
     ASSERT_TRUE(same_bits(state.x2, kernel.state().x2));
-    ASSERT_TRUE(same_bits(state.w2, kernel.state().w2));
+    ASSERT_TRUE(same_bits(state.dx2, kernel.state().dx2));
     // Four terms are rounded in each reading and twelve in the change.
     ASSERT_NEAR(after.v1, before.v1, 20 * velocity_place(kernel)) << "after " << i << " steps";
   }
@@ -217,8 +218,8 @@ TEST(SavedState, GoesOnBitForBit) {
   for (int i = 0; i < 10000; ++i) {
     kernel.step();
     heir.step();
-    ASSERT_TRUE(same_bits(kernel.state().x1, heir.state().x1) && same_bits(kernel.state().w1, heir.state().w1) &&
-                same_bits(kernel.state().x2, heir.state().x2) && same_bits(kernel.state().w2, heir.state().w2))
+    ASSERT_TRUE(same_bits(kernel.state().x1, heir.state().x1) && same_bits(kernel.state().dx1, heir.state().dx1) &&
+                same_bits(kernel.state().x2, heir.state().x2) && same_bits(kernel.state().dx2, heir.state().dx2))
         << "after " << i + 1 << " steps";
   }
 }

@@ -65,7 +65,7 @@ void check(const Absorber& absorber) {
   asm volatile("" : : "r"(read) : "memory");  // for the sanitizers: they compute within their ranges
   if (absorber.fault() == Fault::none && std::is_same_v<Numeric, Fixed32>) {
     const auto& state = absorber.state();
-    expect(absorber.plan.units.in_range(state.x1, state.x2, state.w1, state.w2), "the state is in range");
+    expect(absorber.plan.units.in_range(state.x1, state.x2, state.dx1, state.dx2), "the state is in range");
   }
 }
 

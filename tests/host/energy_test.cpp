@@ -43,8 +43,8 @@ double lost_in(double steps) { return steps < 20 ? 0 : 100 / std::pow(steps, 4);
 
 constexpr double steps_per_contact[] = {0.003, 0.1, 0.7, 1.3, 2.5, 5, 10, 40};
 
-// With its slip the step keeps Hunt-Crossley's first integral, at any number of steps. What is left is what the slip's
-// ratio is short of the true one: 6e-4 at most, see stepper/energy/slip.hpp.
+// With its correction the step keeps Hunt-Crossley's first integral, at any number of steps. What is left is what the
+// correction's ratio is short of the true one: 6e-4 at most, see stepper/energy/position_correction.hpp.
 TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
   for (Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
     for (double e : {0.05, 0.1, 0.2, 0.5, 0.7, 0.95})
@@ -55,7 +55,7 @@ TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
       }
 }
 
-// Of resolved contact the force is evaluated once, at a predicted end, with the first term of the slip's series.
+// Of resolved contact the force is evaluated once, at a predicted end, with the first term of the correction's series.
 TEST(EnergyConsistent, ResolvedContactIsOfFourthOrder) {
   for (double e : {0.2, 0.5, 0.7, 0.95, 1.0})
     for (double steps : {30, 60, 120, 240}) {
@@ -93,7 +93,8 @@ TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
 
 // The solver alone, in double and over every proportion of G, C, d0 and D that a step can meet: the end that it finds
 // solves the step's equation d1 + b + k q = dt in its fixed number of passes, to the 2^-49 of a root by which it stays
-// on the side of loss times how much faster the equation's left side grows than the root: 3 * 16384 on the slip's line.
+// on the side of loss times how much faster the equation's left side grows than the root: 3 * 16384 on the correction's
+// line.
 template <bool is_damped>
 void expect_solved(uint32_t seed) {
   std::mt19937 random(seed);
@@ -117,9 +118,10 @@ void expect_solved(uint32_t seed) {
     const double d = end.root * end.root, r = step.r;
     const double q = 0.4 * (r > 0 ? d * end.root + r * r * end.root + r * r * r * r / (end.root + r)
                                   : d * d * end.root / (d - step.d0));
-    const double slip = is_damped ? q * SlipFunction<Float64>::at(step.damping * q).k : 0;
+    const double correction = is_damped ? q * CorrectionFunction<Float64>::at(step.damping * q).k : 0;
     const double back = is_damped ? q * (1 + A) / (1 + step.damping * q) : q;
-    EXPECT_NEAR(d + back + slip, dt, 1e-10 * dt) << r << ' ' << step.d0 << ' ' << step.travel << ' ' << step.damping;
+    EXPECT_NEAR(d + back + correction, dt, 1e-10 * dt)
+        << r << ' ' << step.d0 << ' ' << step.travel << ' ' << step.damping;
   }
   EXPECT_GT(stays, 10000);
 }

@@ -25,7 +25,7 @@ bool is_held(const Kernel& absorber) {
     most = std::ldexp(1 + 0x1p-30, units.position_exponent - 1);
   const auto& state = absorber.state();
   return std::abs(now.x1) <= most && std::isfinite(now.x2) && std::isfinite(now.v1) && std::isfinite(now.v2) &&
-         units.in_range(state.x1, state.x2, state.w1);
+         units.in_range(state.x1, state.x2, state.dx1);
 }
 
 template <class Kernel>
@@ -192,8 +192,8 @@ TYPED_TEST(Faults, AStateThatNoStepLeavesIsRefused) {
   EXPECT_TRUE(restores<TypeParam>([](auto&) {}));
   EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.x1); }));
   EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.x2); }));
-  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.w1); }));
-  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.w2); }));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.dx1); }));
+  EXPECT_FALSE(restores<TypeParam>([&](auto& state) { out_of_range(state.dx2); }));
   EXPECT_FALSE(restores<TypeParam>([](auto& state) { state.at_left = 2; }));
   EXPECT_FALSE(restores<TypeParam>([](auto& state) { state.fault = static_cast<Fault>(99); }));
   EXPECT_FALSE(restores<TypeParam>([](auto& state) { state.contact.phase = static_cast<Phase>(3); }));

@@ -67,14 +67,14 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
   const double x1 = (3 * random.fraction() - 1.5) * (bounds.displacement - apart);
   state.x1 = plan.units.state_at(x1);
   state.x2 = plan.units.state_at(left ? x1 - apart : x1 + apart);
-  state.w1 = plan.units.state(random.scattered(2 * bounds.speed) * plan.step);
-  state.w2 = plan.units.state(random.scattered(2 * bounds.speed) * plan.step);
+  state.dx1 = plan.units.state(random.scattered(2 * bounds.speed) * plan.step);
+  state.dx2 = plan.units.state(random.scattered(2 * bounds.speed) * plan.step);
   state.contact = {};
   state.at_left = left;
   state.fault = Fault::none;
   const auto inside = plan.units.penetration(mirrored(state.x2 - state.x1, left));
   if (is_positive(inside) && random.below(3) != 0) {
-    state.contact.start(plan.contact, plan.units, inside, mirrored(plan.units.relative(state.w2 - state.w1), left));
+    state.contact.start(plan.contact, plan.units, inside, mirrored(plan.units.relative(state.dx2 - state.dx1), left));
     if (can_be_released && random.below(3) == 0) state.contact.phase = Phase::released;
   }
   return absorber.restore(saved);

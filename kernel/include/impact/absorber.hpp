@@ -114,7 +114,7 @@ class Absorber
 
   // All that changes from step to step. Plain: it can be copied, kept and given back.
   struct State : Features::template State<Format>... {
-    Long x1, w1, x2, w2;  // displacement and displacement per step: main mass, ball
+    Long x1, dx1, x2, dx2;  // displacement and displacement per step: main mass, ball
     typename Drive::template State<Format> drive;
     Contact contact;
     uint16_t at_left;  // the stop of the contact under way or last
@@ -125,7 +125,7 @@ class Absorber
     start();
     if constexpr (publishes) see(Window::first(), begins_inside());
   }
-  explicit constexpr Absorber(const PlanType& made) : Source(made) {
+  explicit constexpr Absorber(const PlanType& next) : Source(next) {
     start();
     if constexpr (publishes) see(Window::first(), begins_inside());
   }
@@ -164,13 +164,13 @@ class Absorber
   constexpr Value displacement() const { return plan.units.position(state_.x1); }  // of the main mass
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(rate_ahead());
-    if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.w1_share);
-    return plan.units.velocity(plan.units.displacement(state_.w1) + rate);
+    if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
+    return plan.units.velocity(plan.units.displacement(state_.dx1) + rate);
   }
   constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
   constexpr Value ball_velocity() const {
-    Value rate = plan.units.displacement(state_.w2);
-    if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.w2_share);
+    Value rate = plan.units.displacement(state_.dx2);
+    if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.dx2_share);
     return plan.units.velocity(rate);
   }
   // On the main mass, along x, the mean of the last step; the ball feels the opposite.
@@ -215,8 +215,8 @@ class Absorber
     if (units.hold_correction(dx)) raise(Fault::displacement);
     if (units.hold_correction(du)) raise(Fault::speed);
     units.add_position(state_.x1, dx);
-    units.add_displacement(state_.w1, du);
-    units.add(state_.w1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
+    units.add_displacement(state_.dx1, du);
+    units.add(state_.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
     if (!hold_in_range() && state_.contact.phase != Phase::apart) touch_anew();
     (Features::after_correction(state_), ...);
     publish();
@@ -265,11 +265,11 @@ class Absorber
   };
   constexpr Reading reading() const {
     if (Source::is_refused()) return {};
-    double u1 = plan.units.si(state_.w1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.w2);
+    double u1 = plan.units.si(state_.dx1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.dx2);
     if constexpr (Contact::keeps_force) {
       const double side = state_.at_left ? -1 : 1;
-      u1 -= side * plan.units.si_penetration(plan.contact.w1_share * state_.contact.force);
-      u2 += side * plan.units.si_penetration(plan.contact.w2_share * state_.contact.force);
+      u1 -= side * plan.units.si_penetration(plan.contact.dx1_share * state_.contact.force);
+      u2 += side * plan.units.si_penetration(plan.contact.dx2_share * state_.contact.force);
     }
     return {plan.units.si_at(state_.x1), u1 / plan.step, plan.units.si_at(state_.x2), u2 / plan.step};
   }
@@ -279,17 +279,17 @@ class Absorber
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
 
-  // A shared kick changes a position by at most an eighth of 2^63, and a step's displacement by a quarter: where both
-  // come to a state in range before it is looked at, it does not wrap.
+  // A shared response changes a position by at most an eighth of 2^63, and a step's displacement by a quarter: where
+  // both come to a state in range before it is looked at, it does not wrap.
   static constexpr bool judges_contact_once = decltype(PlanType::contact.response)::is_shared;
 
   constexpr void start() {
     state_ = State{};
     if (Source::is_refused()) return;
     state_.x1 = plan.x1;
-    state_.w1 = plan.w1;
+    state_.dx1 = plan.dx1;
     state_.x2 = plan.x2;
-    state_.w2 = plan.w2;
+    state_.dx2 = plan.dx2;
     state_.drive = decltype(state_.drive)::start(plan.drive);
     const bool left = is_at_left();
     const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, left));
@@ -304,24 +304,24 @@ class Absorber
     if (Source::is_refused()) return;
     if constexpr (Drive::is_sampled)
       if (!state_.drive.accepts(plan.drive, sample)) hold_sample(sample);
-    Long main_travel = state_.w1;
-    if constexpr (Drive::is_sampled) plan.units.add(main_travel, state_.drive.kick(plan.drive, sample));
+    Long main_travel = state_.dx1;
+    if constexpr (Drive::is_sampled) plan.units.add(main_travel, state_.drive.at_once(plan.drive, sample));
     state_.x1.advance(main_travel);
-    state_.x2.advance(state_.w2);
+    state_.x2.advance(state_.dx2);
     Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
-                      Format::term(plan.damping, plan.units.displacement(state_.w1));
+                      Format::term(plan.damping, plan.units.displacement(state_.dx1));
     if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
-    plan.units.add(state_.w1, increment);
+    plan.units.add(state_.dx1, increment);
 
-    if (!judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.w1)) {
+    if (!judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.dx1)) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
       if constexpr (Format::calls_contact)
         call_touch(increment, main_travel);
       else
         touch(increment, main_travel);
-    } else if (judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.w1)) {
+    } else if (judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.dx1)) {
       hold();
     }
     (Features::after_step(plan, state_), ...);
@@ -379,7 +379,7 @@ class Absorber
   // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
   constexpr Value rate_ahead() const {
     Value ahead =
-        plan.rate_by_w1 * plan.units.displacement(state_.w1) + plan.rate_by_x1 * plan.units.position(state_.x1);
+        plan.rate_by_dx1 * plan.units.displacement(state_.dx1) + plan.rate_by_x1 * plan.units.position(state_.x1);
     if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state_.drive.rate(plan.drive);
     return ahead;
   }
@@ -395,17 +395,17 @@ class Absorber
       return;
     }
     step.rate = relative_rate(left);
-    step.travel = mirrored(plan.units.relative(state_.w2 - main_travel), left);
+    step.travel = mirrored(plan.units.relative(state_.dx2 - main_travel), left);
     step.before = step.penetration - step.travel;
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }
 
   // The penetration; whether there is a contact, under way or begun.
   [[gnu::always_inline]] constexpr bool is_inside(Approach<Value>& step, bool left) {
-    const Long along = mirrored(state_.x2 - state_.x1, left);
-    step.penetration = plan.units.penetration(along);
+    const Long relative_displacement = mirrored(state_.x2 - state_.x1, left);
+    step.penetration = plan.units.penetration(relative_displacement);
     if (state_.contact.phase == Phase::apart && !is_positive(step.penetration)) return false;
-    if (!plan.units.fits(along)) raise(Fault::penetration);
+    if (!plan.units.fits(relative_displacement)) raise(Fault::penetration);
     return true;
   }
 
@@ -427,15 +427,15 @@ class Absorber
     if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left))
       return false;
     step.increment = -mirrored(increment, left);
-    step.main_rate = mirrored(units.relative(state_.w1) + rate_ahead(), left);
+    step.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
     const Contact contact_before = contact;
-    const auto kick = contact.resolve(plan.contact, units, step);
+    const auto impulse = contact.resolve(plan.contact, units, step);
     reload(state_);
-    plan.contact.response.answer(units, state_, mirrored(kick, left));
+    plan.contact.response.answer(units, state_, mirrored(impulse, left));
     contact.place_ball(units, state_, left);
     if (hold_in_range()) return false;
     if constexpr (sizeof...(Features) > 0) {
-      const auto seen = contact.record(plan.contact, units, step, contact_before, kick);
+      const auto seen = contact.record(plan.contact, units, step, contact_before, impulse);
       (Features::after_contact(plan, state_, seen), ...);
     }
     return true;
@@ -443,7 +443,7 @@ class Absorber
 
   // Rate of penetration, for the state as it stands.
   constexpr Value relative_rate(bool left) const {
-    return mirrored(plan.units.relative(state_.w2 - state_.w1) - rate_ahead(), left);
+    return mirrored(plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead(), left);
   }
 
   constexpr bool is_beyond_stop() const {
@@ -458,8 +458,8 @@ class Absorber
 
   constexpr bool is_sound(const State& state) const {
     const auto& units = plan.units;
-    bool is_sound = units.in_range(state.x1, state.x2, state.w1, state.w2) && units.is_sound(state.x1) &&
-                    units.is_sound(state.x2) && units.is_sound(state.w1) && units.is_sound(state.w2) &&
+    bool is_sound = units.in_range(state.x1, state.x2, state.dx1, state.dx2) && units.is_sound(state.x1) &&
+                    units.is_sound(state.x2) && units.is_sound(state.dx1) && units.is_sound(state.dx2) &&
                     state.contact.phase <= Phase::released && state.at_left <= 1 && state.fault <= Fault::sample;
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
@@ -469,14 +469,14 @@ class Absorber
 
   // What contact or a change of plan has left beyond its range.
   constexpr bool hold_in_range() {
-    if (plan.units.in_range(state_.x1, state_.x2, state_.w1, state_.w2)) return false;
+    if (plan.units.in_range(state_.x1, state_.x2, state_.dx1, state_.dx2)) return false;
     hold();
     return true;
   }
   __attribute__((noinline)) constexpr void hold() {
     const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);
-    plan.units.hold_displacement(state_.w1);
-    plan.units.hold_displacement(state_.w2);
+    plan.units.hold_displacement(state_.dx1);
+    plan.units.hold_displacement(state_.dx2);
     state_.contact.phase = Phase::apart;  // and no more: to clear it all is a call of memset on a Cortex-M0
     state_.contact.drop_force();
     raise(is_far || is_ball_far ? Fault::displacement : Fault::speed);

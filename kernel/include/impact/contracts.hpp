@@ -25,8 +25,8 @@
 //           bound_forces(terms, largest)           adds the largest push and force to the bounds, m and m per step
 //           phase                      Phase: where the contact stands between steps
 //           start(plan, units, penetration, rate)  a contact that begins at this state
-//           resolve(plan, units, ..)   from the step as the stop sees it, the kick: stepper/treatment.hpp has its
-//           shapes
+//           resolve(plan, units, ..)   from the step as the stop sees it, the impulse: shapes in
+//                                      stepper/treatment.hpp
 //
 // Drive     is_sine, is_sampled        at most one of them
 //           Plan<Format>, State<Format>, Handover<Format>    constants, what changes from step to step, and what a

@@ -41,9 +41,9 @@ struct EnergyLedger {
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     using Format = typename Plan::FormatType;
     const auto rate_before = step.follows ? state.rate : step.rate_at_impact;
-    const auto work = step.has_way ? Format::rounded_product(step.force.impulse, step.way)
-                                   : Format::rounded_product(step.force.impulse, step.rate) -
-                                         Format::rounded_product(step.rate - rate_before, step.force.moment);
+    const auto work = step.has_way ? Format::rounded_product(step.force.j0, step.way)
+                                   : Format::rounded_product(step.force.j0, step.rate) -
+                                         Format::rounded_product(step.rate - rate_before, step.force.j1);
     state.dissipated.add(work - (step.stored - state.stored));
     state.stored = step.stored;
     state.rate = step.rate;
@@ -92,7 +92,7 @@ struct ImpactLog {
       ++state.impacts;
       state.impact_rate = step.rate_at_impact;
     }
-    if (is_positive(step.force.impulse - state.peak_force)) state.peak_force = step.force.impulse;
+    if (is_positive(step.force.j0 - state.peak_force)) state.peak_force = step.force.j0;
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State&) {}
@@ -119,7 +119,7 @@ struct ContactForce {
   static constexpr void start(const Plan&, State&) {}
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
-    state.force_of_step = state.force_of_step + mirrored(step.force.impulse, state.at_left & 1);
+    state.force_of_step = state.force_of_step + mirrored(step.force.j0, state.at_left & 1);
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State& state) {

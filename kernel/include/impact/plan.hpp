@@ -28,14 +28,14 @@ struct Plan {
   PlanStatus status;  // unless ok, the rest is meaningless
   double step;        // h, s
   typename Format::Units units;
-  Gain stiffness, damping;      // of the recurrence in linear_flow.hpp
-  Gain rate_by_w1, rate_by_x1;  // a velocity from the displacement that the coming step will make
+  Gain stiffness, damping;       // of the recurrence in linear_flow.hpp
+  Gain rate_by_dx1, rate_by_x1;  // a velocity from the displacement that the coming step will make
   typename Drive::template Plan<Format> drive;
   typename Treatment::Plan contact;
   double force_unit, drive_unit;  // N
   bool left_stop, right_stop;
   bool crosses;                      // a step can leave one stop and touch the other
-  Long x1, w1, x2, w2;               // the initial state
+  Long x1, dx1, x2, dx2;             // the initial state
   uint32_t identity;                 // the fingerprint of scene, bounds, step and types
   Handover<Format, Drive> handover;  // read by a change of plan only
 
@@ -146,7 +146,8 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   terms.force_unit = Treatment::force_unit(terms, exponents);
   terms.damping_exponent = exponents.force + (terms.is_linear ? exponents.penetration : 0);
   if (!Treatment::is_instantaneous &&
-      !Format::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass), exponents.kick))
+      !Format::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass),
+                        exponents.recoil))
     return refused(PlanStatus::contact_stiffness);
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2, h, terms.force_unit);
@@ -157,7 +158,7 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   plan.units = units;
   plan.stiffness = Format::gain(flow.stiffness(), exponents.position, exponents.increment);
   plan.damping = Format::gain(scene.main_damping > 0 ? flow.damping() : 0, exponents.displacement, exponents.increment);
-  plan.rate_by_w1 = Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration);
+  plan.rate_by_dx1 = Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration);
   plan.rate_by_x1 = Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration);
   plan.drive = Drive::template make_plan<Format>(scene, bounds, h, flow, exponents);
   plan.contact = Treatment::make_plan(terms, flow, exponents);
@@ -167,13 +168,13 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   plan.right_stop = scene.stops != Stops::left;
   plan.crosses = terms.crosses && Treatment::meets_both_stops;
   plan.x1 = units.state_at(scene.x1);
-  plan.w1 = units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0));
+  plan.dx1 = units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0));
   plan.x2 = units.state_at(scene.x2);
-  plan.w2 = units.state(scene.v2 * h);
+  plan.dx2 = units.state(scene.v2 * h);
   plan.identity = identity_of(scene, bounds, h);
   plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents);
   if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(PlanStatus::displacement_bound);
-  if (!units.holds_start(plan.x1, plan.x2, plan.w1, plan.w2)) return refused(PlanStatus::speed_bound);
+  if (!units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return refused(PlanStatus::speed_bound);
   return plan;
 }
 

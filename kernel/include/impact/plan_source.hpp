@@ -50,7 +50,7 @@ class PlanSource<AtRunTime, PlanType_> {
   static constexpr bool is_constant = false;
   // Of such a plan only the status means anything.
   constexpr bool is_refused() const { return plan.status != PlanStatus::ok; }
-  explicit constexpr PlanSource(const PlanType& made) : plan(made) {}
+  explicit constexpr PlanSource(const PlanType& next) : plan(next) {}
   constexpr PlanSource() : plan{} {
     static_assert(
         sizeof(PlanType) == 0,

@@ -23,7 +23,7 @@ struct SelfTestRig {
   static constexpr double step = 1e-3;
 };
 
-// FNV-1a over x1, w1, x2 and w2 after each step.
+// FNV-1a over x1, dx1, x2 and dx2 after each step.
 template <class Format>
 [[gnu::noinline]] uint32_t self_test_bits() {
   Absorber<SelfTestRig, HuntCrossley, Moment, Sine, Format> absorber;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Going on under another plan without a jump: positions, velocities and the drive's phase stay as they are. Positions
-// and the ball's w2 = h v2 are the same numbers under both plans; the main mass's displacement in the coming step is
+// and the ball's dx2 = h v2 are the same numbers under both plans; the main mass's displacement in the coming step is
 // not, because the spring, the damper and the drive have a part in it. With the map of linear_flow.hpp and the drive's
 // share P,
 //
-//     w1 = e11 x1 + e12 h v1 + P
-//     ahead(old)  = h v1 - w1 = (1/e12 - 1) w1 - (e11/e12) x1 - P/e12
-//     behind(new) = h v1 - w1 = (1 - e12) h v1 - e11 x1 - P
-//     w1' = w1 + ahead(old) - behind(new)
+//     dx1 = e11 x1 + e12 h v1 + P
+//     ahead(old)  = h v1 - dx1 = (1/e12 - 1) dx1 - (e11/e12) x1 - P/e12
+//     behind(new) = h v1 - dx1 = (1 - e12) h v1 - e11 x1 - P
+//     dx1' = dx1 + ahead(old) - behind(new)
 //
 // Only the difference is computed in 32 bits: it is of the size of what spring and drive change in half a step, so that
 // its rounding is 2^-31 (Fixed32) or 2^-24 (Float32) of that. Some twenty multiplications and a copy of the plan; no
@@ -28,7 +28,7 @@ struct Handover {
   using Gain = typename Format::Gain;
 
   uint32_t units;  // what a state counts in: the fingerprint of bounds, step, clearance and stops
-  Gain ahead_by_w1, ahead_by_x1, behind_by_u1, behind_by_x1;
+  Gain ahead_by_dx1, ahead_by_x1, behind_by_u1, behind_by_x1;
   typename Drive::template Handover<Format> drive;
 
   static constexpr Handover make(const Scene& scene, const Bounds& bounds, double h, const LinearFlow& flow,
@@ -51,11 +51,11 @@ template <class Plan, class State>
 constexpr void hand_over(const Plan& from, const Plan& to, State& state) {
   const auto x1 = from.units.position(state.x1);
   const auto drive = state.drive.hand_over(from.drive, from.handover.drive, to.drive, to.handover.drive);
-  auto u1 = state.w1;
-  from.units.add(
-      u1, from.handover.ahead_by_w1 * from.units.displacement(state.w1) + from.handover.ahead_by_x1 * x1 - drive.ahead);
-  state.w1 = u1;
-  to.units.add(state.w1,
+  auto u1 = state.dx1;
+  from.units.add(u1, from.handover.ahead_by_dx1 * from.units.displacement(state.dx1) + from.handover.ahead_by_x1 * x1 -
+                         drive.ahead);
+  state.dx1 = u1;
+  to.units.add(state.dx1,
                -(to.handover.behind_by_u1 * to.units.displacement(u1) + to.handover.behind_by_x1 * x1 - drive.behind));
 }
 

@@ -15,7 +15,7 @@ struct Sampled {
 
   template <class Format>
   struct Plan {
-    typename Format::Gain kick, increment_before, increment_now, rate;
+    typename Format::Gain at_once, increment_before, increment_now, rate;
     typename Format::Value largest;
     float per_newton;  // native numbers
   };
@@ -58,8 +58,8 @@ struct Sampled {
       return Format::held_within(next, plan.largest, sample);
     }
     // What the sample at the end of the step adds at once to the displacement.
-    constexpr typename Format::Value kick(const Plan<Format>& plan, typename Format::Value next) const {
-      return plan.kick * next;
+    constexpr typename Format::Value at_once(const Plan<Format>& plan, typename Format::Value next) const {
+      return plan.at_once * next;
     }
     constexpr typename Format::Value advance(const Plan<Format>& plan, typename Format::Value next) {
       const auto increment = plan.increment_before * sample + plan.increment_now * next;

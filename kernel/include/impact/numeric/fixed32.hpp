@@ -104,9 +104,10 @@ struct Fixed32 {
   static constexpr Weight weight(double factor, int from, int to) { return {gain(factor, from, to)}; }
 
   // Every unit is the least that holds its bound, but for room: what is added to a state in range, at most half of its
-  // own unit, must not wrap it before it is looked at again (a displacement and a drive's kick to a position, three
-  // increments at a change of plan to a displacement, in a contact two pushes to a displacement or one and a slip to a
-  // position). Where a quantity is large beside the positions' bound, their unit grows to leave that room.
+  // own unit, must not wrap it before it is looked at again (a displacement and a drive's sample to a position, three
+  // increments at a change of plan to a displacement, in a contact two pushes to a displacement or one and a position
+  // correction to a position). Where a quantity is large beside the positions' bound, their unit grows to leave that
+  // room.
   static constexpr UnitExponents exponents(const UnitBounds& bounds) {
     using constant::exponent_above;
     UnitExponents e{};
@@ -126,7 +127,7 @@ struct Fixed32 {
     for (int* const own : others)
       if (*own < e.position - 31) *own = e.position - 31;
     if (e.displacement <= e.increment) e.displacement = e.increment + 1;
-    e.kick = e.push - 1;
+    e.recoil = e.push - 1;
     return e;
   }
   // A force of more than 2^20 times k1 times the penetrations' unit to its power has no factor. Rates count in the
@@ -198,24 +199,24 @@ struct Fixed32 {
     static constexpr void add_position(Long& x, Value by) { x.raw += shifted_left(by.raw, 32); }
     constexpr void add_displacement(Long& w, Value by) const { w.raw += shifted_left(by.raw, displacement_shift); }
     constexpr void add(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, increment_shift); }
-    // Modulo 2^64: what a state beyond its bounds slips may be anything.
+    // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
     constexpr void displace(Long& x, Value penetration) const {
-      const auto slip = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
-      x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + slip);
+      const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
+      x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
     }
     constexpr void push(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift); }
     constexpr void push(Long& x, Signed<32> increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
-    constexpr void kick(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
+    constexpr void recoil(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
     constexpr Value relative(Long difference) const {
       return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
     }
-    constexpr Value penetration(Long along) const {
-      const int64_t inside = (along - Long{gap}).raw;
-      if (fits(along)) return {static_cast<int32_t>(inside >> penetration_shift)};
+    constexpr Value penetration(Long relative_displacement) const {
+      const int64_t inside = (relative_displacement - Long{gap}).raw;
+      if (fits(relative_displacement)) return {static_cast<int32_t>(inside >> penetration_shift)};
       return {inside < 0 ? INT32_MIN : INT32_MAX};
     }
-    constexpr bool fits(Long along) const {
-      const auto upper = static_cast<uint32_t>((along - Long{gap}).raw >> 32);
+    constexpr bool fits(Long relative_displacement) const {
+      const auto upper = static_cast<uint32_t>((relative_displacement - Long{gap}).raw >> 32);
       return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) <= 1;
     }
     // On the upper words alone: true whenever x2 - x1 > gap, and at times one last place early.
@@ -230,18 +231,18 @@ struct Fixed32 {
     static constexpr int32_t upper_difference(Long x2, Long x1) {
       return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
     }
-    // In range while the top two bits of each Value agree, which one step's increment cannot carry w1 past.
-    constexpr bool in_range(Long x1, Long x2, Long w1) const {
-      return static_cast<int32_t>(top(x1) | top(x2) | top(w1) << (32 - displacement_shift)) >= 0;
+    // In range while the top two bits of each Value agree, which one step's increment cannot carry dx1 past.
+    constexpr bool in_range(Long x1, Long x2, Long dx1) const {
+      return static_cast<int32_t>(top(x1) | top(x2) | top(dx1) << (32 - displacement_shift)) >= 0;
     }
     // The same, however far out they are.
-    constexpr bool in_range(Long x1, Long x2, Long w1, Long w2) const {
+    constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) const {
       const uint64_t half = uint64_t{1} << (displacement_shift + 30);
-      const uint64_t beyond = (static_cast<uint64_t>(w1.raw) + half) | (static_cast<uint64_t>(w2.raw) + half);
+      const uint64_t beyond = (static_cast<uint64_t>(dx1.raw) + half) | (static_cast<uint64_t>(dx2.raw) + half);
       return static_cast<int32_t>(top(x1) | top(x2)) >= 0 && beyond >> (displacement_shift + 31) == 0;
     }
     static constexpr bool is_sound(Long) { return true; }
-    constexpr bool holds_start(Long x1, Long x2, Long w1, Long w2) const { return in_range(x1, x2, w1, w2); }
+    constexpr bool holds_start(Long x1, Long x2, Long dx1, Long dx2) const { return in_range(x1, x2, dx1, dx2); }
     static constexpr uint32_t top(Long x) {
       const auto upper = static_cast<uint32_t>(x.raw >> 32);
       return upper ^ upper << 1;
@@ -264,7 +265,7 @@ struct Fixed32 {
     // 1, and a purely elastic force, in the unit of forces.
     constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
     // A number from what counts in the unit of forces.
-    constexpr Value whole(Value x) const {
+    constexpr Value as_number(Value x) const {
       return {force_bits >= 0 ? static_cast<int32_t>(static_cast<uint32_t>(x.raw) << force_bits)
                               : x.raw >> -force_bits};
     }
@@ -426,10 +427,6 @@ struct Fixed32 {
   // Below x by more than what an iteration leaves, and a Root.
   static constexpr Wide rounded_down(Wide x) {
     return Floating::of((x * Floating::of(1 - constant::power_of_two(-24))).size(), 0);
-  }
-  static constexpr Value unity() { return {INT32_MAX}; }
-  static constexpr Value four_times_up_to_one(Value x) {
-    return {x.raw < 1 << 29 ? static_cast<int32_t>(static_cast<uint32_t>(x.raw) << 2) : INT32_MAX};
   }
   static constexpr Unsigned<32> root_of_product(Unsigned<30> x) {
     return {square_root_q32(x.raw < UINT32_C(1) << 30 ? x.raw << 2 : ~UINT32_C(0))};

@@ -8,8 +8,8 @@
 // step and newtons: its units are all 1, and the functions that elsewhere move points and signs do nothing.
 //
 // Its range is +-2^20 m, and as much per step, the most that Bounds can state: what passes it is held there, and what
-// is no number becomes 0. Of a free step only x1 need be looked at: x2 grows by a w2 that only contact changes, and w1
-// lacks but the spring's share of x1 and the drive's, both finite.
+// is no number becomes 0. Of a free step only x1 need be looked at: x2 grows by a dx2 that only contact changes, and
+// dx1 lacks but the spring's share of x1 and the drive's, both finite.
 
 #include <stddef.h>
 
@@ -127,9 +127,9 @@ struct RealFormat {
     static constexpr void add(Long& x, Value increment) { x.add(increment); }
     static constexpr void displace(Long& x, Value penetration) { x.add(penetration); }
     static constexpr void push(Long& x, Value increment) { x.add(increment); }
-    static constexpr void kick(Long& x, Value increment) { x.add(increment); }
+    static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
-    constexpr Value penetration(Long along) const { return (along - gap).value(); }
+    constexpr Value penetration(Long relative_displacement) const { return (relative_displacement - gap).value(); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
     static constexpr bool fits(Long) { return true; }
     constexpr bool beyond_stops(Long x2, Long x1) const {
@@ -143,8 +143,8 @@ struct RealFormat {
       return main;
     }
     static constexpr bool in_range(Long x1, Long, Long) { return is_below_limit(x1.sum); }
-    static constexpr bool in_range(Long x1, Long x2, Long w1, Long w2) {
-      return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(w1.sum) && is_below_limit(w2.sum);
+    static constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) {
+      return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(dx1.sum) && is_below_limit(dx2.sum);
     }
     static constexpr bool is_below_limit(Real x) {
       return magnitude_bits(x) < magnitude_bits(static_cast<Real>(1048576));
@@ -163,7 +163,7 @@ struct RealFormat {
     static constexpr bool holds_start(Long, Long, Long, Long) { return true; }
     static constexpr Value one() { return 1; }
     static constexpr Value elastic(Value x) { return x; }
-    static constexpr Value whole(Value x) { return x; }
+    static constexpr Value as_number(Value x) { return x; }
   };
 
   using Weight = Gain;
@@ -226,8 +226,6 @@ struct RealFormat {
   static constexpr Wide rounded_down(Wide x) {
     return x * static_cast<Real>(1 - constant::power_of_two(sizeof(Real) == 4 ? -20 : -49));
   }
-  static constexpr Real unity() { return 1; }
-  static constexpr Real four_times_up_to_one(Real x) { return 4 * x < 1 ? 4 * x : 1; }
   static constexpr Real root_of_product(Real x) { return root(x); }
   static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
   static constexpr Real power_four_fifths(Real x) {

@@ -10,7 +10,7 @@ struct UnitExponents {
   int displacement = 0;  // of the displacement per step, m
   int increment = 0;     // of what spring and drive add to it in a step, m
   int push = 0;          // of what contact adds to it in a step, m
-  int kick = 0;          // of what contact adds to the rate of penetration in a step, m
+  int recoil = 0;        // of what contact adds to the rate of penetration in a step, m
   int penetration = 0;   // m; rates of penetration, in m per step, share it
   int force = 0;         // of the contact force over k1 * 2^(penetration * exponent of the law)
 };

@@ -9,8 +9,8 @@
 //
 //     t h before the end of the step,  t = (d - depth)/D, at most 1.
 //
-// While d < depth the centroid is yet to come: the ball flies on, inside the stop. A kick J at the centroid acts on the
-// end of the step as
+// While d < depth the centroid is yet to come: the ball flies on, inside the stop. An impulse J at the centroid acts on
+// the end of the step as
 //
 //     x2 -= t h J/m    v2 -= J/m    x1 += p J/M    v1 += g J/M    p = t h (1 - (w0 t h)^2/6)    g = 1 - (w0 t h)^2/2
 //
@@ -110,18 +110,18 @@ struct Impulsive {
       if (rests) state.x2 = units.stop(state.x1, left);
     }
     constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&, const Contact& before,
-                                        const SplitKick<Value>& kick) const {
-      const Value impulse = kick.ball.impulse;
+                                        const SplitImpulse<Value>& given) const {
+      const Value impulse = given.ball.j0;
       return {{impulse, Format::value(half(impulse))},
               Value{},
-              kick.rate,
-              kick.rate - impulse - impulse,
+              given.rate,
+              given.rate - impulse - impulse,
               before.phase == Phase::apart,
               false};
     }
 
-    [[gnu::always_inline]] constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units,
-                                                              Approach<Value> step) {
+    [[gnu::always_inline]] constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units,
+                                                                 Approach<Value> step) {
       const Value trial = step.penetration, trial_rate = step.rate, travel = step.travel;
       rests = 0;
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
@@ -141,14 +141,14 @@ struct Impulsive {
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - Format::value(half(rate)))) {
           if (!is_inside) phase = Phase::apart;
-          return at.kick(t, impulse);
+          return at.split(t, impulse);
         }
       }
       rests = 1;
       const auto t = Format::quotient(positive_part(trial), positive_part(rate));
       const Instant at(plan, t, rate, acceleration, step.main_rate);
       const Value half_rate = Format::value(half(rate));
-      return at.kick(t, held(plan, units, is_positive(at.rate - half_rate) ? half_rate : at.rate));
+      return at.split(t, held(plan, units, is_positive(at.rate - half_rate) ? half_rate : at.rate));
     }
 
    private:
@@ -177,7 +177,7 @@ struct Impulsive {
                  Format::value(half(turned * main_rate))) {}
       constexpr Value sixth(Value x) const { return Format::value(turned * x * Format::short_constant(1.0 / 6)); }
       template <class Share>
-      constexpr SplitKick<Value> kick(Share t, Value impulse) const {
+      constexpr SplitImpulse<Value> split(Share t, Value impulse) const {
         return {{impulse - Format::value(half(turned * impulse)), Format::value(t * (impulse - sixth(impulse)))},
                 {impulse, Format::value(t * impulse)},
                 rate};

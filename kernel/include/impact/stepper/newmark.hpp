@@ -44,10 +44,10 @@ struct Pointwise {
 
     struct Plan {
       Response<Gain> response;
-      Gain w1_next, w2_next;    // what the force still does to the displacement per step after the next step
-      Gain w1_share, w2_share;  // its share of the displacement that the next step will make
-      Gain damping;             // c1 / (k1 h)
-      Gain solution;            // Hooke-Newton: 1 / (1 - d law / d force)
+      Gain dx1_next, dx2_next;    // what the force still does to the displacement per step after the next step
+      Gain dx1_share, dx2_share;  // its share of the displacement that the next step will make
+      Gain damping;               // c1 / (k1 h)
+      Gain solution;              // Hooke-Newton: 1 / (1 - d law / d force)
       int passes;
       bool clamped;
     };
@@ -87,24 +87,25 @@ struct Pointwise {
     template <class State>
     static constexpr void carry_over(const Plan& plan, const Units& units, State& state, bool left) {
       const Value carried = mirrored(state.contact.force, left);
-      units.push(state.w1, plan.w1_next * carried);
-      units.push(state.w2, -(plan.w2_next * carried));
+      units.push(state.dx1, plan.dx1_next * carried);
+      units.push(state.dx2, -(plan.dx2_next * carried));
     }
     constexpr bool is_sound(const Plan& plan) const {
-      return Format::is_sound(plan.w1_share * force) && Format::is_sound(plan.w2_share * force);
+      return Format::is_sound(plan.dx1_share * force) && Format::is_sound(plan.dx2_share * force);
     }
     constexpr void drop_force() { force = Value{}; }
     // The force, linear over the step between its values before and after.
     constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                        const Contact& before, const Kick<Value>& kick) const {
-      const Kick<Value> mean = {
+                                        const Contact& before, const Impulse<Value>& impulse) const {
+      const Impulse<Value> mean = {
           Format::value(half(before.force + force)),
           Format::value(Format::constant(0.5 - beta) * before.force) + Format::value(Format::constant(beta) * force)};
-      return recorded<Format, ContactLaw>(plan.response, units, step, kick, mean, before.phase == Phase::apart,
+      return recorded<Format, ContactLaw>(plan.response, units, step, impulse, mean, before.phase == Phase::apart,
                                           phase == Phase::touching);
     }
 
-    [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
+    [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
+                                                            const Approach<Value>& step) {
       const Value trial = step.penetration, trial_rate = step.rate;
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What every contact treatment is made of: the phase between steps, the kick that a step's contact force gives, the
+// What every contact treatment is made of: the phase between steps, the impulse that a step's contact force gives, the
 // responses of both masses to it, and the units of its forces.
 
 #include <stdint.h>
@@ -28,32 +28,32 @@ struct Approach {
 
 // The impulse of the contact's force in a step, and its moment about the step's end.
 template <class Value>
-struct Kick {
-  Value impulse, moment;
+struct Impulse {
+  Value j0, j1;
 };
 template <class Value>
-[[gnu::always_inline]] constexpr Kick<Value> mirrored(const Kick<Value>& kick, bool left) {
-  return {mirrored(kick.impulse, left), mirrored(kick.moment, left)};
+[[gnu::always_inline]] constexpr Impulse<Value> mirrored(const Impulse<Value>& impulse, bool left) {
+  return {mirrored(impulse.j0, left), mirrored(impulse.j1, left)};
 }
 
-// A kick that the two masses feel differently, and the rate of penetration at which it came.
+// A impulse that the two masses feel differently, and the rate of penetration at which it came.
 template <class Value>
-struct SplitKick : Kick<Value> {
-  Kick<Value> ball;
+struct SplitImpulse : Impulse<Value> {
+  Impulse<Value> ball;
   Value rate;
 };
 template <class Value>
-[[gnu::always_inline]] constexpr SplitKick<Value> mirrored(const SplitKick<Value>& kick, bool left) {
-  return {{mirrored(kick.impulse, left), mirrored(kick.moment, left)}, mirrored(kick.ball, left), kick.rate};
+[[gnu::always_inline]] constexpr SplitImpulse<Value> mirrored(const SplitImpulse<Value>& impulse, bool left) {
+  return {{mirrored(impulse.j0, left), mirrored(impulse.j1, left)}, mirrored(impulse.ball, left), impulse.rate};
 }
 
 template <class Value>
-constexpr const Kick<Value>& felt_by_ball(const Kick<Value>& kick) {
-  return kick;
+constexpr const Impulse<Value>& felt_by_ball(const Impulse<Value>& impulse) {
+  return impulse;
 }
 template <class Value>
-constexpr const Kick<Value>& felt_by_ball(const SplitKick<Value>& kick) {
-  return kick.ball;
+constexpr const Impulse<Value>& felt_by_ball(const SplitImpulse<Value>& impulse) {
+  return impulse.ball;
 }
 
 // A step in contact as the features see it: the force's impulse and moment, the energy stored at its end, the rate of
@@ -61,22 +61,22 @@ constexpr const Kick<Value>& felt_by_ball(const SplitKick<Value>& kick) {
 // whose force is constant knows its way, and with it the work to rounding.
 template <class Value>
 struct ContactStep {
-  Kick<Value> force;
+  Impulse<Value> force;
   Value stored, rate_at_impact, rate;
   bool begins, follows;
   bool has_way = false;
   Value way{};
 };
 
-// The step of a treatment whose kick acts on both masses alike, by its response.
+// The step of a treatment whose impulse acts on both masses alike, by its response.
 template <class Format, class ContactLaw, class Response, class Value>
 constexpr ContactStep<Value> recorded(const Response& response, const typename Format::Units& units,
-                                      const Approach<Value>& step, const Kick<Value>& kick, const Kick<Value>& force,
-                                      bool begins, bool is_touching) {
-  const Value rate = step.rate - response.rate * kick.impulse - response.rate_by_moment * kick.moment;
+                                      const Approach<Value>& step, const Impulse<Value>& impulse,
+                                      const Impulse<Value>& force, bool begins, bool is_touching) {
+  const Value rate = step.rate - response.rate * impulse.j0 - response.rate_by_moment * impulse.j1;
   Value stored{};
   if (is_touching)
-    stored = ContactLaw::template stored<Format>(units, step.penetration - response.penetration * kick.moment);
+    stored = ContactLaw::template stored<Format>(units, step.penetration - response.penetration * impulse.j1);
   return {force, stored, step.travel + step.travel - step.rate, rate, begins, !begins};
 }
 
@@ -98,7 +98,7 @@ struct Treatment {
     step.before = Value{};
     return true;
   }
-  // What moves the ball besides the kick.
+  // What moves the ball besides the impulse.
   template <class Units, class State>
   static constexpr void place_ball(const Units&, State&, bool) {}
   template <class Plan>
@@ -135,7 +135,7 @@ struct ResolvedForces : Treatment {
     largest.force_factor = larger(largest.force_factor, 2 * terms.damping_ratio);
     largest.push = h * h * force / constant::smaller(terms.ball_mass, terms.main_mass);
     if (terms.is_linear) return;
-    // Kicks count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and
+    // Impulses count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and
     // for what spring and drive add.
     const double rate = h * h * 1.1 * (1 / terms.ball_mass + 1 / terms.main_mass) * k1 * terms.to_the_power(unit) *
                         largest.force_factor;
@@ -143,40 +143,40 @@ struct ResolvedForces : Treatment {
   }
 };
 
-// What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and w1
-// are the main mass's displacement and its displacement per step, x2 and w2 the ball's; the last three act on the
-// penetration and its rate. Signs are those of a push on the right stop: x1 and w1 grow, the others fall.
+// What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and dx1
+// are the main mass's displacement and its displacement per step, x2 and dx2 the ball's; the last three act on the
+// penetration and its rate. Signs are those of a push on the right stop: x1 and dx1 grow, the others fall.
 template <class Gain>
 struct Response {
   static constexpr bool is_shared = false;
-  Gain x1, w1, w1_by_moment, x2, w2;
+  Gain x1, dx1, dx1_by_moment, x2, dx2;
   Gain penetration, rate, rate_by_moment;
 
-  template <class Units, class State, class Kick>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Kick& main) const {
+  template <class Units, class State, class Impulse>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Impulse& main) const {
     const auto& ball = felt_by_ball(main);
-    units.push(state.x1, x1 * main.moment);
-    units.push(state.w1, w1 * main.impulse + w1_by_moment * main.moment);
-    units.push(state.x2, x2 * -ball.moment);
-    units.push(state.w2, w2 * -ball.impulse);
+    units.push(state.x1, x1 * main.j1);
+    units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
+    units.push(state.x2, x2 * -ball.j1);
+    units.push(state.dx2, dx2 * -ball.j0);
   }
 };
 
 // The same to an impulse and a moment that count as what they do to the rate and to the penetration: the ball has its
-// share of them and the main mass the rest, and w1 a little more, since meanwhile spring and damper act as well.
+// share of them and the main mass the rest, and dx1 a little more, since meanwhile spring and damper act as well.
 template <class Gain>
 struct SharedResponse {
   static constexpr bool is_shared = true;
-  Gain ball, w1, w1_by_moment;
+  Gain ball, dx1, dx1_by_moment;
   Gain penetration, rate, rate_by_moment;
 
-  template <class Units, class State, class Kick>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Kick& kick) const {
-    const auto ball_impulse = ball * kick.impulse, ball_moment = ball * kick.moment;
-    units.kick(state.x1, kick.moment - ball_moment);
-    units.kick(state.w1, kick.impulse - ball_impulse + (w1 * kick.impulse + w1_by_moment * kick.moment));
-    units.kick(state.x2, -ball_moment);
-    units.kick(state.w2, -ball_impulse);
+  template <class Units, class State, class Impulse>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Impulse& impulse) const {
+    const auto ball_j0 = ball * impulse.j0, ball_j1 = ball * impulse.j1;
+    units.recoil(state.x1, impulse.j1 - ball_j1);
+    units.recoil(state.dx1, impulse.j0 - ball_j0 + (dx1 * impulse.j0 + dx1_by_moment * impulse.j1));
+    units.recoil(state.x2, -ball_j1);
+    units.recoil(state.dx2, -ball_j0);
   }
 };
 

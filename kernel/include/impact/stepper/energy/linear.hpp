@@ -19,11 +19,11 @@ struct EnergyLinear : ResolvedForces {
 
   struct Plan {
     ConstantForceGains<Gain> response;
-    Gain damping;         // C
-    Gain solved;          // 1/(1 + G (1/2 + C))
-    Gain loss;            // 1 + G C over that
-    Gain half_stiffness;  // G/2
-    Gain pull;            // G C
+    Gain damping;            // C
+    Gain solved;             // 1/(1 + G (1/2 + C))
+    Gain loss;               // 1 + G C over that
+    Gain half_stiffness;     // G/2
+    Gain recoil_by_damping;  // G C
     bool clamped;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -47,21 +47,23 @@ struct EnergyLinear : ResolvedForces {
     phase = Phase::touching;
   }
   template <class State>
-  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
+  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
+                                                            bool left) {
     return put_back(units, state, step, left);
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                      const EnergyLinear& before, const Kick<Value>& kick) const {
+                                      const EnergyLinear& before, const Impulse<Value>& impulse) const {
     const bool begins = before.phase == Phase::apart;
-    ContactStep<Value> result = recorded<Format, HookeNewton>(plan.response, units, step, kick,
-                                                              {kick.impulse, Format::value(half(kick.impulse))}, begins,
-                                                              phase == Phase::touching);
+    ContactStep<Value> result =
+        recorded<Format, HookeNewton>(plan.response, units, step, impulse,
+                                      {impulse.j0, Format::value(half(impulse.j0))}, begins, phase == Phase::touching);
     result.has_way = true;
     result.way = penetration - (begins ? step.before : before.penetration);
     return result;
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
+  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
+                                                          const Approach<Value>& step) {
     const Value trial = step.penetration, before = step.before;
     Value force = phase == Phase::apart ? entering(plan, units, trial, before) : inside(plan, units, trial);
     if (plan.clamped && !is_positive(force)) force = Value{};
@@ -79,7 +81,7 @@ struct EnergyLinear : ResolvedForces {
 
   // With y = d0 - d1: y^2 + (trial - d0 + G C d0) y = G d0^2/2.
   constexpr Value leaving(const Plan& plan, const Units& units, Value trial) const {
-    const Value b = Format::value(half(trial - penetration + plan.pull * penetration));
+    const Value b = Format::value(half(trial - penetration + plan.recoil_by_damping * penetration));
     const Value y =
         positive_root<Format>(b, without_sign(plan.half_stiffness * penetration) * without_sign(penetration));
     const Value elastic =

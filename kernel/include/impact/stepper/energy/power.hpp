@@ -7,22 +7,24 @@
 //     entering  n = (2/5) s^3 d1/(d1 - d0)
 //     leaving   n = (2/5) r^3 d0/(d0 - d1)
 //
-//     f = n (1 + C (d1 - d0 + slip))        slip = G n u/3        d1 = trial - G f - slip        u = C G n
+//     f = n (1 + C (d1 - d0 + correction))        correction = G n u/3        d1 = trial - G f - correction        u =
+//     C G n
 //
-// (Hertz: C = 0, no slip.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the slip, which
-// moves the ball without changing its velocity, this step keeps it (slip.hpp; u/3 is that series' first term).
+// (Hertz: C = 0, no correction.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the
+// correction, which moves the ball without changing its velocity, this step keeps it (position_correction.hpp; u/3 is
+// that series' first term).
 //
 // Where the plan knows the contact to be resolved (is_resolved), f is evaluated once, at a predicted end:
 //
-//     d1 = trial - (3 y1 - 3 y2 + y3)        y = G f + slip, of the three steps before; 0 before contact
+//     d1 = trial - (3 y1 - 3 y2 + y3)        y = G f + correction, of the three steps before; 0 before contact
 //
-// and the ball moves there: what the equation leaves over is added to its slip. The energy stored is d1's, so that for
-// Hertz an impact loses
+// and the ball moves there: what the equation leaves over is added to its correction. The energy stored is d1's, so
+// that for Hertz an impact loses
 //
 //     sum f (3 y1 - 3 y2 + y3 - y) = G/(2 pi) integral |F(w)|^2 8 sin^3(w/2) sin(3w/2) dw        w from -pi to pi
 //
 // where F is the force's spectrum, which for a force that lasts N >= 20 steps lies below w = 2 pi/3: a loss, of fifth
-// order in 1/N. What u/3 leaves out of the slip is of fourth. Restitution is right within 100/N^4
+// order in 1/N. What u/3 leaves out of the correction is of fourth. Restitution is right within 100/N^4
 // (tests/host/energy_test.cpp).
 //
 // Any other contact goes to solver.hpp, which an image whose contact is resolved does not hold.
@@ -44,10 +46,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   struct Plan {
     ConstantForceGains<Gain> response;
-    Weight damping;  // C
-    Weight give;     // G for n
+    Weight damping;     // C
+    Weight compliance;  // G for n
     bool is_resolved;
-    Wide stiff_give, force_of_back, stored_share;  // G and 1/B for the solver, and a stored energy's unit
+    Wide stiff_compliance, force_of_recoil, stored_share;  // G and 1/B for the solver, and a stored energy's unit
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
 
@@ -55,10 +57,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   // impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d), and u = h c/(2 mu).
   static constexpr double largest_ratio = 0.5;  // of u
   static constexpr bool is_resolved(const ContactTerms& terms) {
-    const double mu = terms.reduced_mass(), give = terms.step * terms.step / (2 * mu), v = terms.largest_rate;
+    const double mu = terms.reduced_mass(), compliance = terms.step * terms.step / (2 * mu), v = terms.largest_rate;
     const double peak = constant::power(1.25 * mu * v * v / terms.stiffness, 0.4);
     const double d = constant::larger(terms.deepest, peak);
-    const double slope = terms.stiffness * give * constant::square_root(d);
+    const double slope = terms.stiffness * compliance * constant::square_root(d);
     return 1.5 * slope <= 0.02 && slope * d * terms.damping_time / terms.step <= largest_ratio;
   }
   // No force can do more in a step than to send the ball back at its own speed, and no penetration be more than an
@@ -76,10 +78,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const ConstantForceResponse answer(terms, flow);
     if (!is_resolved(terms)) return make_stiff_plan(terms, answer, unit);
-    const double give = terms.force_unit * constant::power_of_two(-unit.force) * answer.penetration();
+    const double compliance = terms.force_unit * constant::power_of_two(-unit.force) * answer.penetration();
     return {answer.gains<Format>(terms.force_unit, unit),
             Weight{damping_gain<Format, ContactLaw>(terms, unit)},
-            Format::weight(give, 0, unit.penetration),
+            Format::weight(compliance, 0, unit.penetration),
             true,
             {},
             {},
@@ -90,75 +92,77 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
                                         const UnitExponents& unit) {
     using constant::power_of_two;
     terms.damping_exponent = 0;
-    const double give = terms.force_unit * power_of_two(-unit.force) * answer.penetration();
+    const double compliance = terms.force_unit * power_of_two(-unit.force) * answer.penetration();
     return {answer.gains<Format>(terms.force_unit, unit),
             Weight{damping_gain<Format, ContactLaw>(terms, unit)},
             {},
             false,
-            Format::wide(give * power_of_two(-unit.penetration)),
+            Format::wide(compliance * power_of_two(-unit.penetration)),
             Format::wide(power_of_two(unit.penetration) / (terms.force_unit * answer.penetration())),
             Format::wide(0.4 * terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) / terms.force_unit),
             {}};
   }
 
   Value penetration;
-  Root root;                // at the start of the step, while touching
-  Value slip;               // of the last step
-  Value taken, rise, bend;  // y1, y1 - y2, y1 - 2 y2 + y3
+  Root root;                                          // at the start of the step, while touching
+  Value correction;                                   // of the last step
+  Value recoil, first_difference, second_difference;  // y1, y1 - y2, y1 - 2 y2 + y3
   Phase phase;
 
   constexpr void start(const Plan& plan, const Units&, Value at, Value) {
     penetration = at;
     root = Format::root(at);
-    taken = plan.give * Format::value(root * without_sign(at));
-    rise = bend = Value{};
+    recoil = plan.compliance * Format::value(root * without_sign(at));
+    first_difference = second_difference = Value{};
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
   }
   template <class State>
-  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step, bool left) {
+  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
+                                                            bool left) {
     return put_back(units, state, step, left);
   }
   template <class State>
   [[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left) const {
-    units.displace(state.x2, -mirrored(slip, left));
+    units.displace(state.x2, -mirrored(correction, left));
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                      const EnergyPower& before, const Kick<Value>& kick) const {
+                                      const EnergyPower& before, const Impulse<Value>& impulse) const {
     const bool begins = before.phase == Phase::apart;
     ContactStep<Value> result = recorded<Format, ContactLaw>(
-        plan.response, units, step, kick, {kick.impulse, Format::value(half(kick.impulse))}, begins, false);
+        plan.response, units, step, impulse, {impulse.j0, Format::value(half(impulse.j0))}, begins, false);
     result.stored = stored(plan, units);
     result.has_way = true;
     result.way =
-        step.penetration - plan.response.penetration * kick.impulse - (begins ? step.before : before.penetration);
+        step.penetration - plan.response.penetration * impulse.j0 - (begins ? step.before : before.penetration);
     return result;
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
+  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
+                                                          const Approach<Value>& step) {
     const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::apart) {
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.slowest, plan.damping, trial_rate);
       penetration = before;
-      taken = rise = bend = Value{};
+      recoil = first_difference = second_difference = Value{};
     }
     if (!plan.is_resolved) return resolve_stiff(plan, trial, before);
-    const Value depth = trial - (taken + rise + bend);
+    const Value depth = trial - (recoil + first_difference + second_difference);
     const Value n = mean_until(depth);
-    const Value give = plan.give * n;
-    Value force = units.elastic(n), back = give, due{};
+    const Value q = plan.compliance * n;
+    Value force = units.elastic(n), force_recoil = q, due_correction{};
     if constexpr (ContactLaw::is_damped) {
-      due = units.whole(Format::value(give * (damping(plan) * give) * Format::short_constant(1.0 / 3)));
-      const auto factor =
-          positive_part(strength<ContactLaw::is_damped_per_impact>(units, damping(plan) * (depth - penetration + due)));
+      due_correction = units.as_number(Format::value(q * (damping(plan) * q) * Format::short_constant(1.0 / 3)));
+      const auto factor = positive_part(
+          strength<ContactLaw::is_damped_per_impact>(units, damping(plan) * (depth - penetration + due_correction)));
       force = Format::value(n * factor);
-      back = units.whole(Format::value(give * factor));
+      force_recoil = units.as_number(Format::value(q * factor));
     }
-    const Value rise_before = rise;
-    rise = back + due - taken;
-    bend = rise - rise_before;
-    taken = back + due;
-    slip = trial - back - depth;
+    const Value difference_before = first_difference;
+    first_difference = force_recoil + due_correction - recoil;
+    second_difference = first_difference - difference_before;
+    recoil = force_recoil + due_correction;
+    correction = trial - force_recoil - depth;
     penetration = depth;
     return {force, force};
   }
@@ -171,9 +175,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
  private:
-  __attribute__((noinline)) constexpr Kick<Value> resolve_stiff(const Plan& plan, Value trial, Value before) {
-    slip = Value{};
-    EnergySolver<Format, ContactLaw::is_damped> step{plan.stiff_give, Format::wide_gain(damping(plan)), {}, {}, {}};
+  __attribute__((noinline)) constexpr Impulse<Value> resolve_stiff(const Plan& plan, Value trial, Value before) {
+    correction = Value{};
+    EnergySolver<Format, ContactLaw::is_damped> step{
+        plan.stiff_compliance, Format::wide_gain(damping(plan)), {}, {}, {}};
     if (phase == Phase::touching) {
       step.r = Format::wide_value(root);
       step.d0 = step.r * step.r;
@@ -182,16 +187,16 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     }
     step.travel = Format::wide_value(trial - before);
     const auto end = step.solve();
-    const Value force = Format::narrow(end.back * plan.force_of_back);
+    const Value force = Format::narrow(end.recoil * plan.force_of_recoil);
     const Value last = trial - plan.response.penetration * force;
     root = Format::narrow_root(end.root);
     if (is_positive(end.root)) {
       penetration = Format::narrow(end.root * end.root);
-      slip = last - penetration;
+      correction = last - penetration;
       phase = Phase::touching;
     } else {
-      slip = Format::narrow(end.slip);
-      penetration = last - slip;
+      correction = Format::narrow(end.correction);
+      penetration = last - correction;
       phase = Phase::apart;
     }
     return {force, force};

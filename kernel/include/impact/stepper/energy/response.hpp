@@ -13,36 +13,36 @@ namespace impact {
 template <class Gain>
 struct ConstantForceGains {
   static constexpr bool is_shared = false;
-  Gain x1, w1, w2;
+  Gain x1, dx1, dx2;
   Gain penetration, rate, rate_by_moment;
 
-  template <class Units, class State, class Kick>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Kick& kick) const {
-    units.push(state.x1, x1 * kick.impulse);
-    units.push(state.w1, w1 * kick.impulse);
-    const auto ball = w2 * -kick.impulse;
+  template <class Units, class State, class Impulse>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Impulse& impulse) const {
+    units.push(state.x1, x1 * impulse.j0);
+    units.push(state.dx1, dx1 * impulse.j0);
+    const auto ball = dx2 * -impulse.j0;
     units.push(state.x2, half(ball));
-    units.push(state.w2, ball);
+    units.push(state.dx2, ball);
   }
 };
 
 struct ConstantForceResponse {
-  double x1, w1, x2, w2;  // m/N
+  double x1, dx1, x2, dx2;  // m/N
 
   constexpr ConstantForceResponse(const ContactTerms& terms, const LinearFlow& flow)
       : x1(flow.b0 + flow.b1),
-        w1(flow.e12 * (flow.c0 + flow.c1) + flow.e11 * x1),
+        dx1(flow.e12 * (flow.c0 + flow.c1) + flow.e11 * x1),
         x2(terms.step * terms.step / (2 * terms.ball_mass)),
-        w2(2 * x2),
-        rate_(flow.c0 + flow.c1 + w2) {}
+        dx2(2 * x2),
+        rate_(flow.c0 + flow.c1 + dx2) {}
 
   constexpr double penetration() const { return x1 + x2; }
 
   template <class Format>
   constexpr ConstantForceGains<typename Format::Gain> gains(double force_unit, const UnitExponents& unit) const {
     return {Format::gain(force_unit * x1, 0, unit.push),
-            Format::gain(force_unit * w1, 0, unit.push),
-            Format::gain(force_unit * w2, 0, unit.push),
+            Format::gain(force_unit * dx1, 0, unit.push),
+            Format::gain(force_unit * dx2, 0, unit.push),
             Format::gain(force_unit * penetration(), 0, unit.penetration),
             Format::gain(force_unit * rate_, 0, unit.penetration),
             Format::gain(0, 0, 0)};

@@ -2,7 +2,7 @@
 #pragma once
 // The energy-consistent step of a power law at any stiffness. With q = G n (n the mean of d^(3/2) over the step, so
 // that q is what the elastic force alone takes from the penetration), D the displacement without contact, dt = d0 + D,
-// A = C D, u = C q, K = u k and the slip k q of slip.hpp, the step's end d1 solves
+// A = C D, u = C q, K = u k and the correction k q of position_correction.hpp, the step's end d1 solves
 //
 //     d1 + b + k q = dt        b = q (1 + A)/(1 + u), what the force takes        (Hertz: C = 0)
 //
@@ -20,8 +20,8 @@
 // belongs to it then is at most a fixed multiple of the root, whatever k1, h and the speeds are, because d1, b and k q
 // grow like powers of d1 between 1 and 5, and q, where an earlier penetration outweighs d1, no less than (2/5) G r^3
 // itself. From a multiple c a term of power m takes m ln(c) passes to come near the root, and then each doubles the
-// digits: `passes` is their number, found over the whole range of C dt, A and d0/D (tests/host/energy_test.cpp repeats
-// the search).
+// digits: `passes` is their number, found over the u_of_step range of C dt, A and d0/D (tests/host/energy_test.cpp
+// repeats the search).
 //
 // Leaving, with t = d0/(d0 - d1), the share of the step in contact, and Q = (2/5) G r^3, q = Q t:
 //
@@ -29,12 +29,12 @@
 //
 // by Newton's method from the root without K + k, which for Hertz is all.
 //
-// Neither a rounding nor a missing pass can make energy: the caller gives the ball whatever slip the equation leaves
-// over for the s and b that it takes, the work done is b's and the energy stored is s's, and s is rounded to the side
-// on which the slip is positive.
+// Neither a rounding nor a missing pass can make energy: the caller gives the ball whatever correction the equation
+// leaves over for the s and b that it takes, the work done is b's and the energy stored is s's, and s is rounded to the
+// side on which the correction is positive.
 
 #include <impact/numeric/root_above.hpp>
-#include <impact/stepper/energy/slip.hpp>
+#include <impact/stepper/energy/position_correction.hpp>
 
 namespace impact {
 
@@ -43,9 +43,9 @@ struct EnergySolver {
   using Real = typename Format::Wide;
 
   struct End {
-    Real root;  // s, 0 when the ball has left
-    Real back;  // b
-    Real slip;  // k q, where it has left
+    Real root;        // s, 0 when the ball has left
+    Real recoil;      // b
+    Real correction;  // k q, where it has left
   };
 
   static constexpr int passes = is_damped ? 14 : 7, leaving_passes = 10;
@@ -54,12 +54,12 @@ struct EnergySolver {
   Real r, d0, travel;       // D; r = 0 and d0 <= 0 before contact
 
   constexpr End solve() const {
-    const Real dt = d0 + travel, pull = number(1) + damping * travel;
-    if (is_damped && !is_positive(pull)) return {};
+    const Real dt = d0 + travel, damping_factor = number(1) + damping * travel;
+    if (is_damped && !is_positive(damping_factor)) return {};
     const Real least = number(0.4) * stiffness * r * r * r;
-    const Real at_rest =
-        taken(least, pull) + (is_damped ? least * SlipFunction<Format>::at(damping * least).k : number(0));
-    return at_rest < dt ? stay(dt, pull) : leave(least, pull);
+    const Real at_rest = recoil_of(least, damping_factor) +
+                         (is_damped ? least * CorrectionFunction<Format>::at(damping * least).k : number(0));
+    return at_rest < dt ? stay(dt, damping_factor) : leave(least, damping_factor);
   }
 
  private:
@@ -67,11 +67,13 @@ struct EnergySolver {
   static constexpr Real smaller(Real x, Real y) { return x < y ? x : y; }
   static constexpr Real larger(Real x, Real y) { return x < y ? y : x; }
 
-  constexpr Real taken(Real q, Real pull) const { return is_damped ? q * pull / (number(1) + damping * q) : q; }
+  constexpr Real recoil_of(Real q, Real damping_factor) const {
+    return is_damped ? q * damping_factor / (number(1) + damping * q) : q;
+  }
 
-  // No u has a K above this without being below the result: SlipFunction's line.
-  static constexpr Real most(Real slip_share) {
-    return number(1) + larger(slip_share, number(0)) * number(1 / SlipFunction<Format>::steepness);
+  // No u has a K above this without being below the result: CorrectionFunction's line.
+  static constexpr Real most(Real correction_share) {
+    return number(1) + larger(correction_share, number(0)) * number(1 / CorrectionFunction<Format>::steepness);
   }
 
   struct Mean {
@@ -89,10 +91,10 @@ struct EnergySolver {
     return {q + q, sw * (number(5) - w - w)};
   }
 
-  constexpr Real start(Real dt, Real pull) const {
+  constexpr Real start(Real dt, Real damping_factor) const {
     Real q = dt;
     if constexpr (is_damped) {
-      q = (dt + dt) / pull;
+      q = (dt + dt) / damping_factor;
       const Real u = smaller(most(damping * dt), Format::wide_root(number(3) * damping * dt));
       if (u < damping * q) q = u / damping;
     }
@@ -103,41 +105,42 @@ struct EnergySolver {
     return smaller(dt, s * s);
   }
 
-  constexpr End stay(Real dt, Real pull) const {
-    Real d = start(dt, pull);
+  constexpr End stay(Real dt, Real damping_factor) const {
+    Real d = start(dt, damping_factor);
     for (int pass = 0; pass < passes; ++pass) {
       const Mean mean = mean_at(d, Format::wide_root(d));
       Real missed = d + mean.q - dt, slope = number(1) + mean.slope;
       if constexpr (is_damped) {
         const Real u = damping * mean.q;
-        const auto slip = SlipFunction<Format>::at(u);
-        const Real slip_share = u * slip.k, extra = damping * (d - d0) + slip_share + slip.k;
+        const auto correction = CorrectionFunction<Format>::at(u);
+        const Real correction_share = u * correction.k, extra = damping * (d - d0) + correction_share + correction.k;
         missed = missed + mean.q * extra;
-        slope = slope + u + mean.slope * (extra + (u + u * u) * slip.slope + slip_share);
+        slope = slope + u + mean.slope * (extra + (u + u * u) * correction.slope + correction_share);
       }
       d = larger(d - missed / slope, number(1.0 / 64) * d);
     }
     const Real s = Format::rounded_down(Format::wide_root(d));
-    return {s, taken(mean_at(s * s, s).q, pull), number(0)};
+    return {s, recoil_of(mean_at(s * s, s).q, damping_factor), number(0)};
   }
 
-  constexpr End leave(Real least, Real pull) const {
+  constexpr End leave(Real least, Real damping_factor) const {
     const Real m = is_damped ? -(travel + damping * least * d0) : -travel, size = is_positive(m) ? m : -m;
     const Real sum = size + Format::wide_root(size * size + number(4) * least * d0);
     Real t = smaller(is_positive(m) ? (d0 + d0) / sum : sum / (least + least), number(1));
     if constexpr (is_damped) {
-      const Real whole = damping * least, largest = most(damping * (travel + whole * d0));
-      if (largest < whole * t) t = largest / whole;
+      const Real u_of_step = damping * least, largest = most(damping * (travel + u_of_step * d0));
+      if (largest < u_of_step * t) t = largest / u_of_step;
       for (int pass = 0; pass < leaving_passes; ++pass) {
         const Real u = damping * least * t, ct = least * t;
-        const auto slip = SlipFunction<Format>::at(u);
-        const Real factor = number(1) + (number(1) + u) * slip.k;
-        const Real slope = m + ct * (factor + factor + u * ((number(1) + u) * slip.slope + slip.k));
+        const auto correction = CorrectionFunction<Format>::at(u);
+        const Real factor = number(1) + (number(1) + u) * correction.k;
+        const Real slope = m + ct * (factor + factor + u * ((number(1) + u) * correction.slope + correction.k));
         t = t - (t * (ct * factor + m) - d0) / slope;
       }
     }
     const Real q = least * t;
-    return {number(0), taken(q, pull), is_damped ? q * SlipFunction<Format>::at(damping * q).k : number(0)};
+    return {number(0), recoil_of(q, damping_factor),
+            is_damped ? q * CorrectionFunction<Format>::at(damping * q).k : number(0)};
   }
 };
 

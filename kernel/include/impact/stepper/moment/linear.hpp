@@ -32,8 +32,8 @@ struct MomentLinear : ResolvedForces {
     Response<Gain> response;
     Gain damping;  // C
     struct {
-      Gain penetration, change, rate_change, sag;  // d0, trial - d0, trial rate - v0, trial - d0 - v0
-    } impulse, moment;
+      Gain penetration, change, rate_change, curving;  // d0, trial - d0, trial rate - v0, trial - d0 - v0
+    } j0, j1;
     bool clamped;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -41,32 +41,32 @@ struct MomentLinear : ResolvedForces {
     const double damping = terms.damping_time / terms.step;
     const double stiffness = terms.stiffness * terms.step * terms.step * (1 / terms.ball_mass + answer.g0);
     struct Moments {
-      double impulse, moment;
+      double j0, j1;
     };
-    const auto moments = [&](double d0, double change, double rate_change, double sag) {
-      const double a = 6 * sag - 2 * rate_change, jerk = 6 * rate_change - 12 * sag;
-      double d[3] = {d0, change - sag, 0}, share = 1;
+    const auto moments = [&](double d0, double change, double rate_change, double curving) {
+      const double a = 6 * curving - 2 * rate_change, jerk = 6 * rate_change - 12 * curving;
+      double d[3] = {d0, change - curving, 0}, share = 1;
       Moments sum{};
       for (int n = 0; n < 40; ++n) {
         const double force = d[0] + damping * d[1];
         d[2] = (n == 0 ? a : n == 1 ? jerk : 0) - stiffness * force;
         share /= n + 1;
-        sum.impulse += share * force;
-        sum.moment += share / (n + 2) * force;
+        sum.j0 += share * force;
+        sum.j1 += share / (n + 2) * force;
         d[0] = d[1];
         d[1] = d[2];
       }
       return sum;
     };
     const Moments by_penetration = moments(1, 0, 0, 0), by_change = moments(0, 1, 0, 0), by_rate = moments(0, 0, 1, 0),
-                  by_sag = moments(0, 0, 0, 1);
+                  by_curving = moments(0, 0, 0, 1);
     const int to = unit.force;
     return {answer.gains<Format>(terms, flow, unit),
             Format::gain(damping, unit.penetration, terms.damping_exponent),
-            {Format::gain(by_penetration.impulse, 0, to), Format::gain(by_change.impulse, 0, to),
-             Format::gain(by_rate.impulse, 0, to), Format::gain(by_sag.impulse, 0, to)},
-            {Format::gain(by_penetration.moment, 0, to), Format::gain(by_change.moment, 0, to),
-             Format::gain(by_rate.moment, 0, to), Format::gain(by_sag.moment, 0, to)},
+            {Format::gain(by_penetration.j0, 0, to), Format::gain(by_change.j0, 0, to), Format::gain(by_rate.j0, 0, to),
+             Format::gain(by_curving.j0, 0, to)},
+            {Format::gain(by_penetration.j1, 0, to), Format::gain(by_change.j1, 0, to), Format::gain(by_rate.j1, 0, to),
+             Format::gain(by_curving.j1, 0, to)},
             terms.clamped};
   }
 
@@ -78,26 +78,27 @@ struct MomentLinear : ResolvedForces {
   constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
     penetration = at;
     rate = at_rate;
-    const bool pulls = !is_positive(units.elastic(at) + plan.damping * at_rate);
-    phase = plan.clamped && pulls ? Phase::released : Phase::touching;
+    const bool is_tension = !is_positive(units.elastic(at) + plan.damping * at_rate);
+    phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                      const MomentLinear& before, const Kick<Value>& kick) const {
-    return recorded<Format, HookeNewton>(plan.response, units, step, kick, kick, before.phase == Phase::apart,
+                                      const MomentLinear& before, const Impulse<Value>& impulse) const {
+    return recorded<Format, HookeNewton>(plan.response, units, step, impulse, impulse, before.phase == Phase::apart,
                                          phase == Phase::touching);
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
+  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
+                                                          const Approach<Value>& step) {
     const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
-    const Value change = trial - penetration, rate_change = trial_rate - rate, sag = change - rate;
-    const Kick<Value> kick = {plan.impulse.penetration * penetration + plan.impulse.change * change +
-                                  plan.impulse.rate_change * rate_change + plan.impulse.sag * sag,
-                              plan.moment.penetration * penetration + plan.moment.change * change +
-                                  plan.moment.rate_change * rate_change + plan.moment.sag * sag};
-    const Value d = trial - plan.response.penetration * kick.moment;
-    const Value v = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
+    const Value change = trial - penetration, rate_change = trial_rate - rate, curving = change - rate;
+    const Impulse<Value> impulse = {plan.j0.penetration * penetration + plan.j0.change * change +
+                                        plan.j0.rate_change * rate_change + plan.j0.curving * curving,
+                                    plan.j1.penetration * penetration + plan.j1.change * change +
+                                        plan.j1.rate_change * rate_change + plan.j1.curving * curving};
+    const Value d = trial - plan.response.penetration * impulse.j1;
+    const Value v = trial_rate - plan.response.rate * impulse.j0 - plan.response.rate_by_moment * impulse.j1;
     if (plan.clamped) {
       const Value force = units.elastic(d) + plan.damping * v;
       if (!is_positive(force)) return leave(plan, units, trial, trial_rate, force);
@@ -106,16 +107,16 @@ struct MomentLinear : ResolvedForces {
     }
     penetration = d;
     rate = v;
-    return kick;
+    return impulse;
   }
 
  private:
-  [[gnu::always_inline]] constexpr Kick<Value> settle(const Plan& plan, Value trial, Value trial_rate,
-                                                      Kick<Value> kick) {
-    penetration = trial - plan.response.penetration * kick.moment;
-    rate = trial_rate - plan.response.rate * kick.impulse - plan.response.rate_by_moment * kick.moment;
+  [[gnu::always_inline]] constexpr Impulse<Value> settle(const Plan& plan, Value trial, Value trial_rate,
+                                                         Impulse<Value> impulse) {
+    penetration = trial - plan.response.penetration * impulse.j1;
+    rate = trial_rate - plan.response.rate * impulse.j0 - plan.response.rate_by_moment * impulse.j1;
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
-    return kick;
+    return impulse;
   }
 
   static constexpr int series_terms = 5;  // of the series; the next one is below (pulsation h)^5 / 720 of the impulse
@@ -153,16 +154,16 @@ struct MomentLinear : ResolvedForces {
     }
   }
 
-  // The kick of a force that acts from the series' start for the time t, then not for the rest of the step.
+  // The impulse of a force that acts from the series' start for the time t, then not for the rest of the step.
   template <class Time>
-  [[gnu::always_inline]] static constexpr Kick<Value> kick_until(const Series& from, Time t) {
-    const Value impulse = Format::value(at<1>(from.f, t) * t);
+  [[gnu::always_inline]] static constexpr Impulse<Value> impulse_until(const Series& from, Time t) {
+    const Value j0 = Format::value(at<1>(from.f, t) * t);
     const Value lever = Format::value(half(Format::value(at<2>(from.f, t) * t)) * t);
-    return {impulse, lever};
+    return {j0, lever};
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, const Units& units, Value trial,
-                                                     Value trial_rate, Value before) {
+  [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, const Units& units, Value trial,
+                                                        Value trial_rate, Value before) {
     const Value a = twice_value(trial_rate - (trial - before));
     auto t = Format::quotient(without_sign(trial), without_sign(trial - before));
     for (int pass = 0; pass < 2; ++pass) {
@@ -170,24 +171,24 @@ struct MomentLinear : ResolvedForces {
       t = Format::corrected(t, still, positive_part(trial_rate - Format::value(a * t)));
     }
     const Series from = series(plan, units, Value{}, trial_rate - Format::value(a * t), a, Value{});
-    return settle(plan, trial, trial_rate, kick_until(from, t));
+    return settle(plan, trial, trial_rate, impulse_until(from, t));
   }
 
   // `end`: what vanishes, at the end of the step had the contact lasted; a first guess of when comes from the chord.
-  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, const Units& units, Value trial,
-                                                     Value trial_rate, Value end) {
-    const Value change = trial_rate - rate, sag = twice_value(trial - penetration - rate);
-    const Value half_jerk = change + twice_value(change - sag) - sag;
+  [[gnu::always_inline]] constexpr Impulse<Value> leave(const Plan& plan, const Units& units, Value trial,
+                                                        Value trial_rate, Value end) {
+    const Value change = trial_rate - rate, curving = twice_value(trial - penetration - rate);
+    const Value half_jerk = change + twice_value(change - curving) - curving;
     const Series from = series(plan, units, penetration, rate, change - half_jerk, twice_value(half_jerk));
     const Value* const vanishing = plan.clamped ? from.f : from.d;
     auto t = Format::quotient(positive_part(vanishing[0]), positive_part(vanishing[0] - end));
     for (int pass = 0; pass < 2; ++pass)
       t = Format::corrected(t, at<0>(vanishing, t), positive_part(-slope(vanishing, t)));
-    Kick<Value> kick = kick_until(from, t);
-    kick.moment = kick.moment + kick.impulse - Format::value(kick.impulse * t);
-    settle(plan, trial, trial_rate, kick);
+    Impulse<Value> impulse = impulse_until(from, t);
+    impulse.j1 = impulse.j1 + impulse.j0 - Format::value(impulse.j0 * t);
+    settle(plan, trial, trial_rate, impulse);
     if (phase == Phase::touching) phase = Phase::released;
-    return kick;
+    return impulse;
   }
   template <class Time>
   static constexpr Value slope(const Value* x, Time t) {
@@ -196,20 +197,20 @@ struct MomentLinear : ResolvedForces {
   static constexpr Value twice_value(Value x) { return x + x; }
 
   // Pushed in again before it was out: the force grows from zero, to first order in time.
-  [[gnu::always_inline]] constexpr Kick<Value> pressed_again(const Plan& plan, const Units& units, Value trial,
-                                                             Value trial_rate) {
+  [[gnu::always_inline]] constexpr Impulse<Value> pressed_again(const Plan& plan, const Units& units, Value trial,
+                                                                Value trial_rate) {
     const Value start = units.elastic(penetration) + plan.damping * rate;
     const Value end = units.elastic(trial) + plan.damping * trial_rate;
-    Kick<Value> kick{};
+    Impulse<Value> impulse{};
     const bool is_pressed = is_positive(trial) && is_positive(end);
     if (is_pressed) {
       const auto u = Format::quotient(positive_part(end), positive_part(end - start));
-      kick.impulse = Format::value(half(end * u));
-      kick.moment = Format::value(Format::constant(1.0 / 3) * (kick.impulse * u));
+      impulse.j0 = Format::value(half(end * u));
+      impulse.j1 = Format::value(Format::constant(1.0 / 3) * (impulse.j0 * u));
     }
-    settle(plan, trial, trial_rate, kick);
+    settle(plan, trial, trial_rate, impulse);
     if (phase == Phase::touching && !is_pressed) phase = Phase::released;
-    return kick;
+    return impulse;
   }
 };
 

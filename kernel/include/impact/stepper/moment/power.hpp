@@ -39,15 +39,15 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     SharedResponse<Weight> response;
     Factor stiffness, part_stiffness;  // K, 2 K/5
     Weight damping, part_damping;      // K C, 2 K C/5
-    Weight sixth_damping;              // K C/6, by what a kick does to a rate
-    Gain force;                        // 1/K: from a kick to the force's own impulse
-    int travel_places, change_places;  // from kicks to penetrations, from increments to kicks
+    Weight sixth_damping;              // K C/6, by what a impulse does to a rate
+    Gain force;                        // 1/K: from a impulse to the force's own impulse
+    int travel_places, change_places;  // from impulses to penetrations, from increments to impulses
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const MomentResponse response(terms);
     const double of_force = terms.force_unit * terms.step * terms.step * response.mobility(terms);
-    const double stiffness = of_force * constant::power_of_two(-terms.damping_exponent - unit.kick);
+    const double stiffness = of_force * constant::power_of_two(-terms.damping_exponent - unit.recoil);
     const double damping = ContactLaw::is_damped_per_impact ? terms.damping_ratio : terms.damping_time / terms.step;
     const int from = ContactLaw::is_damped_per_impact ? 0 : unit.penetration;
     return {response.template shared<Format>(terms, flow, unit),
@@ -55,10 +55,10 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Format::constant(0.4 * stiffness),
             Format::weight(stiffness * damping, from, 0),
             Format::weight(0.4 * stiffness * damping, from, 0),
-            Format::weight(stiffness * damping / 6, unit.kick, 0),
-            Format::gain(1 / of_force, unit.kick, 0),
-            unit.penetration - unit.kick,
-            unit.kick - unit.increment,
+            Format::weight(stiffness * damping / 6, unit.recoil, 0),
+            Format::gain(1 / of_force, unit.recoil, 0),
+            unit.penetration - unit.recoil,
+            unit.recoil - unit.increment,
             decltype(Plan::slowest)::make(terms, unit, largest_damping_of_moment)};
   }
 
@@ -77,26 +77,26 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
   }
   constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                      const MomentPower& before, const Kick<Value>& kick) const {
-    return recorded<Format, ContactLaw>(plan.response, units, step, kick,
-                                        {plan.force * kick.impulse, plan.force * kick.moment},
+                                      const MomentPower& before, const Impulse<Value>& impulse) const {
+    return recorded<Format, ContactLaw>(plan.response, units, step, impulse,
+                                        {plan.force * impulse.j0, plan.force * impulse.j1},
                                         before.phase == Phase::apart, phase == Phase::touching);
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> resolve(const Plan& plan, const Units&, const Approach<Value>& step) {
+  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units&, const Approach<Value>& step) {
     const Value trial = step.penetration, before = step.before;
     const Value after = Format::moved(step.increment, plan.change_places);
     const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
     change = after;
-    const Kick<Value> kick = respond(plan, trial, before, g);
-    penetration = trial - travel(plan, kick.moment);
+    const Impulse<Value> impulse = respond(plan, trial, before, g);
+    penetration = trial - travel(plan, impulse.j1);
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
     if (phase == Phase::touching) root = Format::root(penetration);
-    return kick;
+    return impulse;
   }
 
  private:
-  [[gnu::always_inline]] constexpr Kick<Value> respond(const Plan& plan, Value trial, Value before, Value g) {
+  [[gnu::always_inline]] constexpr Impulse<Value> respond(const Plan& plan, Value trial, Value before, Value g) {
     if (phase == Phase::apart) return enter(plan, trial, before, g);
     const Value rate = trial - penetration - Format::value(half(travel(plan, g)));
     const auto shape = root * without_sign(penetration);
@@ -109,7 +109,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     return stay(plan, trial, g, d, g - force - third_rise - third_rise - third_rise);
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
+  [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
     const auto s = Format::root(d);
     const auto p = half(s + root);
     const auto z = half(difference(s, root));
@@ -120,20 +120,19 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const Value dd = d - penetration;
     const auto factor = positive_part(strength(plan, dd));
     const auto by_change = plan.stiffness * w;
-    Value impulse = Format::value(n * factor) - travel(plan, Format::value(by_change * dv));
-    Value moment = Format::value(half(impulse)) - Format::value(w * factor * dd);
-    if constexpr (ContactLaw::is_damped) moment = moment - damped_sixth(plan, dv, half(n));
+    Value j0 = Format::value(n * factor) - travel(plan, Format::value(by_change * dv));
+    Value j1 = Format::value(half(j0)) - Format::value(w * factor * dd);
+    if constexpr (ContactLaw::is_damped) j1 = j1 - damped_sixth(plan, dv, half(n));
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
-    const Value missed = trial - travel(plan, moment) - d;
+    const Value missed = trial - travel(plan, j1) - d;
     const auto slope = p - quarter(root) + e;
-    Value correction =
-        Format::value(slope * factor * missed) - travel(plan, Format::value(by_change * (g - impulse - dv)));
+    Value correction = Format::value(slope * factor * missed) - travel(plan, Format::value(by_change * (g - j0 - dv)));
     if constexpr (ContactLaw::is_damped) correction = correction + Format::value(damping(plan) * missed * n);
-    return {impulse + correction, moment + Format::value(correction * Format::short_constant(1.0 / 3))};
+    return {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))};
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
+  [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
     if constexpr (ContactLaw::is_damped_per_impact)
       this->begin(plan.slowest, plan.damping, trial - before - Format::value(half(travel(plan, g))));
     const auto d = without_sign(trial);
@@ -145,16 +144,16 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto b = Format::constant(1.0 / 2) - later;
     Value loss{};
     if constexpr (ContactLaw::is_damped) loss = part_damping(plan, s * d, trial);
-    const Value impulse = elastic - travel(plan, Format::value(su * b * (u * (g - elastic)))) + loss;
-    const Value moment = Format::value(half(impulse)) - Format::value(b * (elastic + loss));
+    const Value j0 = elastic - travel(plan, Format::value(su * b * (u * (g - elastic)))) + loss;
+    const Value j1 = Format::value(half(j0)) - Format::value(b * (elastic + loss));
 
-    const Value back = travel(plan, moment);
+    const Value back = travel(plan, j1);
     Value correction = Format::value((su + su + half(su) - su * u) * back);
     if constexpr (ContactLaw::is_damped) correction = correction + Format::value(s * d * (damping(plan) * back));
-    return {impulse - correction, moment - Format::value(later * correction)};
+    return {j0 - correction, j1 - Format::value(later * correction)};
   }
 
-  [[gnu::always_inline]] constexpr Kick<Value> leave(const Plan& plan, Value trial, Value g, Value d1) {
+  [[gnu::always_inline]] constexpr Impulse<Value> leave(const Plan& plan, Value trial, Value g, Value d1) {
     const auto d = without_sign(penetration);
     const auto way = Format::divisor(without_sign(penetration - d1));
     const auto u = way.share(d);
@@ -168,17 +167,16 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       loss = part_damping(plan, root * d, penetration);
       loss_later = Format::value(later * loss);
     }
-    const Value impulse = elastic - travel(plan, Format::value(ru * b * (u * (g - elastic + loss))));
-    const Value moment = Format::value(half(impulse)) + lever - loss + loss_later;
+    const Value j0 = elastic - travel(plan, Format::value(ru * b * (u * (g - elastic + loss))));
+    const Value j1 = Format::value(half(j0)) + lever - loss + loss_later;
 
     // The end moves from the predicted one, and u with it.
-    const auto more = way.ratio(trial - travel(plan, moment) - d1);
-    return {impulse - loss + Format::value(elastic * more),
-            moment + Format::value((lever + lever + loss_later) * more)};
+    const auto more = way.ratio(trial - travel(plan, j1) - d1);
+    return {j0 - loss + Format::value(elastic * more), j1 + Format::value((lever + lever + loss_later) * more)};
   }
 
-  // What a kick does to the penetration, in its unit.
-  static constexpr Value travel(const Plan& plan, Value moment) { return Format::moved(moment, plan.travel_places); }
+  // What a impulse does to the penetration, in its unit.
+  static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_places); }
   constexpr auto damping(const Plan& plan) const {
     if constexpr (ContactLaw::is_damped_per_impact)
       return this->own_damping;

@@ -37,7 +37,7 @@ struct MomentResponse {
   }
   // The change of penetration by a moment.
   constexpr double mobility(const ContactTerms& terms) const { return 1 / terms.ball_mass + gx; }
-  // For kicks that count as what they do to the penetration.
+  // For impulses that count as what they do to the penetration.
   template <class Format>
   constexpr SharedResponse<typename Format::Weight> shared(const ContactTerms& terms, const LinearFlow& flow,
                                                            const UnitExponents& unit) const {
@@ -45,9 +45,9 @@ struct MomentResponse {
     return {Format::weight(ball, 0, 0),
             Format::weight(scale * (flow.e12 * g0 - gx), 0, 0),
             Format::weight(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
-            Format::weight(1, unit.kick, unit.penetration),
-            Format::weight(ball + scale * g0, unit.kick, unit.penetration),
-            Format::weight(scale * hg1, unit.kick, unit.penetration)};
+            Format::weight(1, unit.recoil, unit.penetration),
+            Format::weight(ball + scale * g0, unit.recoil, unit.penetration),
+            Format::weight(scale * hg1, unit.recoil, unit.penetration)};
   }
 
  private:

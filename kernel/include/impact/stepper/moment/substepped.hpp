@@ -2,7 +2,7 @@
 #pragma once
 // The moment-fitted step with n sub-steps while in contact, for a contact of few steps. Free flight is that of Moment;
 // within a step in contact the free relative motion is the cubic through its penetrations and rates at both ends, and
-// what the contact's kicks have done so far is carried along apart for each mass,
+// what the contact's impulses have done so far is carried along apart for each mass,
 //
 //     ball        displacement D += R                      R: rate, per sub-step
 //     main mass   (X, U) by its own exact flow over a sub-step, linear_flow.hpp
@@ -44,13 +44,13 @@ struct SubsteppedMoment {
       typename Inner::Plan inner;
       Gain part, square, cube;                          // 1/n, 1/n^2, 1/n^3
       Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // the main mass's flow over a sub-step, less (1 1; 0 1)
-      Gain main_x, main_u, main_u_by_moment, ball;      // of a sub-step's kick
-      Gain whole;                                       // n, from kicks to penetrations
-      Gain force;                                       // from the ball's kick to the force's impulse
+      Gain main_x, main_u, main_u_by_moment, ball;      // of a sub-step's impulse
+      Gain to_penetration;                              // n, from impulses to penetrations
+      Gain force;                                       // from the ball's impulse to the force's impulse
       int travel_places;
     };
-    // A kick counts by what it does in a sub-step. A step's n kicks change the displacement per step by no more than
-    // n^2 of them, and a speed by no more than twice the largest rate.
+    // A impulse counts by what it does in a sub-step. A step's n impulses change the displacement per step by no more
+    // than n^2 of them, and a speed by no more than twice the largest rate.
     static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
       Inner::bound_forces(in_a_part(terms), largest);
       largest.push =
@@ -63,10 +63,10 @@ struct SubsteppedMoment {
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const ContactTerms sub = in_a_part(terms);
       const MomentResponse answer(sub);
-      // Power laws' kicks are changes of the relative rate, Hooke-Newton's count in forces.
+      // Power laws' impulses are changes of the relative rate, Hooke-Newton's count in forces.
       constexpr bool is_linear = ContactLaw::is_linear;
       const double scale = is_linear ? terms.force_unit * sub.step * sub.step : 1 / (1 / terms.ball_mass + answer.gx);
-      const int from = is_linear ? 0 : unit.kick;
+      const int from = is_linear ? 0 : unit.recoil;
       const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step);
       Scene main{};
       main.main_mass = terms.main_mass;
@@ -74,16 +74,16 @@ struct SubsteppedMoment {
       main.main_damping = terms.main_damping;
       const LinearFlow part = exact_flow(main, sub.step);
       Plan plan{};
-      plan.response = {Format::gain(1, unit.kick, unit.push),
-                       Format::gain(n * flow.e12, unit.kick, unit.push),
-                       Format::gain(flow.e11, unit.kick, unit.push),
-                       Format::gain(1, unit.kick, unit.push),
-                       Format::gain(n, unit.kick, unit.push),
+      plan.response = {Format::gain(1, unit.recoil, unit.push),
+                       Format::gain(n * flow.e12, unit.recoil, unit.push),
+                       Format::gain(flow.e11, unit.recoil, unit.push),
+                       Format::gain(1, unit.recoil, unit.push),
+                       Format::gain(n, unit.recoil, unit.push),
                        {},
                        {},
                        {}};
       plan.inner = Inner::make_plan(sub, flow, unit);
-      if constexpr (!is_linear) plan.inner.change_places = unit.kick - unit.penetration;
+      if constexpr (!is_linear) plan.inner.change_places = unit.recoil - unit.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);
       plan.square = Format::gain(1.0 / (n * n), 0, 0);
       plan.cube = Format::gain(1.0 / (n * n * n), 0, 0);
@@ -91,13 +91,13 @@ struct SubsteppedMoment {
       plan.by_u_to_x = Format::gain(part.e12 - 1, 0, 0);
       plan.by_x_to_u = Format::gain(part.e21, 0, 0);
       plan.by_u_to_u = Format::gain(part.e22, 0, 0);
-      plan.main_x = Format::gain(scale * answer.gx, from, unit.kick);
-      plan.main_u = Format::gain(scale * answer.g0, from, unit.kick);
-      plan.main_u_by_moment = Format::gain(scale * answer.hg1, from, unit.kick);
-      plan.ball = Format::gain(scale / terms.ball_mass, from, unit.kick);
-      plan.whole = Format::gain(n, unit.kick, unit.penetration);
-      plan.force = Format::gain(per_ball, unit.kick, 0);
-      plan.travel_places = unit.penetration - unit.kick;
+      plan.main_x = Format::gain(scale * answer.gx, from, unit.recoil);
+      plan.main_u = Format::gain(scale * answer.g0, from, unit.recoil);
+      plan.main_u_by_moment = Format::gain(scale * answer.hg1, from, unit.recoil);
+      plan.ball = Format::gain(scale / terms.ball_mass, from, unit.recoil);
+      plan.to_penetration = Format::gain(n, unit.recoil, unit.penetration);
+      plan.force = Format::gain(per_ball, unit.recoil, 0);
+      plan.travel_places = unit.penetration - unit.recoil;
       return plan;
     }
 
@@ -109,14 +109,14 @@ struct SubsteppedMoment {
       Inner::start(plan.inner, units, at, plan.part * at_rate);
       step_rate = at_rate;
     }
-    // For the ledger: J0 (v0 + v1)/2 is a free pair's whole work, however the force runs.
+    // For the ledger: J0 (v0 + v1)/2 is a free pair's to_penetration work, however the force runs.
     constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                        const Contact& before, const SplitKick<Value>& kick) const {
-      const Value impulse = plan.force * kick.ball.impulse;
+                                        const Contact& before, const SplitImpulse<Value>& impulse) const {
+      const Value force = plan.force * impulse.ball.j0;
       Value stored{};
       if (this->phase == Phase::touching) stored = ContactLaw::template stored<Format>(units, this->penetration);
       const bool begins = before.phase == Phase::apart;
-      return {{impulse, Format::value(half(impulse))},
+      return {{force, Format::value(half(force))},
               stored,
               step.travel + step.travel - step.rate,
               step_rate,
@@ -124,24 +124,26 @@ struct SubsteppedMoment {
               !begins};
     }
 
-    constexpr SplitKick<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
+    constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
       const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
       const bool begins = this->phase == Phase::apart;
       Value at = begins ? before : this->penetration;
       const Value rate_before = begins ? (trial - before) + (trial - before) - trial_rate : step_rate;
-      const Value sag = trial - at - rate_before, bend = trial_rate - rate_before;
-      const Value second = plan.square * (sag + sag + sag - bend), third = plan.cube * (bend - sag - sag);
+      const Value curving = trial - at - rate_before, rate_change = trial_rate - rate_before;
+      const Value second = plan.square * (curving + curving + curving - rate_change),
+                  third = plan.cube * (rate_change - curving - curving);
       const Value third3 = third + third + third, third6 = third3 + third3;
       // The cubic, its rate and its curvature by their differences from one sub-step to the next.
       Value free = at, free_rate = plan.part * rate_before, curvature = second + second;
-      Value rise = free_rate + second + third, rise_of_rise = curvature + third6, rate_rise = curvature + third3;
-      Value x{}, u{}, y{}, w{};  // what the kicks have done to the main mass (x, u) and to the ball (y, w)
+      Value first_difference = free_rate + second + third, second_difference = curvature + third6,
+            rate_difference = curvature + third3;
+      Value x{}, u{}, y{}, w{};  // what the impulses have done to the main mass (x, u) and to the ball (y, w)
       for (int i = 1; i <= n; ++i) {
-        free = free + rise;
-        rise = rise + rise_of_rise;
-        rise_of_rise = rise_of_rise + third6;
-        free_rate = free_rate + rate_rise;
-        rate_rise = rate_rise + third6;
+        free = free + first_difference;
+        first_difference = first_difference + second_difference;
+        second_difference = second_difference + third6;
+        free_rate = free_rate + rate_difference;
+        rate_difference = rate_difference + third6;
         curvature = curvature + third6;
         const Value moved = x + u + plan.by_x_to_x * x + plan.by_u_to_x * u;
         u = u + plan.by_x_to_u * x + plan.by_u_to_u * u;
@@ -156,15 +158,15 @@ struct SubsteppedMoment {
           if (is_positive(at)) at = Value{};
         }
         const Value part_rate = free_rate - Format::moved(u + w, plan.travel_places);
-        const Kick<Value> kick =
+        const Impulse<Value> impulse =
             Inner::resolve(plan.inner, units, {part_trial, part_rate, part_trial - at, at, curvature, Value{}});
-        x = x + plan.main_x * kick.moment;
-        u = u + plan.main_u * kick.impulse + plan.main_u_by_moment * kick.moment;
-        y = y + plan.ball * kick.moment;
-        w = w + plan.ball * kick.impulse;
+        x = x + plan.main_x * impulse.j1;
+        u = u + plan.main_u * impulse.j0 + plan.main_u_by_moment * impulse.j1;
+        y = y + plan.ball * impulse.j1;
+        w = w + plan.ball * impulse.j0;
         at = this->penetration;
       }
-      step_rate = trial_rate - plan.whole * (u + w);
+      step_rate = trial_rate - plan.to_penetration * (u + w);
       return {{u, x}, {w, y}, rate_before};
     }
   };

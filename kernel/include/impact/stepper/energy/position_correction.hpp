@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The slip that makes the energy-consistent step keep Hunt-Crossley's first integral is k q, with u = C q and
+// The position correction that makes the energy-consistent step keep Hunt-Crossley's first integral is k q, with u = C
+// q and
 //
 //     k = (artanh(u)/u - 1)/u = (u/3) (1 + 3 u^2/5 + 3 u^4/7 + ..)
 //
@@ -8,19 +9,19 @@
 // at 0.999. There it goes on as a steep line, because k is infinite at u = 1 and an iteration may try more. Both parts
 // are increasing and convex.
 //
-// What the slip is short of the true one costs the restitution less than 6e-4 at any number of steps per contact, for
-// restitutions from 0.05 to 1: where u nears 1, the rate after the step hardly hangs on it.
+// What the position correction is short of the true one costs the restitution less than 6e-4 at any number of steps per
+// contact, for restitutions from 0.05 to 1: where u nears 1, the rate after the step hardly hangs on it.
 
 namespace impact {
 
 // k and dk/du at u >= 0.
 template <class Real>
-struct SlipRatio {
+struct CorrectionRatio {
   Real k, slope;
 };
 
 template <class Format>
-struct SlipFunction {
+struct CorrectionFunction {
   using Real = typename Format::Wide;
 
   static constexpr double n1 = -1.049636, n2 = 0.116728, d1 = -1.649636, d2 = 0.659117;
@@ -31,7 +32,7 @@ struct SlipFunction {
     return last / 3 * (1 + v * (n1 + v * n2)) / (1 + v * (d1 + v * d2));
   }
 
-  static constexpr SlipRatio<Real> at(Real u) {
+  static constexpr CorrectionRatio<Real> at(Real u) {
     constexpr Real end = Format::wide(last), steep = Format::wide(steepness);
     if (end < u) return {Format::wide(at_last()) + steep * (u - end), steep};
     constexpr Real one = Format::wide(1), third = Format::wide(1.0 / 3);

@@ -16,7 +16,7 @@ import { Sweep } from './sweep.mjs';
 import { numbersRow, sentenceOf } from './words.mjs';
 
 const find = (id) => document.getElementById(id);
-const slice = 5, sweepSlice = 4;  // ms of a frame
+const slice = 5, sweepSlice = 4, drawSlice = 11;  // ms of a frame, from its start
 
 class Page {
   constructor(kernel, costs) {
@@ -37,6 +37,7 @@ class Page {
     };
     this.frames = { count: 0, total: 0, longest: 0 };
     this.edited = 'a';
+    this.nextDrawing = 0;
     this.due = new Set();  // runs to start anew
     this.time = 0;
     this.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -121,7 +122,7 @@ class Page {
     const redraw = () => { readTheme(); this.#showWords(); };
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
     // On paper the colours are the light ones: once they apply, draw at once.
-    addEventListener('beforeprint', () => { document.documentElement.classList.add('printing'); redraw(); this.#draw(); });
+    addEventListener('beforeprint', () => { document.documentElement.classList.add('printing'); redraw(); this.#draw(Infinity); });
     addEventListener('afterprint', () => { document.documentElement.classList.remove('printing'); redraw(); });
     find('csv-a').addEventListener('click', () => this.#save('a'));
     find('csv-b').addEventListener('click', () => this.#save('b'));
@@ -163,7 +164,7 @@ class Page {
     let works = false;
     for (const run of Object.values(this.runs)) works = run.work(begin + slice) || works;
     if (!works) this.#afterRuns(begin);
-    this.#draw();
+    this.#draw(begin + drawSlice);
     const spent = performance.now() - begin, { frames } = this;
     ++frames.count;
     frames.total += spent;
@@ -185,7 +186,8 @@ class Page {
     find('sweep-progress').value = this.sweep.progress;
   }
 
-  #draw() {
+  // What there is no time for until `deadline` comes first in the next frame.
+  #draw(deadline) {
     const { ready, plots, time } = this;
     find('time').value = time / this.a.duration * find('time').max;
     find('clock').textContent = `${time.toFixed(4)} s`;
@@ -201,12 +203,18 @@ class Page {
     }
     if (ready.length === 0) return;
     const window = this.#window();
-    plots.displacement.draw(ready, window, time);
-    if (this.runs.a.isReady) plots.energyA.draw(this.runs.a, window, time);
-    if (this.runs.b.isReady) plots.energyB.draw(this.runs.b, window, time);
-    plots.loop.draw(ready, time);
-    plots.restitution.draw(ready);
-    plots.sweep.draw(this.sweep, ready);
+    const drawings = [
+      () => plots.displacement.draw(ready, window, time),
+      () => plots.loop.draw(ready, time),
+      () => this.runs.a.isReady && plots.energyA.draw(this.runs.a, window, time),
+      () => this.runs.b.isReady && plots.energyB.draw(this.runs.b, window, time),
+      () => plots.restitution.draw(ready),
+      () => plots.sweep.draw(this.sweep, ready),
+    ];
+    for (let drawn = 0; drawn === 0 || (drawn < drawings.length && performance.now() < deadline); ++drawn) {
+      drawings[this.nextDrawing]();
+      this.nextDrawing = (this.nextDrawing + 1) % drawings.length;
+    }
   }
   // The part of the run that is seen: all of it, or what is about the instant shown.
   #window() {

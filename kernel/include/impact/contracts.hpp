@@ -71,15 +71,6 @@ inline constexpr bool is_same = detail::is_one_of<One, Other>;
 template <class Type>
 const Type& value_of();
 
-template <bool, class One, class>
-struct Either {
-  using Type = One;
-};
-template <class One, class Other>
-struct Either<false, One, Other> {
-  using Type = Other;
-};
-
 template <class Type, class = void>
 inline constexpr bool has_scene = false;
 template <class Type>
@@ -102,7 +93,7 @@ struct PaperRig {
 template <class Type>
 inline constexpr bool is_rig = is_same<Type, AtRunTime> || (has_scene<Type> && has_bounds<Type> && has_step<Type>);
 template <class Type>
-using KeptRig = typename Either<is_rig<Type>, Type, PaperRig>::Type;
+using KeptRig = typename detail::Either<is_rig<Type>, Type, PaperRig>::Type;
 
 template <class Type, class = void>
 inline constexpr bool is_law = false;
@@ -113,7 +104,7 @@ inline constexpr bool is_law<
                decltype(Type::template stored<Fixed32>(value_of<Fixed32::Units>(), value_of<Fixed32::Value>()))>> =
     is_same<const Law, decltype(Type::law)>;
 template <class Type>
-using KeptLaw = typename Either<is_law<Type>, Type, HuntCrossley>::Type;
+using KeptLaw = typename detail::Either<is_law<Type>, Type, HuntCrossley>::Type;
 
 template <class Type, class = void>
 inline constexpr bool is_stepper = false;
@@ -143,7 +134,7 @@ inline constexpr bool
                         typename Type::template State<Fixed32>, typename Type::template Handover<Fixed32>>> =
         !(Type::is_sine && Type::is_sampled);
 template <class Type>
-using KeptDrive = typename Either<is_drive<Type>, Type, NoDrive>::Type;
+using KeptDrive = typename detail::Either<is_drive<Type>, Type, NoDrive>::Type;
 
 template <class Type, class = void>
 inline constexpr bool is_format = false;
@@ -153,7 +144,7 @@ inline constexpr bool
                          typename Type::Weight, typename Type::Root, typename Type::Tally, typename Type::Oscillator,
                          typename Type::Units, decltype(Type::kind), decltype(Type::gain(1.0, 0, 0))>> = true;
 template <class Type>
-using KeptFormat = typename Either<is_format<Type>, Type, Fixed32>::Type;
+using KeptFormat = typename detail::Either<is_format<Type>, Type, Fixed32>::Type;
 
 template <class Type, class = void>
 inline constexpr bool is_feature = false;
@@ -165,6 +156,6 @@ inline constexpr bool
 template <class Stepper, class Format, class ContactLaw>
 inline constexpr bool is_stepper_for = is_stepper<Stepper>&& has_treatment<Stepper, Format, ContactLaw>;
 template <class Stepper, class Format, class ContactLaw>
-using KeptStepper = typename Either<is_stepper_for<Stepper, Format, ContactLaw>, Stepper, Moment>::Type;
+using KeptStepper = typename detail::Either<is_stepper_for<Stepper, Format, ContactLaw>, Stepper, Moment>::Type;
 
 }  // namespace impact::contract

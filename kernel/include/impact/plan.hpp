@@ -138,16 +138,16 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
 
   Treatment::bound_forces(terms, largest);
-  const UnitExponents exponents = Format::exponents(largest);
+  const UnitExponents exponents = Format::Units::exponents(largest);
 
-  status = status_of(Format::overflow_of(exponents, largest));
+  status = status_of(Format::Units::overflow_of(exponents, largest));
   if (status != PlanStatus::ok) return refused(status);
 
   terms.force_unit = Treatment::force_unit(terms, exponents);
   terms.damping_exponent = exponents.force + (terms.is_linear ? exponents.penetration : 0);
   if (!Treatment::is_instantaneous &&
-      !Format::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass),
-                        exponents.recoil))
+      !Format::Units::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass),
+                               exponents.recoil))
     return refused(PlanStatus::contact_stiffness);
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2, h, terms.force_unit);

@@ -83,11 +83,11 @@ struct RealFormat {
   using Oscillator = OscillatorType;
   static constexpr bool calls_contact = false;
 
-  static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
-  static constexpr Overflow overflow_of(const UnitExponents&, const UnitBounds&) { return Overflow::none; }
-  static constexpr bool resolves(double, int) { return true; }
-
   struct Units {
+    static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
+    static constexpr Overflow overflow_of(const UnitExponents&, const UnitBounds&) { return Overflow::none; }
+    static constexpr bool resolves(double, int) { return true; }
+
     Long gap;                          // m
     Real per_second, step, of_forces;  // 1/s, s, N
 

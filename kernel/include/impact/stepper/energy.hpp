@@ -14,19 +14,6 @@
 
 namespace impact {
 
-namespace detail {
-template <bool is_linear>
-struct EnergyContact {
-  template <class Format, class ContactLaw>
-  using Type = EnergyPower<Format, ContactLaw>;
-};
-template <>
-struct EnergyContact<true> {
-  template <class Format, class>
-  using Type = EnergyLinear<Format>;
-};
-}  // namespace detail
-
 struct EnergyConsistent {
   static constexpr uint32_t kind = 32;  // a saved state is of one kind of stepper
   // Radians of the main mass's own vibration in a step.
@@ -40,7 +27,8 @@ struct EnergyConsistent {
   }
 
   template <class Format, class ContactLaw>
-  using Contact = typename detail::EnergyContact<ContactLaw::is_linear>::template Type<Format, ContactLaw>;
+  using Contact =
+      typename detail::Either<ContactLaw::is_linear, EnergyLinear<Format>, EnergyPower<Format, ContactLaw>>::Type;
 };
 
 }  // namespace impact

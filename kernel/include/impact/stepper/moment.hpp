@@ -34,19 +34,6 @@
 
 namespace impact {
 
-namespace detail {
-template <bool is_linear>
-struct MomentContact {
-  template <class Format, class ContactLaw>
-  using Type = MomentPower<Format, ContactLaw>;
-};
-template <>
-struct MomentContact<true> {
-  template <class Format, class>
-  using Type = MomentLinear<Format>;
-};
-}  // namespace detail
-
 struct Moment {
   static constexpr uint32_t kind = 1;  // a saved state is of one kind of stepper
   // Radians of the main mass's own vibration in a step.
@@ -68,7 +55,8 @@ struct Moment {
   }
 
   template <class Format, class ContactLaw>
-  using Contact = typename detail::MomentContact<ContactLaw::is_linear>::template Type<Format, ContactLaw>;
+  using Contact =
+      typename detail::Either<ContactLaw::is_linear, MomentLinear<Format>, MomentPower<Format, ContactLaw>>::Type;
 };
 
 }  // namespace impact

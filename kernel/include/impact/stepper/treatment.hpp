@@ -12,6 +12,18 @@
 
 namespace impact {
 
+namespace detail {
+// Of two types the first where the condition holds.
+template <bool, class One, class>
+struct Either {
+  using Type = One;
+};
+template <class One, class Other>
+struct Either<false, One, Other> {
+  using Type = Other;
+};
+}  // namespace detail
+
 // Where a contact stands between steps. `released`: let go at zero force, still inside the stop.
 enum class Phase : uint32_t { apart, touching, released };
 

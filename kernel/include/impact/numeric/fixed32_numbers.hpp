@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The numbers of Fixed32: Values are Q1.31 fractions, states 64-bit integers, and constants a mantissa with a shift.
+//
+// Rounding: a Gain rounds to nearest where it shifts right, and otherwise down.
+
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/fraction.hpp>
+
+namespace impact {
+
+struct Fixed32Numbers {
+  using Value = Signed<31>;
+  using Root = Unsigned<31>;
+
+  struct Long {
+    int64_t raw;
+
+    constexpr void advance(Long other) { raw += other.raw; }
+    // Modulo 2^64: states that have just left their range are looked at before they are held.
+    friend constexpr Long operator-(Long a, Long b) {
+      return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
+    }
+    // To the left by the complement: one of 2^63 less.
+    friend constexpr Long mirrored(Long x, bool left) { return {x.raw ^ -static_cast<int64_t>(left)}; }
+    constexpr bool is_negative() const { return raw < 0; }
+  };
+
+  // A sum of Values without end: 2^32 of the largest fit.
+  struct Tally {
+    int64_t raw;
+
+    constexpr void add(Value x) { raw += x.raw; }
+    constexpr double total() const { return static_cast<double>(raw) * constant::power_of_two(-31); }
+  };
+
+  // value * gain = (high word of value * mantissa) >> shift
+  struct Gain {
+    int32_t mantissa;
+    int shift;
+
+    [[gnu::always_inline]] friend constexpr Value operator*(Gain gain, Value x) {
+      if (gain.mantissa == 0) return {0};
+      const bool is_power_of_two = gain.mantissa == (1 << 30);
+      const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
+      if (places > 0) {
+        if (is_power_of_two) {
+          const int32_t twice = x.raw >> (places - 1);
+          return {twice - (twice >> 1)};  // half up without the overflow of the largest number
+        }
+        return {(high_product(x.raw, gain.mantissa) + (1 << (places - 1))) >> places};
+      }
+      // To the left before the product as far as it cannot overflow, to keep the product's low bits.
+      const int after = places < -2 ? 2 : -places;
+      const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (-places - after));
+      const int32_t product = is_power_of_two ? ahead : rounded_high_product(ahead, gain.mantissa);
+      return {static_cast<int32_t>(static_cast<uint32_t>(product) << after)};
+    }
+  };
+
+  // A gain of numbers that it may carry out of range: they are held where the largest mantissa would not.
+  struct HeldGain : Gain {
+    friend constexpr Value operator*(HeldGain gain, Value x) {
+      const int32_t most = gain.shift < -1 ? INT32_MAX >> (-1 - gain.shift) : INT32_MAX;
+      return static_cast<const Gain&>(gain) * Value{x.raw > most ? most : x.raw < -most ? -most : x.raw};
+    }
+  };
+
+  // A gain that, where it shifts left, rounds down to the middle of two places: two instructions less.
+  struct Weight : Gain {
+    [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
+      const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
+      const int32_t product =
+          high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
+      if (after > 0) return {(product + (1 << (after - 1))) >> after};
+      if (after == 0) return {rounded_high_product(x.raw, weight.mantissa)};
+      return {static_cast<int32_t>(static_cast<uint32_t>(product) << 1) + 1};
+    }
+  };
+
+  static constexpr Gain gain(double factor, int from, int to) {
+    const double scaled = factor * constant::power_of_two(from - to);
+    if (scaled == 0) return {0, 0};
+    // No number that it multiplies stays in range: a stepper far outside its own.
+    if (!(constant::magnitude(scaled) < 0x1p31)) return {scaled < 0 ? -INT32_MAX : INT32_MAX, -32};
+    int e = constant::exponent_above(constant::magnitude(scaled));
+    int64_t mantissa = constant::nearest(scaled * constant::power_of_two(31 - e));
+    if (mantissa > INT32_MAX) {
+      mantissa /= 2;
+      ++e;
+    }
+    if (-1 - e > 30) return {0, 0};
+    return {static_cast<int32_t>(mantissa), -1 - e};
+  }
+  static constexpr Weight weight(double factor, int from, int to) { return {gain(factor, from, to)}; }
+  // A Value that counts in 2^from as one that counts in 2^(from + places).
+  static constexpr Value moved(Value x, int places) {
+    return {places > 0 ? x.raw >> places : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -places)};
+  }
+};
+
+}  // namespace impact

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The units of Fixed32: the powers of two that a plan gives each quantity, from the largest values of its scene, and
+// the shifts by which Values and states of one unit become those of another.
+//
+//     position x = raw * 2^(position - 63); its upper word is a Value. 2^position is twice the bound or more, so that a
+//     state that passes its bound is seen before anything wraps.
+
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/fixed32_numbers.hpp>
+#include <impact/numeric/units.hpp>
+
+namespace impact {
+
+struct Fixed32Units {
+  using Value = Fixed32Numbers::Value;
+  using Long = Fixed32Numbers::Long;
+
+  // Every unit is the least that holds its bound, but for room: what is added to a state in range, at most half of its
+  // own unit, must not wrap it before it is looked at again (a displacement and a drive's sample to a position, three
+  // increments at a change of plan to a displacement, in a contact two pushes to a displacement or one and a position
+  // correction to a position). Where a quantity is large beside the positions' bound, their unit grows to leave that
+  // room.
+  static constexpr UnitExponents exponents(const UnitBounds& bounds) {
+    using constant::exponent_above;
+    UnitExponents e{};
+    e.displacement = exponent_above(2 * bounds.displacement);
+    e.increment = exponent_above(bounds.increment);
+    if (e.displacement <= e.increment) e.displacement = e.increment + 1;
+    e.push = exponent_above(bounds.push);
+    e.penetration = exponent_above(bounds.penetration);
+    e.force = exponent_above(bounds.force_factor);
+    e.position = exponent_above(bounds.position) + 1;
+    const int least[] = {exponent_above(bounds.gap) + 1, e.displacement + 1, e.penetration + 1, e.push + 2};
+    for (const int exponent : least)
+      if (e.position < exponent) e.position = exponent;
+    // A quantity counts in 2^-31 of a position's unit at the finest: its Value then ends with the position's last
+    // place.
+    int* const others[] = {&e.displacement, &e.increment, &e.push, &e.penetration};
+    for (int* const own : others)
+      if (*own < e.position - 31) *own = e.position - 31;
+    if (e.displacement <= e.increment) e.displacement = e.increment + 1;
+    e.recoil = e.push - 1;
+    return e;
+  }
+  // A force of more than 2^20 times k1 times the penetrations' unit to its power has no factor. Rates count in the
+  // penetrations' unit: above 2^14 times the main mass's amplitude at its largest speed they keep fewer than 17 bits of
+  // it, and what every step rounds adds up to a hundredth of its energy within some thousand steps
+  // (coupled_scenes_test.cpp).
+  static constexpr Overflow overflow_of(const UnitExponents& e, const UnitBounds& bounds) {
+    if (e.force > 20) return Overflow::force;
+    if (constant::power_of_two(e.penetration - 14) > bounds.amplitude) return Overflow::penetration;
+    return Overflow::none;
+  }
+
+  // Whether forces that change a quantity by as much as their unit are more than nothing.
+  static constexpr bool resolves(double change, int exponent) { return change > constant::power_of_two(exponent - 31); }
+
+  int64_t gap;
+  int position_exponent, displacement_shift, increment_shift, push_shift, penetration_shift, penetration_exponent,
+      force_bits;
+
+  static constexpr Fixed32Units make(const UnitExponents& e, double gap, double, double) {
+    return {static_cast<int64_t>(gap * constant::power_of_two(63 - e.position)),
+            e.position,
+            32 - (e.position - e.displacement),
+            32 - (e.position - e.increment),
+            32 - (e.position - e.push),
+            32 - (e.position - e.penetration),
+            e.penetration,
+            e.force};
+  }
+
+  constexpr Long state(double x) const {
+    const double raw = x * constant::power_of_two(63 - position_exponent), most = 0x1p62;
+    return {static_cast<int64_t>(constant::larger(-most, constant::smaller(raw, most)))};
+  }
+  // Positions carry half a last place of their upper word, so that taking the upper word rounds to nearest.
+  static constexpr int64_t half_place = int64_t{1} << 31;
+  constexpr Long state_at(double x) const { return {state(x).raw + half_place}; }
+  constexpr double si_at(Long x) const { return si({x.raw - half_place}); }
+  constexpr double si(Long x) const {
+    return static_cast<double>(x.raw) * constant::power_of_two(position_exponent - 63);
+  }
+  constexpr double si_penetration_unit() const { return constant::power_of_two(penetration_exponent); }
+  constexpr double si_penetration(Value x) const { return x.raw * constant::power_of_two(-31) * si_penetration_unit(); }
+  static constexpr double fraction(Value x) { return x.raw * constant::power_of_two(-31); }
+
+  static constexpr Value position(Long x) { return {opaque(static_cast<int32_t>(x.raw >> 32))}; }
+  constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
+  // Of a displacement per step and of a force: their own units serve.
+  static constexpr Value velocity(Value per_step) { return per_step; }
+  static constexpr Value newtons(Value force) { return force; }
+  static constexpr Value per_step(Value velocity) { return velocity; }
+  constexpr double displacement_unit() const { return constant::power_of_two(position_exponent); }
+  constexpr double velocity_unit(double step) const {
+    return constant::power_of_two(position_exponent + displacement_shift - 32) / step;
+  }
+  // A penetration or its rate as a displacement per step counts.
+  constexpr Value as_displacement(Value rate) const {
+    return Fixed32Numbers::moved(rate, displacement_shift - penetration_shift);
+  }
+  // What is added from outside, at most as much as a state is held at.
+  static constexpr bool hold_correction(Value& x) {
+    constexpr int32_t most = 1 << 30;
+    const int32_t held = x.raw > most ? most : x.raw < -most ? -most : x.raw;
+    const bool is_beyond = held != x.raw;
+    x.raw = held;
+    return is_beyond;
+  }
+  static constexpr void add_position(Long& x, Value by) { x.raw += shifted_left(by.raw, 32); }
+  constexpr void add_displacement(Long& w, Value by) const { w.raw += shifted_left(by.raw, displacement_shift); }
+  constexpr void add(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, increment_shift); }
+  // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
+  constexpr void displace(Long& x, Value penetration) const {
+    const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
+    x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
+  }
+  constexpr void push(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift); }
+  constexpr void push(Long& x, Signed<32> increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
+  constexpr void recoil(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
+  constexpr Value relative(Long difference) const {
+    return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
+  }
+  constexpr Value penetration(Long relative_displacement) const {
+    const int64_t inside = (relative_displacement - Long{gap}).raw;
+    if (fits(relative_displacement)) return {static_cast<int32_t>(inside >> penetration_shift)};
+    return {inside < 0 ? INT32_MIN : INT32_MAX};
+  }
+  constexpr bool fits(Long relative_displacement) const {
+    const auto upper = static_cast<uint32_t>((relative_displacement - Long{gap}).raw >> 32);
+    return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) <= 1;
+  }
+  // On the upper words alone: true whenever x2 - x1 > gap, and at times one last place early.
+  constexpr bool beyond_stop(Long x2, Long x1) const {
+    return upper_difference(x2, x1) >= static_cast<int32_t>(gap >> 32);
+  }
+  // Either stop, at times two last places early.
+  constexpr bool beyond_stops(Long x2, Long x1) const {
+    const int32_t apart = upper_difference(x2, x1);
+    return (apart ^ apart >> 31) >= static_cast<int32_t>(gap >> 32) - 1;
+  }
+  static constexpr int32_t upper_difference(Long x2, Long x1) {
+    return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
+  }
+  // In range while the top two bits of each Value agree, which one step's increment cannot carry dx1 past.
+  constexpr bool in_range(Long x1, Long x2, Long dx1) const {
+    return static_cast<int32_t>(top(x1) | top(x2) | top(dx1) << (32 - displacement_shift)) >= 0;
+  }
+  // The same, however far out they are.
+  constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) const {
+    const uint64_t half = uint64_t{1} << (displacement_shift + 30);
+    const uint64_t beyond = (static_cast<uint64_t>(dx1.raw) + half) | (static_cast<uint64_t>(dx2.raw) + half);
+    return static_cast<int32_t>(top(x1) | top(x2)) >= 0 && beyond >> (displacement_shift + 31) == 0;
+  }
+  static constexpr bool is_sound(Long) { return true; }
+  constexpr bool holds_start(Long x1, Long x2, Long dx1, Long dx2) const { return in_range(x1, x2, dx1, dx2); }
+  static constexpr uint32_t top(Long x) {
+    const auto upper = static_cast<uint32_t>(x.raw >> 32);
+    return upper ^ upper << 1;
+  }
+  static constexpr Value held(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
+  // x + y, held at the upper end of the range.
+  static constexpr Value held_sum(Value x, Value y) { return x + held(y, Value{INT32_MAX} - x); }
+  constexpr Long stop(Long main, bool left) const { return {left ? main.raw - gap : main.raw + gap}; }
+  constexpr bool hold_position(Long& x) const {
+    constexpr int64_t bound = (int64_t{1} << 62) - 1;
+    return hold(x, bound);
+  }
+  constexpr bool hold_displacement(Long& w) const { return hold(w, (int64_t{1} << (displacement_shift + 30)) - 1); }
+  static constexpr bool hold(Long& x, int64_t bound) {
+    const int64_t held = x.raw > bound ? bound : x.raw < -bound ? -bound : x.raw;
+    const bool is_beyond = held != x.raw;
+    x.raw = held;
+    return is_beyond;
+  }
+  // 1, and a purely elastic force, in the unit of forces.
+  constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
+  // A number from what counts in the unit of forces.
+  constexpr Value as_number(Value x) const {
+    return {force_bits >= 0 ? static_cast<int32_t>(static_cast<uint32_t>(x.raw) << force_bits) : x.raw >> -force_bits};
+  }
+  constexpr Value elastic(Value x) const {
+    return {force_bits >= 0 ? x.raw >> force_bits : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -force_bits)};
+  }
+};
+
+}  // namespace impact

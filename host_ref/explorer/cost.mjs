@@ -2,15 +2,8 @@
 
 import { short } from './numbers.mjs';
 
-// As sold. `cycles`: what an instruction takes on average from memory without wait states, an assumption of the report.
-export const parts = [
-  { target: 'cortex-m0', name: 'STM32F030, Cortex-M0, 48 MHz', clock: 48e6, cycles: 1.5 },
-  { target: 'cortex-m0plus', name: 'STM32G0, Cortex-M0+, 64 MHz', clock: 64e6, cycles: 1.4 },
-  { target: 'cortex-m3', name: 'STM32F103, Cortex-M3, 72 MHz', clock: 72e6, cycles: 1.4 },
-  { target: 'cortex-m4f', name: 'STM32F405, Cortex-M4F, 168 MHz', clock: 168e6, cycles: 1.4 },
-  { target: 'cortex-m7f', name: 'STM32H743, Cortex-M7F, 480 MHz', clock: 480e6, cycles: 1.0 },
-  { target: 'rv32imac', name: 'GD32VF103, RV32IMAC, 108 MHz', clock: 108e6, cycles: 1.4 },
-];
+// The rows of the report's list, as the page holds them.
+export const partsFrom = (json) => JSON.parse(json).map(([target, name, clock, cycles]) => ({ target, name, clock, cycles }));
 
 export function tableFrom(csv) {
   const [header, ...lines] = csv.trim().split('\n').map((line) => line.split(','));
@@ -18,13 +11,12 @@ export function tableFrom(csv) {
 }
 
 // Lines of [what, value], or one that says what is missing.
-export function costOf(table, target, scene, stepper) {
+export function costOf(table, part, scene, stepper) {
   if (table.length === 0) return [['Not measured', 'build/report/step_budget.csv was not there when this page was made; sh toolchains/bootstrap.sh report makes it']];
   if (scene.numeric === 'float64') return [['Not measured', 'Float64 is for hosts']];
-  const part = parts.find((each) => each.target === target);
-  const rows = table.filter((row) => row.target === target && row.law === scene.law && row.newmark === stepper && row.numeric === scene.numeric);
+  const rows = table.filter((row) => row.target === part.target && row.law === scene.law && row.newmark === stepper && row.numeric === scene.numeric);
   const [free, contact, iterating] = ['free', 'contact', 'iterating'].map((name) => rows.find(({ phase }) => phase === name));
-  if (!free || !contact) return [['Not measured', `${scene.law}, ${stepper}, ${scene.numeric} on ${target}`]];
+  if (!free || !contact) return [['Not measured', `${scene.law}, ${stepper}, ${scene.numeric} on ${part.target}`]];
   const cycles = part.cycles * Math.max(...[free, contact, iterating].map((row) => row?.instructions_max ?? 0));
   const memory = ['flash', 'ram', 'stack'].filter((kind) => contact[`${kind}_bytes`]);
   return [

@@ -1,7 +1,7 @@
 // The page: its state, what happens when it changes, and the frame that computes a slice and draws.
 
 import { Controls, element } from './controls.mjs';
-import { costOf, parts, tableFrom } from './cost.mjs';
+import { costOf, partsFrom, tableFrom } from './cost.mjs';
 import { Kernel, column, unpacked } from './kernel.mjs';
 import { hashOf, stateFrom } from './link.mjs';
 import { Machine, machineDrawing } from './machine.mjs';
@@ -19,10 +19,11 @@ const find = (id) => document.getElementById(id);
 const slice = 5, sweepSlice = 4, drawSlice = 11;  // ms of a frame, from its start
 
 class Page {
-  constructor(kernel, costs) {
+  constructor(kernel, costs, parts) {
     this.initial = initialScene(kernel);
     this.kernel = kernel;
     this.costs = costs;
+    this.parts = parts;
     this.runs = { a: new Run(kernel, 0), b: new Run(kernel, 2) };
     for (const [letter, run] of Object.entries(this.runs)) run.letter = letter;
     this.sweep = new Sweep(kernel, 4);
@@ -42,7 +43,7 @@ class Page {
     this.time = 0;
     this.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.controls = new Controls(find('controls'), (name, value) => this.change(name, value));
-    for (const { target, name } of parts) find('part').append(new Option(name, target));
+    for (const { target, name } of parts) find('part').append(new Option(`${name}, ${target}`, target));
     this.#listen();
     this.restore();
     requestAnimationFrame((now) => this.#frame(now));
@@ -63,7 +64,7 @@ class Page {
     const state = stateFrom(location.hash, this.initial);
     Object.assign(this, { a: state.a, b: state.b });
     if (!this.compares) this.edited = 'a';
-    if (parts.some(({ target }) => target === state.part)) find('part').value = state.part;
+    if (this.parts.some(({ target }) => target === state.part)) find('part').value = state.part;
     else find('part').value = 'cortex-m4f';
     this.start(['a', 'b']);
   }
@@ -252,7 +253,7 @@ class Page {
       const options = run.isReady ? argumentsOf(run.scene, this.initial, run.every) : [];
       find(`command-${letter}`).textContent = run.isReady ? commandOf(options) : '';
       find(`rig-${letter}`).textContent = run.isReady ? this.kernel.rig(run.slot, options) : '';
-      const costs = run.isReady ? costOf(this.costs, find('part').value, run.scene, run.plan.stepper) : [];
+      const costs = run.isReady ? costOf(this.costs, this.parts.find(({ target }) => target === find('part').value), run.scene, run.plan.stepper) : [];
       find(`cost-${letter}`).replaceChildren(...costs.flatMap(([what, value]) => [element('dt', { textContent: what }), element('dd', { textContent: value })]));
     }
   }
@@ -283,7 +284,7 @@ async function open() {
   try {
     const kernel = await Kernel.load(await unpacked(find('kernel-module').textContent));
     readTheme();
-    window.explorer = new Page(kernel, tableFrom(find('step-budget').textContent));
+    window.explorer = new Page(kernel, tableFrom(find('step-budget').textContent), partsFrom(find('parts').textContent));
     find('loading').remove();
   } catch (failure) {
     find('loading').textContent = `This page needs a browser with WebAssembly and DecompressionStream, of 2023 or later: ${failure.message}`;

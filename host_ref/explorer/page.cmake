@@ -1,4 +1,4 @@
-# Puts the page together: cmake -D FOLDER=... -D OUTPUT=... -D KERNEL=... -D TRAJECTORIES=... -D STEP_BUDGET=... -P page.cmake
+# Puts the page together: cmake -D FOLDER=... -D OUTPUT=... -D KERNEL=... -D TRAJECTORIES=... -D STEP_BUDGET=... -D PARTS=... -P page.cmake
 # The modules become one script, in the order of their imports; KERNEL and TRAJECTORIES are base64 of gzip files.
 # STEP_BUDGET may be absent.
 
@@ -16,8 +16,14 @@ set(step_budget "")
 if(EXISTS ${STEP_BUDGET})
   file(READ ${STEP_BUDGET} step_budget)
 endif()
+# C++'s lists are JSON's with other brackets.
+file(READ ${PARTS} parts)
+string(REGEX REPLACE "//[^\n]*\n" "" parts "${parts}")
+string(REGEX REPLACE ",\n$" "" parts "${parts}")
+string(REPLACE "{" "[" parts "${parts}")
+string(REPLACE "}" "]" parts "${parts}")
 file(READ ${FOLDER}/page.html.in page)
-foreach(part style script kernel trajectories step_budget)
+foreach(part style script kernel trajectories step_budget parts)
   string(REPLACE "@${part}@" "${${part}}" page "${page}")
 endforeach()
 file(WRITE ${OUTPUT} "${page}")

@@ -11,17 +11,14 @@ namespace impact::report {
 
 using Table = std::vector<Row>;
 
-// A microcontroller as it is sold. cycles: what an instruction takes on average from memory without wait states, an
-// assumption.
 struct Part {
   const char *target, *name;
-  double clock, cycles;  // Hz
+  double clock, cycles;  // Hz, an instruction's mean
   bool has_fpu;
 };
 inline constexpr Part parts[] = {
-    {"cortex-m0", "STM32F030, 48 MHz", 48e6, 1.5, false},   {"cortex-m0plus", "STM32G0, 64 MHz", 64e6, 1.4, false},
-    {"cortex-m3", "STM32F103, 72 MHz", 72e6, 1.4, false},   {"cortex-m4f", "STM32F405, 168 MHz", 168e6, 1.4, true},
-    {"cortex-m7f", "STM32H743, 480 MHz", 480e6, 1.0, true}, {"rv32imac", "GD32VF103, 108 MHz", 108e6, 1.4, false}};
+#include <host_ref/report/page/parts.inc>
+};
 inline constexpr const char* laws[] = {"hooke-newton", "hertz", "hunt-crossley"};
 
 // A configuration's rows of step_budget.csv.

@@ -12,12 +12,15 @@ namespace {
 static_assert(sizeof(Absorber) <= sizeof(impact_absorber), "define IMPACT_C_BYTES, a multiple of 8, large enough");
 static_assert(alignof(Absorber) <= alignof(impact_absorber));
 #ifdef IMPACT_C_FLOAT
-static_assert(sizeof(Absorber::Value{} + 0.0f) == sizeof(float), "IMPACT_C_FLOAT, but the rig's format is Fixed32");
+static_assert(sizeof(Absorber::Value{} + 0.0f) == sizeof(float),
+              "IMPACT_C_FLOAT, but the rig's format is not Float32 or Float32Plain");
 constexpr Absorber::Value in(impact_number x) { return x; }
 constexpr impact_number out(Absorber::Value x) { return x; }
 #else
+static_assert(impact::detail::is_one_of<Absorber::Format, impact::Fixed32>,
+              "the rig's format is not Fixed32: Float32 and Float32Plain need IMPACT_C_FLOAT, Float64 is for hosts");
 constexpr Absorber::Value in(impact_number x) { return {x}; }
-constexpr impact_number out(Absorber::Value x) { return x.raw; }  // no raw: the rig needs IMPACT_C_FLOAT
+constexpr impact_number out(Absorber::Value x) { return x.raw; }
 #endif
 
 constexpr Absorber at_start;

@@ -205,9 +205,9 @@ class Absorber
   }
 
   // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
-  // of displacement() and velocity(). Held in range and faulted like a step, and for that at most half a unit. A
-  // contact under way goes on from the corrected penetration, with its damping; a ledger counts what a correction does
-  // to the stored energy as dissipated, and nothing as the drive's work.
+  // of displacement() and velocity(). At most half a unit of each; a state that leaves its range is held, with a fault.
+  // A contact under way goes on from the corrected penetration, with its damping; a ledger counts what a correction
+  // does to the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
@@ -356,7 +356,7 @@ class Absorber
     }
   }
 
-  // What a force of pointwise contact has to do yet, towards the stop as a displacement per step.
+  // What a force that a treatment keeps has not done yet, towards the stop as a displacement per step.
   constexpr Value carried(typename Format::Gain share) const {
     return plan.units.as_displacement(mirrored(share * state_.contact.force, at_left()));
   }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Which stepper is right for a scene and a step: one rule, from how the step resolves the contacts that the bounds
-// allow (law/resolution.hpp). N is the number of steps per contact of the fastest impact (`detail` counts where damping
-// makes a part of the contact shorter), w0 tc the radians of the main mass's own vibration during it. The first that
+// allow (law/resolution.hpp). N is the number of steps per contact of the fastest impact (under strong damping: of its
+// shortest part, Resolution::detail), w0 tc the radians of the main mass's own vibration during it. The first that
 // holds:
 //
 //     N >= 8                     Moment             fourth order
 //     N < 8, w0 tc <= 0.05       Impulsive          the law's own restitution, at an instant
 //     4 N or 8 N >= 8            SubsteppedMoment   with 4 or 8 sub-steps
 //     any                        EnergyConsistent   passive at any stiffness, damping and clearance
-//     Hooke-Newton that this refuses (N < 1), w0 tc <= 0.25
-//                                Impulsive
+//     instead, for a Hooke-Newton contact of less than one step, which EnergyConsistent refuses:
+//     w0 tc <= 0.25              Impulsive
 //
 // Moment and SubsteppedMoment are passed over where the plan would refuse them: where the step is long beside the main
 // mass's vibration, or beside the stiffness or the damping of the deepest contact, with sub-steps also where the ball

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the template arguments of Absorber must be, in words, and as conditions of which Absorber says in one message
-// each that they fail. The rest is then compiled with an argument of the kernel's own, so that the message stands
-// alone.
+// What the template arguments of Absorber must be, in words and as conditions. Absorber reports each condition that
+// fails in one message, and goes on with an argument of the kernel's own, so that no second error follows.
 //
 // Rig       scene, bounds and step as static constexpr members: Scene, Bounds, double (s). Or AtRunTime.
 //
@@ -12,6 +11,8 @@
 //           is_damped_per_impact       c1 is set at each impact, c1 = a k1/v0, from
 //           damping_ratio(e)             a, for the restitution that the scene states; only then
 //           stored<Format>(units, d)   the energy stored at the penetration d, in the units of law/terms.hpp
+//           The force itself is k1 delta or k1 delta^(3/2) with Hunt-Crossley's damping: a law of one's own derives
+//           from HuntCrossleyPerImpact and chooses damping_ratio (law/per_impact.hpp).
 //
 // Stepper   kind                       uint32_t, another one for each stepper: saved states are of one kind
 //           longest_phase              radians of the main mass's own vibration that a step may have
@@ -19,14 +20,17 @@
 //           steps(resolution)          Range, s: the steps with which it is right for such contacts
 //           Contact<Format, Law>       the contact treatment
 //
-// Treatment Plan                       its constants, with `response`: what an impulse and a moment do to the state
+// Treatment a base                     Treatment or ResolvedForces of stepper/treatment.hpp, which have the rest
+//           is_instantaneous           an impact takes no time: its forces are not judged by their size in a step
+//           Plan                       its constants, with `response`: what an impulse and a moment do to the state
 //           make_plan(terms, flow, exponents)      SI in, law/terms.hpp
 //           force_unit(terms, exponents)           N: what its forces count in
 //           bound_forces(terms, largest)           adds the largest push and force to the bounds, m and m per step
 //           phase                      Phase: where the contact stands between steps
 //           start(plan, units, penetration, rate)  a contact that begins at this state
-//           resolve(plan, units, ..)   from the step as the stop sees it, the impulse: shapes in
-//                                      stepper/treatment.hpp
+//           resolve(plan, units, approach)         from the step as the stop sees it (Approach) the Impulse, or a
+//                                      SplitImpulse; record(plan, units, approach, before, impulse) the same step as
+//                                      features see it (ContactStep), where `before` is the treatment before it
 //
 // Drive     is_sine, is_sampled        at most one of them
 //           Plan<Format>, State<Format>, Handover<Format>    constants, what changes from step to step, and what a

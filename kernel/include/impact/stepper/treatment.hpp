@@ -48,7 +48,7 @@ template <class Value>
   return {mirrored(impulse.j0, left), mirrored(impulse.j1, left)};
 }
 
-// A impulse that the two masses feel differently, and the rate of penetration at which it came.
+// An impulse that the two masses feel differently, and the rate of penetration at which it came.
 template <class Value>
 struct SplitImpulse : Impulse<Value> {
   Impulse<Value> ball;
@@ -69,8 +69,9 @@ constexpr const Impulse<Value>& felt_by_ball(const SplitImpulse<Value>& impulse)
 }
 
 // A step in contact as the features see it: the force's impulse and moment, the energy stored at its end, the rate of
-// penetration at both ends (the first unless the step follows one in contact, with whose end it begins). A treatment
-// whose force is constant knows its way, and with it the work to rounding.
+// penetration at both ends (the one at the start in the first step of a contact; a later one begins where the last
+// ended). A treatment whose force is constant knows how far the contact moved in the step, its way, and with it the
+// work to rounding.
 template <class Value>
 struct ContactStep {
   Impulse<Value> force;
@@ -92,7 +93,7 @@ constexpr ContactStep<Value> recorded(const Response& response, const typename F
   return {force, stored, step.travel + step.travel - step.rate, rate, begins, !begins};
 }
 
-// What the contact step asks of every treatment, for one that has nothing to say to it.
+// Defaults for what the contact step asks of every treatment.
 struct Treatment {
   // Whether it can leave one stop and touch the other in the same step; otherwise the other one waits for the next.
   static constexpr bool meets_both_stops = false;
@@ -119,7 +120,8 @@ struct Treatment {
   }
 };
 
-// The ball goes back to its stop before it is touched: no energy is made of a penetration that no force has led to.
+// The ball goes back to its stop before it is touched: a penetration that it has flown into freely would store energy
+// that no force has put in.
 template <class Units, class State, class Value>
 [[gnu::always_inline]] constexpr bool put_back(const Units& units, State& state, Approach<Value>& step, bool left) {
   units.displace(state.x2, -mirrored(step.before, left));

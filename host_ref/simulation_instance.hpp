@@ -11,12 +11,13 @@ Planned plan_with_drive(const Request& request, const Bounds& bounds) {
   switch (request.drive) {
     case DriveKind::none:
       return plan_for<Format, ContactLaw, Stepper, NoDrive>(request, bounds);
-    case DriveKind::sine:
-      return plan_for<Format, ContactLaw, Stepper, Sine>(request, bounds);
+#if !defined(IMPACT_WITHOUT_SAMPLES)  // the explorer, which knows none
     case DriveKind::sampled:
-      break;
+      return plan_for<Format, ContactLaw, Stepper, Sampled>(request, bounds);
+#endif
+    default:
+      return plan_for<Format, ContactLaw, Stepper, Sine>(request, bounds);
   }
-  return plan_for<Format, ContactLaw, Stepper, Sampled>(request, bounds);
 }
 
 template <class Format, class ContactLaw>

@@ -14,22 +14,30 @@ struct Fingerprint {
   char digits[2 * blocks + 1] = {};  // two hexadecimal digits a block
 };
 
-template <class State>
-void append(uint64_t& hash, const State& state) {
-  static_assert(sizeof(State) % 4 == 0);
-  uint32_t words[sizeof(State) / 4];
-  __builtin_memcpy(words, &state, sizeof state);
-  for (uint32_t word : words) hash = (hash ^ word) * 0x100000001b3;
-}
+// A machine that makes steps, whatever its type: what the type adds to an image is its step alone.
+struct Trajectory {
+  const char* label;
+  void* state;
+  const void* start;  // the state before the first step
+  uint32_t words;     // of the state
+  void (*advance)(void* state, uint32_t index);
 
-// `advance(state, index)` makes step `index`.
-template <class State, class Advance>
-Fingerprint fingerprint(State& state, Advance advance) {
+  void restart() const { __builtin_memcpy(state, start, 4 * words); }
+  uint32_t word(uint32_t index) const {
+    uint32_t value;
+    __builtin_memcpy(&value, static_cast<const char*>(state) + 4 * index, 4);
+    return value;
+  }
+};
+
+inline Fingerprint fingerprint(const Trajectory& trajectory) {
   Fingerprint result;
+  trajectory.restart();
   for (uint32_t block = 0; block < blocks; ++block) {
     for (uint32_t i = 0; i < steps_per_block; ++i) {
-      advance(state, block * steps_per_block + i);
-      append(result.hash, state);
+      trajectory.advance(trajectory.state, block * steps_per_block + i);
+      for (uint32_t word = 0; word < trajectory.words; ++word)
+        result.hash = (result.hash ^ trajectory.word(word)) * 0x100000001b3;
     }
     result.digits[2 * block] = "0123456789abcdef"[result.hash >> 60];
     result.digits[2 * block + 1] = "0123456789abcdef"[(result.hash >> 56) & 15];

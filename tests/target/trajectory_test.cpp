@@ -26,21 +26,40 @@ constexpr Golden golden_trajectories[] = {
     {"", 0, ""}  // ends the list
 };
 
-const Golden* golden_for(const Label& label) {
+bool is_same(const char* one, const char* other) {
+  while (*one != 0 && *one == *other) ++one, ++other;
+  return *one == *other;
+}
+
+const Golden* golden_for(const char* label) {
   for (const Golden& golden : golden_trajectories)
-    if (label == golden.label) return &golden;
+    if (is_same(label, golden.label)) return &golden;
   return nullptr;
 }
 
-// Always static, so that the padding between members is zero.
 template <class Configuration>
-using Absorber = typename Configuration::template Absorber<1000>;
+struct TrajectoryOf {
+  using Absorber = typename Configuration::template Absorber<1000>;
+  static_assert(sizeof(Absorber) % 4 == 0);
 
-// Once in an image of which two places step: it has 256 K.
+  // Both static, so that the padding between members is zero.
+  static Absorber absorber;
+  static const Absorber start;
+  static void advance(void* state, uint32_t index) { Configuration::advance(*static_cast<Absorber*>(state), index); }
+  static constexpr Trajectory trajectory{Configuration::label.text, &absorber, &start, sizeof(Absorber) / 4, advance};
+};
 template <class Configuration>
-[[gnu::noinline]] void advance(Absorber<Configuration>& absorber, uint32_t index) {
-  Configuration::advance(absorber, index);
-}
+typename TrajectoryOf<Configuration>::Absorber TrajectoryOf<Configuration>::absorber;
+template <class Configuration>
+const typename TrajectoryOf<Configuration>::Absorber TrajectoryOf<Configuration>::start;
+
+template <class List>
+struct All;
+template <class... Configurations>
+struct All<List<Configurations...>> {
+  static constexpr Trajectory trajectories[] = {TrajectoryOf<Configurations>::trajectory...};
+};
+constexpr auto& trajectories = All<decltype(golden_configurations<IMPACT_NUMERICS>())>::trajectories;
 
 void print(const char* label, const Fingerprint& fingerprint) {
   board::print("{\"");
@@ -52,31 +71,26 @@ void print(const char* label, const Fingerprint& fingerprint) {
   board::print("\"},\n");
 }
 
-template <class Configuration>
-void print_states(Configuration, uint32_t block) {
-  static Absorber<Configuration> absorber;
+void print_states(const Trajectory& trajectory, uint32_t block) {
+  trajectory.restart();
   for (uint32_t index = 0; index < (block + 1) * steps_per_block; ++index) {
-    advance<Configuration>(absorber, index);
+    trajectory.advance(trajectory.state, index);
     if (index < block * steps_per_block) continue;
     board::print("# step ");
     board::print(index + 1);
-    uint32_t words[sizeof absorber / 4];
-    __builtin_memcpy(words, &absorber, sizeof absorber);
-    for (uint32_t word : words) board::print(" "), board::print_hexadecimal(word);
+    for (uint32_t word = 0; word < trajectory.words; ++word)
+      board::print(" "), board::print_hexadecimal(trajectory.word(word));
     board::print("\n");
   }
 }
 
-template <class Configuration>
-bool passes(Configuration configuration) {
-  static Absorber<Configuration> absorber;
-  const Fingerprint found =
-      fingerprint(absorber, advance<Configuration>);
-  print(Configuration::label.text, found);
-  const Golden* golden = golden_for(Configuration::label);
+bool passes(const Trajectory& trajectory) {
+  const Fingerprint found = fingerprint(trajectory);
+  print(trajectory.label, found);
+  const Golden* golden = golden_for(trajectory.label);
   if (golden != nullptr && golden->hash == found.hash) return true;
   board::print(golden == nullptr ? "# no golden value\n" : "# differs from the golden value\n");
-  if (golden != nullptr) print_states(configuration, first_difference(found.digits, golden->digits));
+  if (golden != nullptr) print_states(trajectory, first_difference(found.digits, golden->digits));
   return false;
 }
 
@@ -94,10 +108,9 @@ using namespace impact::target;
 #if __STDC_HOSTED__
 int main(int count, char** words) {
   if (count == 3) {
-    for_each(golden_configurations<IMPACT_NUMERICS>(), [words](auto configuration) {
-      if (configuration.label == words[1])
-        print_states(configuration, static_cast<uint32_t>(strtoul(words[2], nullptr, 10)));
-    });
+    for (const Trajectory& trajectory : trajectories)
+      if (is_same(trajectory.label, words[1]))
+        print_states(trajectory, static_cast<uint32_t>(strtoul(words[2], nullptr, 10)));
     return 0;
   }
 #else
@@ -105,8 +118,7 @@ int main() {
 #endif
   bool all_pass = self_tests<IMPACT_NUMERICS>();
   if (!all_pass) impact::board::print("# the self-test fails\n");
-  for_each(golden_configurations<IMPACT_NUMERICS>(), [&all_pass](auto configuration) {
-    if (!passes(configuration)) all_pass = false;
-  });
+  for (const Trajectory& trajectory : trajectories)
+    if (!passes(trajectory)) all_pass = false;
   return all_pass ? 0 : 1;
 }

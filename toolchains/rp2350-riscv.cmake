@@ -1,0 +1,7 @@
+set(IMPACT_TARGET rp2350-riscv)
+set(IMPACT_CPU_FLAGS "-march=rv32imac_zba_zbb_zbs -mabi=ilp32")
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR riscv32)
+set(CMAKE_CXX_COMPILER riscv64-unknown-elf-g++)
+set(IMPACT_BOARD rv32)
+include(${CMAKE_CURRENT_LIST_DIR}/freestanding.cmake)

@@ -8,7 +8,7 @@ set -eu
 cd "$(dirname "$0")/.."
 export CMAKE_GENERATOR=Ninja
 
-targets="cortex-m0 cortex-m0plus cortex-m3 cortex-m4f cortex-m7f rv32imac"
+targets="cortex-m0 cortex-m0plus cortex-m3 cortex-m4f cortex-m7f rv32imac rp2350-riscv"
 
 # What is needed, as a file or command that shows that it is there, and the Debian package that brings it.
 requirements() {

@@ -11,7 +11,7 @@ case $1 in
   cortex-m4f) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an386 ;;
   cortex-m7f) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an500 ;;
   rv32imac) set -- "$2" "${3-0}" qemu-system-riscv32 -machine virt -bios none ;;
-  rp2350-riscv) set -- "$2" "${3-0}" qemu-system-riscv32 -machine virt -bios none -cpu rv32,zba=true,zbb=true,zbs=true ;;
+  rp2350-riscv) set -- "$2" "${3-0}" qemu-system-riscv32 -machine virt -bios none -cpu rv32,zba=true,zbb=true ;;
   *) echo "emulate.sh: no board for target '$1'" >&2 && exit 2 ;;
 esac
 image=$1 shift=$2 && shift 2

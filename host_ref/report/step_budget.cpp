@@ -1,5 +1,6 @@
 // step_budget OUTPUT.csv BUDGETS.csv FILE.csv...: instructions of a step with its budget and the configuration's
-// memory, one row a phase; `all` has the larger of `free` and `contact`, and no mean. FILE holds costs or footprints,
+// memory, one row a phase; `all` has the larger of `free` and `contact`, and no mean. cycles_max is of BUDGETS.csv too,
+// where a model of the core has counted them. FILE holds costs or footprints,
 // as its columns say. A count that is not its budget is said on standard error.
 
 #include <algorithm>
@@ -40,14 +41,15 @@ void write_step_budget(const std::vector<std::string>& paths) {
   host::Output output(paths.at(0));
   output.write(
       "target,law,newmark,numeric,drive,phase,instructions_mean,instructions_max,budget,flash_bytes,ram_bytes,"
-      "stack_bytes\n");
+      "stack_bytes,cycles_max\n");
   const auto write = [&](const std::string& key, const std::string& phase, const std::string& mean,
                          const std::string& most) {
     const std::string& allowed = budget[key + phase];
     if (!allowed.empty() && allowed != most)
       std::cerr << key << phase << ": " << most << " instructions, its budget is " << allowed << "\n";
     output.write(key + phase + "," + mean + "," + most + "," + allowed + "," + memory[key + "flash_bytes"] + "," +
-                 memory[key + "ram_bytes"] + "," + memory[key + "stack_bytes"] + "\n");
+                 memory[key + "ram_bytes"] + "," + memory[key + "stack_bytes"] + "," + budget[key + phase + "_cycles"] +
+                 "\n");
   };
   for (const Row& row : costs) {
     const std::string key = configuration_of(row);

@@ -12,7 +12,7 @@ for file in README.md tests/README.md; do
     FILENAME ~ /csv$/ { split($0, part, ","); budget[part[1] "," part[2] "," part[3] "," part[4] "," part[5] ":" part[6]] = part[7]; next }
     /^<!-- budgets.csv/ { sub(/ *-->/, ""); cells = NF; for (i = 2; i <= cells; ++i) cell[i] = $i; $0 = $0 " -->" }
     /^$/ && seen { cells = seen = 0 }
-    cells && /^\| (cortex|rv)/ {
+    cells && /^\| (cortex|rv|rp)/ {
       target = $2
       $0 = "| " target " |"
       seen = 1

@@ -102,7 +102,7 @@ set -eu
       --depth
     }
     print core "," label ",longest_path,," longest[start]
-    if (core !~ /^rv/) print core "," label ",longest_path_cycles,," slowest[start]
+    if (core !~ /^r/) print core "," label ",longest_path_cycles,," slowest[start]
   }
   function begin_of(node) { return function_of[node] }
 '

@@ -5,7 +5,7 @@
 set -eu
 path() { sh "$(dirname "$0")/longest_path.sh" "$1" "$2" , "$3" "(anonymous namespace)::$4(void*)" | sed '/cycles/d; /^#/!s/.*,//'; }
 case $2 in  # one instruction or two before the seven, and the return
-  rv32*) branch=9 from_stack=1 ;;
+  r*) branch=9 from_stack=1 ;;
   *) branch=10 from_stack=4 ;;
 esac
 case $2 in cortex-m0*) by_a_table="by_a_table # no way *" ;; *) by_a_table="" ;; esac

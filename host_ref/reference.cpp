@@ -63,10 +63,11 @@ Real largest(const SeriesOrColumn& p, Real end) {
   return peak ? std::max(at_ends, value(p, *peak)) : at_ends;
 }
 
-// Main mass, ball relative to the main mass, drive: x1, v1, y, y', F and its partner G (F' = w G, G' = -w F for a sine;
-// F' = G for a sampled drive).
-using Vector = Eigen::Matrix<Real, 6, 1>;
-using Generator = Eigen::Matrix<Real, 6, 6>;
+// Main mass, ball relative to the main mass, drive, field, sliding: x1, v1, y, y', F and its partner G (F' = w G,
+// G' = -w F for a sine; F' = G for a sampled drive), the field's acceleration and its slope, the sign of y'.
+constexpr int size = 9;
+using Vector = Eigen::Matrix<Real, size, 1>;
+using Generator = Eigen::Matrix<Real, size, size>;
 
 // z' = A z solved by exp(A t), over windows of about half a radian of the fastest mode: the exponentials of the window
 // and of its binary fractions are computed once, so that any instant is a product of a few of them. The tolerance sets
@@ -74,13 +75,13 @@ using Generator = Eigen::Matrix<Real, 6, 6>;
 class LinearFlow {
  public:
   LinearFlow(const Generator& generator, Real tolerance) {
-    const Eigen::Matrix<double, 6, 6> rounded = generator.cast<double>();
+    const Eigen::Matrix<double, size, size> rounded = generator.cast<double>();
     const Real radians = 0.5L * std::pow(tolerance / real(reference_tolerance), Real{1} / order);
     window_ = radians / real(std::max(1.0, rounded.eigenvalues().cwiseAbs().maxCoeff()));
     scaled_ = generator * window_;
     // In units of the window the terms are alike in size, so that small entries keep their digits.
     Vector units;
-    units << window_, 1, window_, 1, 1 / window_, 1 / window_;
+    units << window_, 1, window_, 1, Eigen::Matrix<Real, size - 4, 1>::Constant(1 / window_);
     const Vector inverse = units.cwiseInverse();
     const Generator balanced = inverse.asDiagonal() * scaled_ * units.asDiagonal();
     Real fraction = 1;
@@ -105,8 +106,8 @@ class LinearFlow {
   }
 
   // The series of each component of z on the window, one in a row.
-  Eigen::Matrix<Real, 6, order + 1> series(const Vector& z) const {
-    Eigen::Matrix<Real, 6, order + 1> result;
+  Eigen::Matrix<Real, size, order + 1> series(const Vector& z) const {
+    Eigen::Matrix<Real, size, order + 1> result;
     result.col(0) = z;
     for (int k = 1; k <= order; ++k) result.col(k) = scaled_ * result.col(k - 1) / static_cast<Real>(k);
     return result;
@@ -129,25 +130,54 @@ struct Constants {
         half_clearance(real(scene.clearance) / 2),
         k1(real(scene.contact_stiffness)),
         F0(real(scene.drive_amplitude)),
-        pulsation(real(scene.drive_pulsation)) {}
-  Real M, k, c, m, half_clearance, k1, F0, pulsation;
+        pulsation(real(scene.drive_pulsation)),
+        gravity(real(scene.gravity)),
+        friction(real(scene.ball_friction)) {}
+  Real M, k, c, m, half_clearance, k1, F0, pulsation, gravity, friction;
 };
 
-Generator generator(const Constants& scene, DriveKind drive, Real k1, Real c1) {
-  Generator a = Generator::Zero();
-  a(0, 1) = 1;
-  a.row(1) << -scene.k / scene.M, -scene.c / scene.M, k1 / scene.M, c1 / scene.M, 1 / scene.M, 0;
-  a(2, 3) = 1;
-  a.row(3) = -a.row(1);
-  a(3, 2) -= k1 / scene.m;
-  a(3, 3) -= c1 / scene.m;
+void add_inputs(Generator& a, const Constants& scene, DriveKind drive) {
+  a(1, 6) = 1;  // the field, which the relative motion does not feel
+  a(6, 7) = 1;
   if (drive == DriveKind::sine) {
     a(4, 5) = scene.pulsation;
     a(5, 4) = -scene.pulsation;
   } else if (drive == DriveKind::sampled) {
     a(4, 5) = 1;
   }
+}
+
+Generator generator(const Constants& scene, DriveKind drive, Real k1, Real c1) {
+  Generator a = Generator::Zero();
+  a(0, 1) = 1;
+  a.row(1).head(6) << -scene.k / scene.M, -scene.c / scene.M, k1 / scene.M, c1 / scene.M, 1 / scene.M, 0;
+  a(1, 8) = scene.friction / scene.M;
+  a(2, 3) = 1;
+  a.row(3) = -a.row(1);
+  a(3, 2) -= k1 / scene.m;
+  a(3, 3) -= c1 / scene.m;
+  a(3, 8) -= scene.friction / scene.m;
+  add_inputs(a, scene, drive);
   return a;
+}
+
+// Both masses as one.
+Generator sticking_generator(const Constants& scene, DriveKind drive) {
+  Generator a = Generator::Zero();
+  const Real mass = scene.M + scene.m;
+  a(0, 1) = 1;
+  a.row(1).head(6) << -scene.k / mass, -scene.c / mass, 0, 0, 1 / mass, 0;
+  add_inputs(a, scene, drive);
+  return a;
+}
+
+// Linear between samples, and the last one after them; t in steps.
+Real between(const std::vector<double>& samples, Real t) {
+  if (samples.empty()) return 0;
+  const Real position = std::clamp(t, Real{0}, static_cast<Real>(samples.size() - 1));
+  const auto before = static_cast<size_t>(position);
+  const size_t after = std::min(before + 1, samples.size() - 1);
+  return real(samples[before]) + (real(samples[after]) - real(samples[before])) * (position - std::floor(position));
 }
 
 }  // namespace
@@ -158,13 +188,8 @@ double drive_force(const Case& run, double t) {
       return 0;
     case DriveKind::sine:
       return run.scene.drive_amplitude * std::sin(run.scene.drive_pulsation * t);
-    case DriveKind::sampled: {
-      if (run.samples.empty()) return 0;
-      const double position = std::clamp(t / run.sample_step, 0.0, static_cast<double>(run.samples.size() - 1));
-      const auto before = static_cast<size_t>(position);
-      const size_t after = std::min(before + 1, run.samples.size() - 1);
-      return run.samples[before] + (run.samples[after] - run.samples[before]) * (position - std::floor(position));
-    }
+    case DriveKind::sampled:
+      return static_cast<double>(between(run.samples, real(t) / real(run.sample_step)));
   }
   return 0;
 }
@@ -177,6 +202,7 @@ class Reference::Motion {
         tolerance_(tolerance),
         c1_(run.law == Law::hertz ? 0 : real(run.scene.contact_damping)),
         apart_flow_(generator(scene_, run.drive, 0, 0), tolerance) {
+    if (scene_.friction > 0) sticking_flow_.emplace(sticking_generator(scene_, run.drive), tolerance);
     if (linear_contact()) contact_flow_.emplace(generator(scene_, run.drive, scene_.k1, c1_), tolerance);
     now_.x1 = real(run.scene.x1);
     now_.v1 = real(run.scene.v1);
@@ -187,6 +213,8 @@ class Reference::Motion {
       side_ = side;
       phase_ = clamped() && law_force() < 0 ? Phase::released : Phase::touching;
     }
+    sliding_ = now_.rate > 0 ? 1 : now_.rate < 0 ? -1 : 0;
+    if (sliding_ == 0) stick_or_slide();
     open_window();
   }
 
@@ -218,6 +246,7 @@ class Reference::Motion {
     result.drive_work = static_cast<double>(now_.drive_work);
     result.impacts = impacts_;
     result.peak_force = static_cast<double>(now_.peak_force);
+    result.friction_dissipated = static_cast<double>(now_.rubbed);
     return result;
   }
 
@@ -225,18 +254,20 @@ class Reference::Motion {
   enum class Phase { apart, touching, released };  // released: let go at zero force, still penetrating
 
   struct Instant {
-    Real t = 0, x1 = 0, v1 = 0, y = 0, rate = 0, dissipated = 0, drive_work = 0, peak_force = 0;
+    Real t = 0, x1 = 0, v1 = 0, y = 0, rate = 0, dissipated = 0, drive_work = 0, peak_force = 0, rubbed = 0;
   };
 
-  // What ends a window, at a fraction of it: a change of phase, or the window's own length.
+  // What ends a window, at a fraction of it: a change of phase, the end of the sliding or of the sticking, or the
+  // window's own length.
   struct Event {
     Real at;
     Phase next;
     int side;
+    bool turns = false;
   };
 
   // Columns of the series of a window. A linear window has the last three only, its state comes from the flow.
-  enum { time, x1, v1, r, u, applied, partner, dissipated, drive_work, force, columns };
+  enum { time, x1, v1, r, u, applied, partner, field, dissipated, drive_work, force, columns };
 
   bool linear_contact() const { return run_.law == Law::hooke_newton; }
   bool clamped() const { return run_.scene.tension == Tension::clamp; }
@@ -283,11 +314,54 @@ class Reference::Motion {
     return segment_ + 1 < run_.samples.size() ? segment_end(segment_) : std::numeric_limits<Real>::infinity();
   }
 
+  // Of the field's acceleration, now and for a while.
+  std::pair<Real, Real> field_now() const {
+    const auto& base = run_.base_samples;
+    const Real step = real(run_.base_step);
+    if (base.empty()) return {scene_.gravity, 0};
+    if (base_segment_ + 1 >= base.size()) return {scene_.gravity - real(base.back()), 0};
+    const Real slope = (real(base[base_segment_ + 1]) - real(base[base_segment_])) / step;
+    const Real since = now_.t - static_cast<Real>(base_segment_) * step;
+    return {scene_.gravity - real(base[base_segment_]) - slope * since, -slope};
+  }
+  Real end_of_base_segment() {
+    const auto end = [this] { return static_cast<Real>(base_segment_ + 1) * real(run_.base_step); };
+    while (base_segment_ + 1 < run_.base_samples.size() && end() <= now_.t) ++base_segment_;
+    return base_segment_ + 1 < run_.base_samples.size() ? end() : std::numeric_limits<Real>::infinity();
+  }
+
+  bool is_stuck() const { return scene_.friction > 0 && sliding_ == 0; }
+  // What friction must do on the ball to hold it, N.
+  Real holding_force() const {
+    const Real contact = phase_ == Phase::touching ? static_cast<Real>(side_) * law_force() : 0;
+    return scene_.m / (scene_.M + scene_.m) * (drive().first - scene_.k * now_.x1 - scene_.c * now_.v1) + contact;
+  }
+  // At rest.
+  void stick_or_slide() {
+    now_.rate = 0;
+    sliding_ = 0;
+    if (!(scene_.friction > 0)) return;
+    if (phase_ == Phase::released) {
+      phase_ = Phase::touching;
+      now_.dissipated -= spring_energy();
+    }
+    const Real holding = holding_force();
+    if (std::abs(holding) > scene_.friction) sliding_ = holding > 0 ? -1 : 1;
+  }
+
   static void keep_earlier(Event& first, std::optional<Real> at, Phase next, int side) {
     if (at && *at < first.at) first = Event{*at, next, side};
   }
+  static void keep_earlier_turn(Event& first, std::optional<Real> at, Phase phase, int side) {
+    if (at && *at < first.at) first = Event{*at, phase, side, true};
+  }
 
   void enter(const Event& event) {
+    if (event.turns) {
+      if (sliding_ != 0) return stick_or_slide();
+      sliding_ = holding_force() > 0 ? -1 : 1;
+      return;
+    }
     if (event.next == phase_) return;
     const Phase before = phase_;
     phase_ = event.next;
@@ -307,8 +381,10 @@ class Reference::Motion {
 
   void open_window() {
     start_ = now_;
-    const Real end_of_drive = end_of_drive_segment();
-    if (phase_ == Phase::touching && !linear_contact()) {
+    const Real end_of_drive = std::min(end_of_drive_segment(), end_of_base_segment());
+    if (is_stuck()) {
+      open_sticking_window(end_of_drive);
+    } else if (phase_ == Phase::touching && !linear_contact()) {
       open_power_law_window(end_of_drive);
     } else {
       open_linear_window(end_of_drive);
@@ -330,6 +406,12 @@ class Reference::Motion {
     if (phase_ == Phase::touching) {
       result.peak_force = larger(result.peak_force, largest(series_.col(force), place));
     }
+    if (is_stuck()) {
+      const Vector z = flow_->advance(origin_, place);
+      result.x1 = z[0];
+      result.v1 = z[1];
+      return result;
+    }
     if (flow_) {
       const Vector z = flow_->advance(origin_, place);
       result.x1 = z[0];
@@ -343,16 +425,64 @@ class Reference::Motion {
       result.y = static_cast<Real>(side_) * (scene_.half_clearance + root * root);
       result.rate = static_cast<Real>(side_) * value(series_.col(u), place);
     }
+    result.rubbed += scene_.friction * static_cast<Real>(sliding_) * (result.y - start_.y);
     return result;
+  }
+
+  // Where the sliding's rate is 0. One that begins has a growing rate, whatever the rounding of its first slope.
+  std::optional<Real> turn(const Series& rate, Real end) const {
+    Series against = -static_cast<Real>(sliding_) * rate;
+    if (now_.rate == 0) against[1] = std::min(against[1], Real{0});
+    return first_rise(against, end);
+  }
+
+  void set_origin(Real y) {
+    const auto [force_now, partner_now] = drive();
+    const auto [field_value, field_slope] = field_now();
+    origin_ << now_.x1, now_.v1, y, now_.rate, force_now, partner_now, field_value, field_slope,
+        static_cast<Real>(sliding_);
+  }
+  template <class Linear>
+  void add_drive_work(const Linear& z) {
+    const Series applied_force = z.row(4), velocity = z.row(1);
+    for (int k = 0; k < order; ++k) {
+      const Real share = flow_->window() / static_cast<Real>(k + 1);
+      series_(k + 1, drive_work) = share * product(applied_force, velocity, k);
+    }
+  }
+  void end_linear_window(Real whole, Real end_of_drive) {
+    end_ = event_.at == whole && whole < 1 ? end_of_drive : start_.t + event_.at * flow_->window();
+  }
+
+  // Until the force that holds the ball is more than friction's.
+  void open_sticking_window(Real end_of_drive) {
+    flow_ = &*sticking_flow_;
+    set_origin(0);
+    const auto z = flow_->series(origin_);
+    series_.setZero();
+    add_drive_work(z);
+    const Real share = scene_.m / (scene_.M + scene_.m);
+    Series holding = share * (z.row(4) - scene_.k * z.row(0) - scene_.c * z.row(1));
+    if (phase_ == Phase::touching) {
+      holding[0] += static_cast<Real>(side_) * law_force();
+      series_(0, force) = law_force();
+    }
+    const Real whole = std::min((end_of_drive - start_.t) / flow_->window(), Real{1});
+    event_ = {whole, phase_, side_};
+    for (const int sign : {-1, 1}) {
+      Series beyond = static_cast<Real>(sign) * holding;
+      beyond[0] -= scene_.friction;
+      keep_earlier_turn(event_, first_rise(beyond, whole), phase_, side_);
+    }
+    end_linear_window(whole, end_of_drive);
   }
 
   void open_linear_window(Real end_of_drive) {
     const bool touching = phase_ == Phase::touching;
     const Real side = static_cast<Real>(side_);
-    const auto [force_now, partner_now] = drive();
     flow_ = touching ? &*contact_flow_ : &apart_flow_;
     stop_ = touching ? side * scene_.half_clearance : 0;
-    origin_ << now_.x1, now_.v1, now_.y - stop_, now_.rate, force_now, partner_now;
+    set_origin(now_.y - stop_);
     const auto z = flow_->series(origin_);
     const Series rate = z.row(3);
     const auto penetration_series = [&](int of) -> Series {
@@ -368,12 +498,9 @@ class Reference::Motion {
     }
 
     series_.setZero();
-    const Series applied_force = z.row(4), velocity = z.row(1);
-    for (int k = 0; k < order; ++k) {
-      const Real share = flow_->window() / static_cast<Real>(k + 1);
-      series_(k + 1, drive_work) = share * product(applied_force, velocity, k);
-      if (touching) series_(k + 1, dissipated) = share * c1_ * product(rate, rate, k);
-    }
+    add_drive_work(z);
+    for (int k = 0; k < order && touching; ++k)
+      series_(k + 1, dissipated) = flow_->window() / static_cast<Real>(k + 1) * c1_ * product(rate, rate, k);
     if (touching) series_.col(force) = sign_of_force;
 
     const Real whole = std::min((end_of_drive - start_.t) / flow_->window(), Real{1});
@@ -388,27 +515,34 @@ class Reference::Motion {
       keep_earlier(event_, first_rise(-penetration_series(side_), whole), Phase::apart, side_);
       if (!touching) keep_earlier(event_, first_rise(sign_of_force, whole), Phase::touching, side_);
     }
-    end_ = event_.at == whole && whole < 1 ? end_of_drive : start_.t + event_.at * flow_->window();
+    if (scene_.friction > 0) keep_earlier_turn(event_, turn(rate, whole), phase_, side_);
+    end_linear_window(whole, end_of_drive);
   }
 
-  // With u the penetration rate, a1 the main mass's acceleration and ' = d/dtheta: t' = r, r' = u / 2, u' = r delta'',
-  // x1' = r v1, v1' = r a1, force = r^3 (k1 + c1 u). Each line of the recursion is one of these.
+  // With u the penetration rate, a1 the main mass's acceleration (a field's part in it apart) and ' = d/dtheta: t' = r,
+  // r' = u / 2, u' = r delta'', x1' = r v1, v1' = r a1, force = r^3 (k1 + c1 u). Each line of the recursion is one of
+  // these.
   void open_power_law_window(Real end_of_drive) {
     flow_ = nullptr;
     const Real side = static_cast<Real>(side_);
     const auto [force_now, partner_now] = drive();
+    const auto [field_value, field_slope] = field_now();
+    const Real rubbing = scene_.friction * static_cast<Real>(sliding_);
     auto& c = series_;
     c.setZero();
-    c.row(0).head(partner + 1) << 0, now_.x1, now_.v1, std::sqrt(std::max(penetration(side_), Real{0})),
-        side * now_.rate, force_now, partner_now;
+    c.row(0).head(field + 1) << 0, now_.x1, now_.v1, std::sqrt(std::max(penetration(side_), Real{0})), side * now_.rate,
+        force_now, partner_now, field_value;
     Series r2 = Series::Zero(), r3 = r2, factor = r2, a1 = r2, a = r2, x1_rate = r2, r_u = r2, r3_u = r2;
     for (int k = 0; k < order; ++k) {
       r2[k] = product(c.col(r), c.col(r), k);
       r3[k] = product(r2, c.col(r), k);
       factor[k] = (k == 0 ? scene_.k1 : 0) + c1_ * c(k, u);
       c(k, force) = product(r3, factor, k);
-      a1[k] = (c(k, applied) - scene_.c * c(k, v1) - scene_.k * c(k, x1) + side * c(k, force)) / scene_.M;
-      a[k] = -c(k, force) / scene_.m - side * a1[k];
+      const Real rubs = k == 0 ? rubbing : 0;
+      const Real relative =
+          (c(k, applied) - scene_.c * c(k, v1) - scene_.k * c(k, x1) + side * c(k, force) + rubs) / scene_.M;
+      a1[k] = relative + c(k, field);
+      a[k] = -c(k, force) / scene_.m - side * (relative + rubs / scene_.m);
       x1_rate[k] = product(c.col(r), c.col(v1), k);
       r_u[k] = product(c.col(r), c.col(u), k);
       r3_u[k] = product(r3, c.col(u), k);
@@ -424,6 +558,7 @@ class Reference::Motion {
       } else {
         c(k + 1, applied) = partner_now * c(k, r) / next;
       }
+      c(k + 1, field) = field_slope * c(k, r) / next;
       c(k + 1, dissipated) = c1_ * product(r3_u, r_u, k) / next;
       c(k + 1, drive_work) = product(c.col(applied), x1_rate, k) / next;
     }
@@ -449,6 +584,7 @@ class Reference::Motion {
       factor[0] += scene_.k1;
       keep_earlier(event_, first_rise(-factor, 1), Phase::released, side_);
     }
+    if (scene_.friction > 0) keep_earlier_turn(event_, turn(side * c.col(u), 1), phase_, side_);
     end_ = start_.t + value(c.col(time), event_.at);
     if (end_ > end_of_drive) {
       event_ = {place_of(end_of_drive), phase_, side_};
@@ -461,13 +597,14 @@ class Reference::Motion {
   Real tolerance_;
   Real c1_;
   LinearFlow apart_flow_;
-  std::optional<LinearFlow> contact_flow_;
+  std::optional<LinearFlow> contact_flow_, sticking_flow_;
 
   Instant now_;
   Phase phase_ = Phase::apart;
   int side_ = 1;
   long impacts_ = 0;
-  size_t segment_ = 0;  // of a sampled drive
+  size_t segment_ = 0, base_segment_ = 0;  // of a sampled drive, of the base
+  int sliding_ = 0;                        // the sign of y', 0 where friction holds it
 
   // The window in progress.
   Instant start_;

@@ -5,7 +5,8 @@
 // Free flight and Hooke-Newton contact are linear and are solved by the matrix exponential of the system augmented with
 // its drive. Hertz and Hunt-Crossley contact is regularised with r = sqrt(penetration) and the fictitious time theta,
 // dt = r dtheta, in which the equations are polynomial and analytic from impact to separation; they are solved by
-// Taylor series of adaptive step. Arithmetic is long double.
+// Taylor series of adaptive step. A ball that dry friction holds moves with the main mass, by the exponential of both
+// masses as one; where the sliding ends, turns or begins is found as contact's instants are. Arithmetic is long double.
 
 #include <memory>
 #include <vector>
@@ -17,15 +18,19 @@ namespace impact::host {
 // One run: what is computed. A sampled drive is linear between samples, samples[i] being the force at i sample_step,
 // and keeps its last value after them.
 //
+// The base's acceleration likewise, base_samples[i] at i base_step.
+//
 // A damping ratio a sets Hunt-Crossley's c1 = a k1/v0 from the approach speed v0 when a contact begins; a contact under
 // way at t = 0 has Scene::contact_damping, and without one (0) every contact has.
 struct Case {
   Law law = Law::hunt_crossley;
   Scene scene{};
   DriveKind drive = DriveKind::sine;
-  std::vector<double> samples{};  // N
-  double sample_step = 0;         // s
-  double damping_ratio = 0;       // a
+  std::vector<double> samples{};       // N
+  double sample_step = 0;              // s
+  double damping_ratio = 0;            // a
+  std::vector<double> base_samples{};  // m/s^2; none: the base rests
+  double base_step = 0;                // s
 };
 
 constexpr double least_approach_speed = 1e-6;  // m/s; keeps c1 finite for a ball laid on its stop
@@ -45,7 +50,7 @@ class Reference {
 
   // The present state. `impacts` counts penetrations begun: neither one under way at t = 0 nor the return of the force
   // to a ball that was let go while penetrating. `energy_dissipated` is the work done on the contact less the energy
-  // its spring stores, which is nil while apart or let go.
+  // its spring stores, which is nil while apart or let go; `friction_dissipated` what sliding takes.
   Sample sample() const;
 
  private:

@@ -38,6 +38,7 @@ struct Sample {
   double energy_dissipated = 0;  // by contact since the start, J
   double energy_stored = 0;      // by contact now, J
   double drive_work = 0;         // by the drive since the start, J
+  double friction_dissipated = 0;  // by dry friction since the start, J
   long impacts = 0;              // contacts begun since the start
   double impact_speed = 0;       // rate of penetration at which the last one began, m/s
   double peak_force = 0;         // largest contact force since the start, N

@@ -20,6 +20,7 @@
 //                   FoxGoodwin, CentralDifference, or as the scene and the step ask: Chosen, see choice.hpp
 //     drive         NoDrive, Sine, Sampled
 //     format        Fixed32, Float32, Float32Plain, Float64 (host)
+//     parts         Gravity, BaseAcceleration (motion/field.hpp), DryFriction (motion/friction.hpp)
 //     features      EnergyLedger, ImpactLog, ContactForce, Snapshots
 //
 // A step is: both masses fly freely to its end (motion/linear_flow.hpp); where the ball then stands inside a stop, the
@@ -35,6 +36,8 @@
 #include <impact/law/hooke_newton.hpp>
 #include <impact/law/hunt_crossley.hpp>
 #include <impact/law/per_impact.hpp>
+#include <impact/motion/field.hpp>
+#include <impact/motion/friction.hpp>
 #include <impact/motion/none.hpp>
 #include <impact/motion/sampled.hpp>
 #include <impact/motion/sine.hpp>
@@ -53,20 +56,27 @@
 namespace impact {
 
 namespace detail {
+// The parts of the scene among the features.
+template <class... Features>
+using FieldOf = typename Either<is_one_of<BaseAcceleration, Features...>, BaseAcceleration,
+                                typename Either<is_one_of<Gravity, Features...>, Gravity, NoField>::Type>::Type;
+template <class... Features>
+using FrictionOf = typename Either<is_one_of<DryFriction, Features...>, DryFriction, NoFriction>::Type;
+
 // Each argument as the contracts let it through.
-template <class Rig, class ContactLaw, class Stepper, class Drive, class Format>
+template <class Rig, class ContactLaw, class Stepper, class Drive, class Format, class... Features>
 using CheckedSource =
     PlanSource<contract::KeptRig<Rig>,
                Plan<contract::KeptFormat<Format>, contract::KeptLaw<ContactLaw>,
                     contract::KeptStepper<Stepper, contract::KeptFormat<Format>, contract::KeptLaw<ContactLaw>>,
-                    contract::KeptDrive<Drive>>>;
+                    contract::KeptDrive<Drive>, FieldOf<Features...>, FrictionOf<Features...>>>;
 }  // namespace detail
 
 template <class Rig, class Law_, class Stepper_, class Drive_, class Format_, class... Features>
 class Absorber
-    : private detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_>,
+    : private detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>,
       private SnapshotWindow<typename contract::KeptFormat<Format_>::Value, detail::is_one_of<Snapshots, Features...>> {
-  using Source = detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_>;
+  using Source = detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>;
 
   // impact/contracts.hpp; one message for one mistake.
   static constexpr bool is_at_run_time = detail::is_one_of<Rig, AtRunTime>, has_scene = contract::has_scene<Rig>,
@@ -96,6 +106,8 @@ class Absorber
   using ContactLaw = typename PlanType::LawType;
   using Stepper = typename PlanType::StepperType;
   using Drive = typename PlanType::DriveType;
+  using Field = typename PlanType::FieldType;
+  using Friction = typename PlanType::FrictionType;
   using Format = typename PlanType::FormatType;
   using Value = typename Format::Value;
   using Long = typename Format::Long;
@@ -111,9 +123,13 @@ class Absorber
   // A force for step(): newtons as a constant in double, or while running as a float, which asks for an FPU or some
   // hundred instructions.
   using Source::sample_of;
+  // The same of an acceleration of the base, m/s^2.
+  using Source::base_sample_of;
+
+  static constexpr bool counts_slid_way = Friction::is_friction && detail::is_one_of<EnergyLedger, Features...>;
 
   // All that changes from step to step. Plain: it can be copied, kept and given back.
-  struct State : Features::template State<Format>... {
+  struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
     Long x1, dx1, x2, dx2;  // displacement and displacement per step: main mass, ball
     typename Drive::template State<Format> drive;
     Contact contact;
@@ -142,22 +158,39 @@ class Absorber
     static_assert(!Drive::is_sampled || sizeof...(Nothing) > 0,
                   "step() without a sample, but the drive is Sampled: pass the force at the step's end, as "
                   "step(absorber.sample_of(newtons)) or from a converter, see converter.hpp");
-    advance(Value{});
+    static_assert(!Field::is_sampled || sizeof...(Nothing) > 0,
+                  "step() without a sample, but the base accelerates: pass its acceleration at the step's end, as "
+                  "step(absorber.base_sample_of(acceleration)), behind the force where the drive is Sampled");
+    advance(Value{}, Value{});
     publish();
   }
-  // Advances a sampled drive by one step, with the sample at the step's end: newtons in a floating-point format, a
-  // fraction of Bounds::force in Q1.31 in Fixed32; the sample before the first is 0.
+  // Advances a sampled drive, or a base that accelerates, by one step, with the sample at the step's end: newtons or
+  // m/s^2 in a floating-point format, a fraction of Bounds::force or Bounds::base_acceleration in Q1.31 in Fixed32; the
+  // sample before the first is 0.
   template <class Sample = Value>
   constexpr void step(Sample sample) {
     constexpr bool is_value = detail::is_one_of<Value, Sample>;
-    static_assert(Drive::is_sampled, "step(sample), but the drive takes none: name Sampled as the drive, or step()");
-    static_assert(is_value || !Drive::is_sampled,
+    static_assert(Drive::is_sampled || Field::is_sampled,
+                  "step(sample), but the drive takes none: name Sampled as the drive, or step()");
+    static_assert(!(Drive::is_sampled && Field::is_sampled),
+                  "step(sample), but both the drive and the base take one: step(force, acceleration)");
+    static_assert(is_value || !(Drive::is_sampled || Field::is_sampled),
                   "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), step({raw}) in "
                   "Fixed32, a float in Float32 and Float32Plain, or a converter's counts, see converter.hpp");
     if constexpr (is_value && Drive::is_sampled) {
-      advance(sample);
+      advance(sample, Value{});
+      publish();
+    } else if constexpr (is_value && Field::is_sampled) {
+      advance(Value{}, sample);
       publish();
     }
+  }
+  // Both.
+  constexpr void step(Value force, Value acceleration) {
+    static_assert(Drive::is_sampled && Field::is_sampled,
+                  "step(force, acceleration): the drive must be Sampled, and BaseAcceleration among the parts");
+    advance(force, acceleration);
+    publish();
   }
 
   // Now, in native numbers: valid in the context that steps. For any other, snapshot().
@@ -165,12 +198,15 @@ class Absorber
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(rate_ahead());
     if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
+    if constexpr (Friction::is_friction) rate = rate - plan.units.as_displacement(plan.main_share * state_.ahead);
     return plan.units.velocity(plan.units.displacement(state_.dx1) + rate);
   }
   constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
   constexpr Value ball_velocity() const {
     Value rate = plan.units.displacement(state_.dx2);
     if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.dx2_share);
+    if constexpr (Field::is_field) rate = rate - plan.units.as_displacement(Field::ball_rate(plan, state_));
+    if constexpr (Friction::is_friction) rate = rate + plan.units.as_displacement(plan.ball_before * state_.ahead);
     return plan.units.velocity(rate);
   }
   // On the main mass, along x, the mean of the last step; the ball feels the opposite.
@@ -217,6 +253,7 @@ class Absorber
     units.add_position(state_.x1, dx);
     units.add_displacement(state_.dx1, du);
     units.add(state_.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
+    if constexpr (Friction::is_friction) state_.sliding = relative_rate(false) + state_.ahead;
     if (!hold_in_range() && state_.contact.phase != Phase::apart) touch_anew();
     (Features::after_correction(state_), ...);
     publish();
@@ -251,12 +288,23 @@ class Absorber
     constexpr bool is_bound = Contact::keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && state_.contact.phase != Phase::apart) return false;
+    if constexpr (Friction::is_friction) Friction::undo(plan, state_);
     hand_over(plan, next, state_);
     if constexpr (!Source::is_constant) plan = next;
     hold_in_range();
-    ((static_cast<typename Features::template State<Format>&>(state_) = {}, Features::start(plan, state_)), ...);
+    (restart<Features>(), ...);
+    if constexpr (counts_slid_way) state_.slid = {};
+    if constexpr (Friction::is_friction) begin_to_slide();
     publish();
     return true;
+  }
+
+  // J by dry friction since the start, for a host: double arithmetic.
+  constexpr double friction_dissipated() const {
+    if constexpr (counts_slid_way)
+      return plan.friction * plan.units.si_penetration_unit() * state_.slid.total();
+    else
+      return 0;
   }
 
   // In SI units, for a host: double arithmetic.
@@ -266,6 +314,11 @@ class Absorber
   constexpr Reading reading() const {
     if (Source::is_refused()) return {};
     double u1 = plan.units.si(state_.dx1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.dx2);
+    if constexpr (Field::is_field) u2 -= plan.units.si_penetration(Field::ball_rate(plan, state_));
+    if constexpr (Friction::is_friction) {
+      u1 -= plan.units.si_penetration(plan.main_share * state_.ahead);
+      u2 += plan.units.si_penetration(plan.ball_before * state_.ahead);
+    }
     if constexpr (Contact::keeps_force) {
       const double side = state_.at_left ? -1 : 1;
       u1 -= side * plan.units.si_penetration(plan.contact.dx1_share * state_.contact.force);
@@ -275,6 +328,7 @@ class Absorber
   }
 
  private:
+  using SeenStep = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
@@ -298,33 +352,77 @@ class Absorber
       state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
     }
     (Features::start(plan, state_), ...);
+    if constexpr (Friction::is_friction) begin_to_slide();
+  }
+  // What records starts anew.
+  template <class Feature>
+  constexpr void restart() {
+    if constexpr (!__is_base_of(ScenePart, Feature)) {
+      static_cast<typename Feature::template State<Format>&>(state_) = {};
+      Feature::start(plan, state_);
+    }
+  }
+  constexpr void begin_to_slide() {
+    const Value rate = relative_rate(false);
+    Friction::begin(plan, state_, rate, way_ahead() - rate);
   }
 
-  constexpr void advance(Value sample) {
+  constexpr void advance(Value sample, Value base) {
     if (Source::is_refused()) return;
     if constexpr (Drive::is_sampled)
       if (!state_.drive.accepts(plan.drive, sample)) hold_sample(sample);
+    if constexpr (Field::is_sampled) {
+      if (!Field::accepts(plan, base)) {
+        base = Field::held(plan, base);
+        raise(Fault::sample);
+      }
+      base = Field::at_end(plan, base);
+    }
     Long main_travel = state_.dx1;
     if constexpr (Drive::is_sampled) plan.units.add(main_travel, state_.drive.at_once(plan.drive, sample));
+    if constexpr (Field::is_sampled) plan.units.add(main_travel, Field::at_once(plan, base));
     state_.x1.advance(main_travel);
-    state_.x2.advance(state_.dx2);
+    if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
     Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
                       Format::term(plan.damping, plan.units.displacement(state_.dx1));
     if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
-    plan.units.add(state_.dx1, increment);
-
-    if (!judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.dx1)) {
+    [[maybe_unused]] Long apart{};
+    if constexpr (Field::is_field) {
+      increment = increment + Field::main_increment(plan, state_, base);
+      const auto ball = Field::fly(plan, state_, base);
+      if constexpr (Field::is_sampled) state_.downwards = base;
+      plan.units.add(state_.dx1, increment);
+      if constexpr (Friction::is_friction) apart = state_.x2 - state_.x1;
+      meet(increment, main_travel, ball);
+    } else {
+      plan.units.add(state_.dx1, increment);
+      if constexpr (Friction::is_friction) apart = state_.x2 - state_.x1;
+      meet(increment, main_travel);
+    }
+    if constexpr (Friction::is_friction)
+      rub(state_.contact.phase == Phase::apart ? Value{} : plan.units.relative(state_.x2 - state_.x1 - apart));
+    (Features::after_step(plan, state_), ...);
+  }
+  // The contact, where there is one. `ball`: what the ball has of a field.
+  template <class... Ball>
+  [[gnu::always_inline]] constexpr void meet(Value increment, Long main_travel, const Ball&... ball) {
+    if (!judges_contact_once && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
       if constexpr (Format::calls_contact)
-        call_touch(increment, main_travel);
+        call_touch(increment, main_travel, ball...);
       else
-        touch(increment, main_travel);
-    } else if (judges_contact_once && !plan.units.in_range(state_.x1, state_.x2, state_.dx1)) {
+        touch(increment, main_travel, ball...);
+    } else if (judges_contact_once && !is_flight_in_range()) {
       hold();
     }
-    (Features::after_step(plan, state_), ...);
+  }
+  constexpr bool is_flight_in_range() const {
+    if constexpr (Field::is_field)
+      return plan.units.in_range_in_field(state_.x1, state_.x2, state_.dx1, state_.dx2);
+    else
+      return plan.units.in_range(state_.x1, state_.x2, state_.dx1);
   }
   constexpr void publish() {
     if constexpr (publishes) Window::publish([this](Snapshot<Value>& now) { see(now, is_touching()); });
@@ -381,23 +479,32 @@ class Absorber
     Value ahead =
         plan.rate_by_dx1 * plan.units.displacement(state_.dx1) + plan.rate_by_x1 * plan.units.position(state_.x1);
     if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state_.drive.rate(plan.drive);
+    if constexpr (Field::is_field) ahead = ahead - Field::main_rate(plan, state_);
     return ahead;
   }
 
-  [[gnu::noinline]] constexpr void call_touch(Value increment, Long main_travel) { touch(increment, main_travel); }
-  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel) {
+  template <class... Ball>
+  [[gnu::noinline]] constexpr void call_touch(Value increment, Long main_travel, const Ball&... ball) {
+    touch(increment, main_travel, ball...);
+  }
+  template <class... Ball>
+  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel, const Ball&... ball) {
     if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
     const bool left = plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
-    Approach<Value> step{};
+    SeenStep step{};
     if (!is_inside(step, left)) {
       if constexpr (judges_contact_once) hold_in_range();
       return;
     }
     step.rate = relative_rate(left);
-    step.travel = mirrored(plan.units.relative(state_.dx2 - main_travel), left);
+    if constexpr (Field::is_field)
+      step.travel = mirrored(plan.units.relative((ball.travel, ...) - main_travel), left);
+    else
+      step.travel = mirrored(plan.units.relative(state_.dx2 - main_travel), left);
     step.before = step.penetration - step.travel;
-    if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
+    if (push(step, increment, left, ball...) && plan.crosses && state_.contact.phase == Phase::apart)
+      cross(increment, !left, ball...);
   }
 
   // The penetration; whether there is a contact, under way or begun.
@@ -410,24 +517,32 @@ class Absorber
   }
 
   // The ball that has left one stop comes to the other in the same step, at the rate that it left with.
-  [[gnu::noinline]] constexpr void cross(Value increment, bool left) {
-    Approach<Value> step{};
+  template <class... Ball>
+  [[gnu::noinline]] constexpr void cross(Value increment, bool left, const Ball&... ball) {
+    SeenStep step{};
     if (!is_inside(step, left)) return;
     state_.at_left = left;
     step.travel = step.rate = relative_rate(left);
     step.before = step.penetration - step.rate;
     if (is_positive(step.before) && !put_back(plan.units, state_, step, left)) return;
-    push(step, increment, left);
+    push(step, increment, left, ball...);
   }
 
   // What the contact does to both masses. False where the ball was put back to its stop or a state was held.
-  [[gnu::always_inline]] constexpr bool push(Approach<Value>& step, Value increment, bool left) {
+  template <class... Ball>
+  [[gnu::always_inline]] constexpr bool push(SeenStep& step, Value increment, bool left, const Ball&... ball) {
     const auto& units = plan.units;
     Contact& contact = state_.contact;
     if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left))
       return false;
     step.increment = -mirrored(increment, left);
+    if constexpr (Field::is_field) {
+      step.ball_increment = mirrored((ball.increment, ...), left);
+      step.increment = step.increment + step.ball_increment;
+    }
     step.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
+    // A law at the step's end has its rate with the friction of the whole step.
+    if constexpr (Friction::is_friction && Contact::keeps_force) step.rate = step.rate - mirrored(state_.ahead, left);
     const Contact contact_before = contact;
     const auto impulse = contact.resolve(plan.contact, units, step);
     reload(state_);
@@ -443,7 +558,33 @@ class Absorber
 
   // Rate of penetration, for the state as it stands.
   constexpr Value relative_rate(bool left) const {
-    return mirrored(plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead(), left);
+    Value rate = plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead();
+    if constexpr (Field::is_field) rate = rate - Field::ball_rate(plan, state_);
+    return mirrored(rate, left);
+  }
+
+  // What the coming step adds to x2 - x1, as the last sample says.
+  constexpr Value way_ahead() const {
+    Value way = plan.units.relative(state_.dx2 - state_.dx1);
+    if constexpr (Drive::is_sampled)
+      way = way - plan.units.increment_of_rate(state_.drive.at_once(plan.drive, state_.drive.sample));
+    if constexpr (Field::is_sampled)
+      way = way + plan.units.increment_of_rate(Field::ball_at_once(plan, state_.downwards) -
+                                               Field::at_once(plan, state_.downwards));
+    return way;
+  }
+  // `pushed`: x2 - x1 by contact in this step.
+  constexpr void rub(Value pushed) {
+    Value rate = relative_rate(false);
+    if constexpr (Contact::keeps_force)
+      rate = rate +
+             mirrored((plan.contact.dx1_share * state_.contact.force) + (plan.contact.dx2_share * state_.contact.force),
+                      at_left());
+    const Value change = Friction::template rub<counts_slid_way>(plan, state_, rate, way_ahead() - rate + pushed);
+    if (state_.contact.phase == Phase::apart) return;
+    const Value towards_stop = mirrored(change, at_left());
+    state_.contact.change_rate(plan.contact, towards_stop);
+    if constexpr (counts_slid_way) state_.rate = state_.rate + towards_stop;
   }
 
   constexpr bool is_beyond_stop() const {
@@ -463,6 +604,7 @@ class Absorber
                     state.contact.phase <= Phase::released && state.at_left <= 1 && state.fault <= Fault::sample;
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
+    if constexpr (counts_slid_way) is_sound = is_sound && Format::is_sound(state.slid);
     if constexpr (has_own_damping) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
     return is_sound && state.contact.is_sound(plan.contact) && (Features::is_sound(plan, state) && ...);
   }

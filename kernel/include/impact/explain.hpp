@@ -37,6 +37,9 @@ enum class Parameter : uint8_t {
   speed_bound,
   penetration_bound,
   force_bound,
+  gravity,
+  base_acceleration_bound,
+  ball_friction,
   step,
 };
 
@@ -76,6 +79,9 @@ constexpr ParameterEntry parameters[] = {
     {"speed_bound", nullptr, &Bounds::speed, bound_range},
     {"penetration_bound", nullptr, &Bounds::penetration, bound_range},
     {"force_bound", nullptr, &Bounds::force, force_range},
+    {"gravity", &Scene::gravity, nullptr, gravity_range},
+    {"base_acceleration_bound", nullptr, &Bounds::base_acceleration, base_acceleration_range},
+    {"ball_friction", &Scene::ball_friction, nullptr, force_range},
     {"step", nullptr, nullptr, step_range}};
 constexpr const ParameterEntry& entry(Parameter parameter) { return parameters[static_cast<int>(parameter)]; }
 
@@ -102,6 +108,9 @@ constexpr Explanation explain(PlanStatus status, Values values) {
   const Scene& scene = values.scene;
   const auto of = [&values](Parameter parameter) {
     return Explanation{parameter, *values.find(parameter), range_of(parameter)};
+  };
+  const auto nothing_of = [&values](Parameter parameter) {
+    return Explanation{parameter, *values.find(parameter), {0, 0}};
   };
   const auto first_out_of_range = [&of](Parameter a, Parameter b) {
     return of(a).allowed.holds(of(a).value) ? of(b) : of(a);
@@ -148,6 +157,18 @@ constexpr Explanation explain(PlanStatus status, Values values) {
       return of(Parameter::penetration_bound);
     case PlanStatus::force_bound:
       return of(Parameter::force_bound);
+    case PlanStatus::gravity:
+      return of(Parameter::gravity);
+    case PlanStatus::base_acceleration_bound:
+      return of(Parameter::base_acceleration_bound);
+    case PlanStatus::ball_friction:
+      return of(Parameter::ball_friction);
+    case PlanStatus::gravity_not_named:
+      return nothing_of(Parameter::gravity);
+    case PlanStatus::base_acceleration_not_named:
+      return nothing_of(Parameter::base_acceleration_bound);
+    case PlanStatus::ball_friction_not_named:
+      return nothing_of(Parameter::ball_friction);
     case PlanStatus::ok:
     case PlanStatus::step:
     case PlanStatus::steps_per_contact:

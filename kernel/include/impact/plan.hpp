@@ -6,6 +6,8 @@
 
 #include <impact/law/resolution.hpp>
 #include <impact/law/terms.hpp>
+#include <impact/motion/field.hpp>
+#include <impact/motion/friction.hpp>
 #include <impact/motion/handover.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -15,12 +17,17 @@
 
 namespace impact {
 
-template <class Format, class ContactLaw, class Stepper, class Drive>
-struct Plan {
+template <class Format, class ContactLaw, class Stepper, class Drive, class Field = NoField,
+          class Friction = NoFriction>
+struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan<Format> {
   using FormatType = Format;
   using LawType = ContactLaw;
   using StepperType = Stepper;
   using DriveType = Drive;
+  using FieldType = Field;
+  using FrictionType = Friction;
+  using FieldConstants = typename Field::template FieldPlan<Format>;
+  using FrictionConstants = typename Friction::template FrictionPlan<Format>;
   using Gain = typename Format::Gain;
   using Long = typename Format::Long;
   using Treatment = typename Stepper::template Contact<Format, ContactLaw>;
@@ -56,6 +63,17 @@ struct Plan {
       return Format::sample_of_float(newtons * drive.per_newton);
     else
       return Format::sample(drive_unit > 0 ? static_cast<double>(newtons) / drive_unit : 0);
+  }
+  // A sample of the base's acceleration, of m/s^2.
+  template <class Real>
+  constexpr typename Format::Value base_sample_of(Real acceleration) const {
+    constexpr bool is_float = sizeof(Real) == sizeof(float);
+    static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
+    static_assert(static_cast<Real>(0.5) > 0, "an acceleration is a double (a constant) or a float");
+    if constexpr (is_float)
+      return Format::sample_of_float(acceleration * this->per_base_unit);
+    else
+      return Format::sample(this->base_unit > 0 ? static_cast<double>(acceleration) / this->base_unit : 0);
   }
   static constexpr Plan refused(PlanStatus why) {
     Plan plan{};
@@ -98,22 +116,35 @@ struct Plan {
     Fingerprint fingerprint{};
     for (double number : numbers) fingerprint.add_number(number);
     for (uint32_t kind : kinds) fingerprint.add(kind);
+    if constexpr (Field::is_field) fingerprint.add_number(scene.gravity);
+    if constexpr (Field::is_sampled) fingerprint.add_number(bounds.base_acceleration);
+    if constexpr (Friction::is_friction) fingerprint.add_number(scene.ball_friction);
     return fingerprint.value;
+  }
+  // A part that is stated must be named, or the scene would be another one.
+  static constexpr PlanStatus status_of_parts(const Scene& scene, const Bounds& bounds) {
+    const auto is_stated = [](double x) { return x < 0 || x > 0; };
+    if (!Field::is_field && is_stated(scene.gravity)) return PlanStatus::gravity_not_named;
+    if (!Field::is_sampled && is_stated(bounds.base_acceleration)) return PlanStatus::base_acceleration_not_named;
+    if (!Friction::is_friction && is_stated(scene.ball_friction)) return PlanStatus::ball_friction_not_named;
+    return PlanStatus::ok;
   }
 };
 
-template <class Format, class ContactLaw, class Stepper, class Drive>
-constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Stepper, Drive>::make(const Scene& scene,
-                                                                                                  const Bounds& bounds,
-                                                                                                  double h) {
+template <class Format, class ContactLaw, class Stepper, class Drive, class Field, class Friction>
+constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(const Scene& scene, const Bounds& bounds,
+                                                                               double h) -> Plan {
   PlanStatus status = status_of(scene, h, Stepper::longest_phase);
   if (status == PlanStatus::ok) status = status_of(scene, bounds);
+  if (status == PlanStatus::ok) status = status_of_parts(scene, bounds);
   if (status != PlanStatus::ok) return refused(status);
   if (!damping_ratio_range.holds(damping_ratio<ContactLaw>(scene))) return refused(PlanStatus::restitution);
   using constant::larger;
   status = status_of(Stepper::steps(resolution_of<ContactLaw>(scene, bounds)), h);
   if (status != PlanStatus::ok) return refused(status);
   const LinearFlow flow = Stepper::flow(scene, h);
+  LinearFlow ball{};
+  if constexpr (Field::is_field || Friction::is_friction) ball = flow_of_ball<Stepper>(scene, h);
   ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
   terms.step = h;
   terms.pressing = largest_acceleration(scene, bounds,
@@ -131,13 +162,28 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   terms.crosses = scene.stops == Stops::both && terms.largest_rate * h >= scene.clearance;
   const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
   largest.penetration = larger(terms.largest_penetration, way);
+  if constexpr (Friction::is_friction) {
+    const DryFriction::Impulses by(flow, ball);
+    if (!(by.main_before > 0 && by.main_after > 0)) return refused(PlanStatus::step);
+    if (!(scene.ball_friction * (by.before() + by.after()) <= terms.largest_rate * h))
+      return refused(PlanStatus::ball_friction);
+  }
+  // An impact changes the rate of sliding by twice the largest, and friction by no more than the largest in a step.
+  const double largest_change = Friction::is_friction ? 4 * terms.largest_rate * h : 0;
+  largest.penetration = larger(largest.penetration, largest_change);
   const double drive = larger(scene.drive_amplitude, bounds.force);
   // A state is held at up to twice its bounds.
   const double held = constant::power_of_two(constant::exponent_above(bounds.displacement));
   const double spring_and_damper = scene.main_stiffness * held + scene.main_damping * 2 * bounds.speed;
   largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
+  if constexpr (Field::is_field) {
+    const double in_field = h * h * Field::largest(scene, bounds);
+    largest.displacement += in_field;
+    largest.increment += 2 * in_field;
+  }
 
   Treatment::bound_forces(terms, largest);
+  largest.penetration = larger(largest.penetration, largest_change);
   const UnitExponents exponents = Format::Units::exponents(largest);
 
   status = status_of(Format::Units::overflow_of(exponents, largest));
@@ -149,6 +195,13 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
       !Format::Units::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass),
                                exponents.recoil))
     return refused(PlanStatus::contact_stiffness);
+
+  if constexpr (Friction::is_friction) {
+    // What is below 32 of a rate's last places has no size of its own.
+    const double rate = scene.ball_friction * DryFriction::Impulses(flow, ball).before();
+    if (scene.ball_friction > 0 && !Format::Units::resolves(rate / 32, exponents.penetration))
+      return refused(PlanStatus::ball_friction);
+  }
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2, h, terms.force_unit);
   const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);
@@ -168,11 +221,24 @@ constexpr Plan<Format, ContactLaw, Stepper, Drive> Plan<Format, ContactLaw, Step
   plan.right_stop = scene.stops != Stops::left;
   plan.crosses = terms.crosses && Treatment::meets_both_stops;
   plan.x1 = units.state_at(scene.x1);
-  plan.dx1 = units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0));
+  const double main_in_field = Field::is_field ? scene.main_mass * scene.gravity * Field::at_start(flow) : 0;
+  const double ball_in_field = Field::is_field ? scene.ball_mass * scene.gravity * Field::at_start(ball) : 0;
+  plan.dx1 =
+      units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0) + main_in_field);
   plan.x2 = units.state_at(scene.x2);
-  plan.dx2 = units.state(scene.v2 * h);
+  plan.dx2 = units.state(scene.v2 * h + ball_in_field);
   plan.identity = identity_of(scene, bounds, h);
   plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents);
+  if constexpr (Field::is_sampled) {
+    Fingerprint units_of_samples{plan.handover.units};
+    units_of_samples.add_number(bounds.base_acceleration);
+    units_of_samples.add_number(scene.gravity);
+    plan.handover.units = units_of_samples.value;
+  }
+  if constexpr (Field::is_field)
+    static_cast<FieldConstants&>(plan) = Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
+  if constexpr (Friction::is_friction)
+    static_cast<FrictionConstants&>(plan) = Friction::template make_plan<Format>(scene, flow, ball, exponents, units);
   if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(PlanStatus::displacement_bound);
   if (!units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return refused(PlanStatus::speed_bound);
   return plan;

@@ -24,6 +24,10 @@ class PlanSource {
   static constexpr auto sample_of(Real newtons) {
     return plan.sample_of(newtons);
   }
+  template <class Real>
+  static constexpr auto base_sample_of(Real acceleration) {
+    return plan.base_sample_of(acceleration);
+  }
 
  protected:
   static constexpr bool is_refused() { return false; }
@@ -44,6 +48,10 @@ class PlanSource<AtRunTime, PlanType_> {
   template <class Real>
   constexpr auto sample_of(Real newtons) const {
     return plan.sample_of(newtons);
+  }
+  template <class Real>
+  constexpr auto base_sample_of(Real acceleration) const {
+    return plan.base_sample_of(acceleration);
   }
 
  protected:

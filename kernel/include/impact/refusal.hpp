@@ -63,6 +63,24 @@ constexpr bool explain() {
                 "Bounds::penetration: 1e-9 to 1e6 m, in Fixed32 no more than Bounds::displacement, with a force that "
                 "moves no mass by as much in one step");
   static_assert(status != PlanStatus::force_bound, "Bounds::force: 0 to 1e9 N");
+  static_assert(status != PlanStatus::gravity, "Rig::scene.gravity: -1e6 to 1e6 m/s^2");
+  static_assert(status != PlanStatus::base_acceleration_bound, "Bounds::base_acceleration: 0 to 1e6 m/s^2");
+  static_assert(status != PlanStatus::ball_friction,
+                "Rig::scene.ball_friction: 0 to 1e9 N, and a step of it takes the ball no more than twice "
+                "Bounds::speed and, in Fixed32, no less than 32 last places of the rate of sliding");
+  static_assert(status != PlanStatus::gravity_not_named,
+                "Rig::scene.gravity is stated: append Gravity (or BaseAcceleration) to the absorber's type");
+  static_assert(status != PlanStatus::base_acceleration_not_named,
+                "Rig::bounds.base_acceleration is stated: append BaseAcceleration to the absorber's type");
+  static_assert(status != PlanStatus::ball_friction_not_named,
+                "Rig::scene.ball_friction is stated: append DryFriction to the absorber's type");
+  // The other way round: a part without its value.
+  static_assert(!PlanType::FieldType::is_field || PlanType::FieldType::is_sampled || Rig::scene.gravity != 0,
+                "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2");
+  static_assert(!PlanType::FieldType::is_sampled || Rig::bounds.base_acceleration > 0,
+                "BaseAcceleration is among the absorber's parts: state Rig::bounds.base_acceleration, m/s^2");
+  static_assert(!PlanType::FrictionType::is_friction || Rig::scene.ball_friction > 0,
+                "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
   static_assert(
       status != PlanStatus::contact_time,
       "Rig::scene: a contact lasts too long for this stepper, whatever the step: take impact::Chosen<Rig, Law>");

@@ -42,17 +42,20 @@ struct Scene {
   double v2 = 0.0;                     // initial velocity of the ball, m/s
   Stops stops = Stops::both;
   Tension tension = Tension::clamp;
-  double restitution = 1.0;  // e, for a damping that is set at each impact: law/per_impact.hpp
+  double restitution = 1.0;    // e, for a damping that is set at each impact: law/per_impact.hpp
+  double gravity = 0.0;        // g along x, m/s^2, on both masses: with Gravity or BaseAcceleration, motion/field.hpp
+  double ball_friction = 0.0;  // R, N, dry friction between ball and main mass: with DryFriction, motion/friction.hpp
 };
 
 // The largest values that the scene reaches, in SI units. Fixed32 chooses every format from them; beyond them it
 // saturates and raises a fault; the tighter they are, the finer it counts. Floating point does without them, but for
 // the force of a sampled drive. The defaults hold the paper's scene under every law.
 struct Bounds {
-  double displacement = 0.1;  // of either mass, m
-  double speed = 2.0;         // of either mass, m/s
-  double penetration = 0;     // m; 0: the deepest that the others allow, law/depth.hpp
-  double force = 10.0;        // of a sampled drive, N
+  double displacement = 0.1;     // of either mass, m
+  double speed = 2.0;            // of either mass, m/s
+  double penetration = 0;        // m; 0: the deepest that the others allow, law/depth.hpp
+  double force = 10.0;           // of a sampled drive, N
+  double base_acceleration = 0;  // of a base that shakes, m/s^2: with BaseAcceleration, which asks for it
 };
 
 }  // namespace impact

@@ -32,6 +32,12 @@ enum class PlanStatus : uint8_t {
   force_bound,
   steps_per_contact,  // too few for the stepper: Stepper::steps has the longest step that does
   contact_time,       // no step does: the contact lasts too long for the stepper
+  gravity,
+  base_acceleration_bound,
+  ball_friction,
+  gravity_not_named,  // stated, but its part is not among the absorber's
+  base_acceleration_not_named,
+  ball_friction_not_named,
 };
 
 // What is allowed, both ends included.
@@ -49,6 +55,8 @@ constexpr Range contact_damping_range{0, 1e18};       // N s/m or N s/m^(5/2)
 constexpr Range restitution_range{0.01, 1};
 constexpr Range damping_ratio_range{0, 100};            // c1 v0/k1 of a damping set per impact
 constexpr Range force_range{0, 1e9};                    // N
+constexpr Range gravity_range{-1e6, 1e6};               // m/s^2
+constexpr Range base_acceleration_range{0, 1e6};        // m/s^2
 constexpr Range initial_displacement_range{-1e3, 1e3};  // m
 constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s
 constexpr Range bound_range{1e-9, 1e6};                 // m and m/s
@@ -84,6 +92,8 @@ constexpr PlanStatus status_of(const Scene& scene, double step, double phase) {
     return PlanStatus::initial_displacement;
   if (!initial_velocity_range.holds(scene.v1) || !initial_velocity_range.holds(scene.v2))
     return PlanStatus::initial_velocity;
+  if (!gravity_range.holds(scene.gravity)) return PlanStatus::gravity;
+  if (!force_range.holds(scene.ball_friction)) return PlanStatus::ball_friction;
   if (!(step >= step_range.least && step <= longest_step(scene, phase))) return PlanStatus::step;
   if (scene.drive_pulsation > 0 && scene.drive_pulsation < slowest_drive(step)) return PlanStatus::drive_pulsation;
   return PlanStatus::ok;
@@ -98,6 +108,7 @@ constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
   if (!within(scene.v1, bounds.speed) || !within(scene.v2, bounds.speed)) return PlanStatus::speed_bound;
   if (bounds.penetration != 0 && !bound_range.holds(bounds.penetration)) return PlanStatus::penetration_bound;
   if (!force_range.holds(bounds.force)) return PlanStatus::force_bound;
+  if (!base_acceleration_range.holds(bounds.base_acceleration)) return PlanStatus::base_acceleration_bound;
   return PlanStatus::ok;
 }
 

@@ -8,8 +8,9 @@
 //     drive of relative motion    W <= mu V^2/2 + P d                        P = mu (k x + c v + F)/M
 //
 // The first is all that both masses, the spring and the drive can give up; the second what the approach brings and what
-// the main spring, its damper and the drive press on the way. Damping only takes. A hundredth is added for rounding.
-// Bounds::penetration, where it is stated, limits it further.
+// the main spring, its damper and the drive press on the way. A field's acceleration a adds 2 (M + m) a x to the first,
+// and nothing to the second, in which it is the same for both masses. Damping and friction only take. A hundredth is
+// added for rounding. Bounds::penetration, where it is stated, limits it further.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>
@@ -44,7 +45,8 @@ constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, b
   const double main = scene.main_mass, ball = scene.ball_mass, mu = 1 / (1 / main + 1 / ball);
   const double v = bounds.speed, x = bounds.displacement;
   const double drive = constant::larger(scene.drive_amplitude, bounds.force);
-  const double whole = (main + ball) * v * v / 2 + scene.main_stiffness * x * x / 2 + 2 * drive * x;
+  const double field = constant::magnitude(scene.gravity) + bounds.base_acceleration;
+  const double whole = (main + ball) * (v * v / 2 + 2 * field * x) + scene.main_stiffness * x * x / 2 + 2 * drive * x;
   const double press = mu * largest_acceleration(scene, bounds, drive);
   const double kept =
       damping > 1e-3 ? 2 * (damping - constant::logarithm_of_one_plus(damping)) / (damping * damping) : 1;

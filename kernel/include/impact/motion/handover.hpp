@@ -10,6 +10,8 @@
 //     behind(new) = h v1 - dx1 = (1 - e12) h v1 - e11 x1 - P
 //     dx1' = dx1 + ahead(old) - behind(new)
 //
+// A field (field.hpp) has its share in both displacements, as the drive has it in the main mass's.
+//
 // Only the difference is computed in 32 bits: it is of the size of what spring and drive change in half a step, so that
 // its rounding is 2^-31 (Fixed32) or 2^-24 (Float32) of that. Some twenty multiplications and a copy of the plan; no
 // double.
@@ -27,7 +29,7 @@ template <class Format, class Drive>
 struct Handover {
   using Gain = typename Format::Gain;
 
-  uint32_t units;  // what a state counts in: the fingerprint of bounds, step, clearance and stops
+  uint32_t units;  // what a state counts in: the fingerprint of bounds, step, clearance, stops and a position's unit
   Gain ahead_by_dx1, ahead_by_x1, behind_by_u1, behind_by_x1;
   typename Drive::template Handover<Format> drive;
 
@@ -37,6 +39,7 @@ struct Handover {
     Fingerprint units{};
     for (double number : numbers) units.add_number(number);
     units.add(static_cast<uint32_t>(scene.stops));
+    units.add(static_cast<uint32_t>(unit.position));
     return {units.value,
             Format::gain(1 / flow.e12 - 1, unit.displacement, unit.increment),
             Format::gain(-flow.e11 / flow.e12, unit.position, unit.increment),
@@ -51,12 +54,19 @@ template <class Plan, class State>
 constexpr void hand_over(const Plan& from, const Plan& to, State& state) {
   const auto x1 = from.units.position(state.x1);
   const auto drive = state.drive.hand_over(from.drive, from.handover.drive, to.drive, to.handover.drive);
+  using Field = typename Plan::FieldType;
   auto u1 = state.dx1;
   from.units.add(u1, from.handover.ahead_by_dx1 * from.units.displacement(state.dx1) + from.handover.ahead_by_x1 * x1 -
                          drive.ahead);
+  if constexpr (Field::is_field) {
+    from.units.add(u1, -Field::ahead(from, state));
+    from.units.add(state.dx2, -Field::ball_start(from, state));
+    to.units.add(state.dx2, Field::ball_start(to, state));
+  }
   state.dx1 = u1;
   to.units.add(state.dx1,
                -(to.handover.behind_by_u1 * to.units.displacement(u1) + to.handover.behind_by_x1 * x1 - drive.behind));
+  if constexpr (Field::is_field) to.units.add(state.dx1, Field::behind(to, state));
 }
 
 }  // namespace impact

@@ -34,7 +34,19 @@ struct LinearFlow {
 
   constexpr double stiffness() const { return e11 * e22 - e12 * e21; }
   constexpr double damping() const { return -(e11 + e22) - stiffness(); }
+  // What a constant force adds to dx in a step, m/N.
+  constexpr double constant_increment() const { return e12 * (c0 + c1) - e22 * (b0 + b1); }
 };
+
+// What a force that is linear between samples does, m/N: the sample at a step's end to the displacement at once, and
+// the samples at both ends to dx.
+struct SampledForce {
+  double at_once, before, now;
+};
+constexpr SampledForce sampled_force(const LinearFlow& flow) {
+  return {flow.b1, flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0,
+          flow.e12 * flow.c1 - (flow.e22 + flow.damping()) * flow.b1 + flow.b0};
+}
 
 // exp(A) - 1 of the oscillator augmented by its drive: x, u, F, F' - F, sin, cos. Scaling and squaring on E = exp(A) -
 // 1 by E(2A) = 2 E + E^2, from a Taylor series on a norm below 1/2: relative precision near 1e-15, at resonance and for

@@ -24,11 +24,10 @@ struct Sampled {
   static constexpr Plan<Format> make_plan(const Scene&, const Bounds& bounds, double, const LinearFlow& flow,
                                           const UnitExponents& unit) {
     const double newtons = Format::sample_unit(bounds.force);
-    const double before = flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0;
-    const double now = flow.e12 * flow.c1 - (flow.e22 + flow.damping()) * flow.b1 + flow.b0;
-    return {Format::gain(newtons * flow.b1, 0, unit.increment),
-            Format::gain(newtons * before, 0, unit.increment),
-            Format::gain(newtons * now, 0, unit.increment),
+    const SampledForce share = sampled_force(flow);
+    return {Format::gain(newtons * share.at_once, 0, unit.increment),
+            Format::gain(newtons * share.before, 0, unit.increment),
+            Format::gain(newtons * share.now, 0, unit.increment),
             Format::gain(newtons * flow.b0 / flow.e12, 0, unit.penetration),
             Format::largest_sample(bounds.force),
             static_cast<float>(newtons > 0 ? 1 / newtons : 0)};

@@ -100,6 +100,10 @@ struct Fixed32Units {
   constexpr Value as_displacement(Value rate) const {
     return Fixed32Numbers::moved(rate, displacement_shift - penetration_shift);
   }
+  // What drive, spring and field add to a displacement per step, as a rate counts.
+  constexpr Value increment_of_rate(Value increment) const {
+    return Fixed32Numbers::moved(increment, penetration_shift - increment_shift);
+  }
   // What is added from outside, at most as much as a state is held at.
   static constexpr bool hold_correction(Value& x) {
     constexpr int32_t most = 1 << 30;
@@ -115,6 +119,15 @@ struct Fixed32Units {
   constexpr void displace(Long& x, Value penetration) const {
     const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
+  }
+  // By gain times a penetration with all the places of a state, so that what one mass gains the other loses.
+  constexpr void displace(Long& x, Fixed32Numbers::Gain gain, Value penetration) const {
+    const uint32_t low = static_cast<uint32_t>(penetration.raw) * static_cast<uint32_t>(gain.mantissa);
+    const auto high = static_cast<uint64_t>(static_cast<int64_t>(high_product(penetration.raw, gain.mantissa)));
+    const auto product = static_cast<int64_t>(high << 32 | low);
+    const int places = 32 + gain.shift - penetration_shift;
+    const int64_t way = places >= 0 ? product >> places : product * (int64_t{1} << -places);
+    x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way));
   }
   constexpr void push(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift); }
   constexpr void push(Long& x, Signed<32> increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
@@ -146,6 +159,10 @@ struct Fixed32Units {
   // In range while the top two bits of each Value agree, which one step's increment cannot carry dx1 past.
   constexpr bool in_range(Long x1, Long x2, Long dx1) const {
     return static_cast<int32_t>(top(x1) | top(x2) | top(dx1) << (32 - displacement_shift)) >= 0;
+  }
+  // The ball's displacement per step grows as well.
+  constexpr bool in_range_in_field(Long x1, Long x2, Long dx1, Long dx2) const {
+    return static_cast<int32_t>(top(x1) | top(x2) | (top(dx1) | top(dx2)) << (32 - displacement_shift)) >= 0;
   }
   // The same, however far out they are.
   constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) const {

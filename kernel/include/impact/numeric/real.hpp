@@ -100,6 +100,7 @@ struct RealFormat {
     static constexpr double displacement_unit() { return 1; }
     static constexpr double velocity_unit(double) { return 1; }
     static constexpr Value as_displacement(Value rate) { return rate; }
+    static constexpr Value increment_of_rate(Value increment) { return increment; }
     // What is added from outside: no more than the range, and nothing where it is no number.
     static constexpr bool hold_correction(Real& x) {
       if (is_below_limit(x)) return false;
@@ -126,6 +127,7 @@ struct RealFormat {
     static constexpr Value displacement(Long w) { return w.sum; }
     static constexpr void add(Long& x, Value increment) { x.add(increment); }
     static constexpr void displace(Long& x, Value penetration) { x.add(penetration); }
+    static constexpr void displace(Long& x, Gain gain, Value penetration) { x.add(gain * penetration); }
     static constexpr void push(Long& x, Value increment) { x.add(increment); }
     static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
@@ -143,6 +145,9 @@ struct RealFormat {
       return main;
     }
     static constexpr bool in_range(Long x1, Long, Long) { return is_below_limit(x1.sum); }
+    static constexpr bool in_range_in_field(Long x1, Long x2, Long, Long) {
+      return is_below_limit(x1.sum) && is_below_limit(x2.sum);
+    }
     static constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) {
       return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(dx1.sum) && is_below_limit(dx2.sum);
     }

@@ -14,7 +14,8 @@
 //
 //     x2 -= t h J/m    v2 -= J/m    x1 += p J/M    v1 += g J/M    p = t h (1 - (w0 t h)^2/6)    g = 1 - (w0 t h)^2/2
 //
-// and came at the rate Vi = v2 - (g v1 + w0^2 p x1), in which the drive adds its part, -p F/M. The energy of both
+// and came at the rate Vi = v2 - (g v1 + w0^2 p x1), in which the drive adds its part, -p F/M, and a field a its own,
+// t h a - p a. The energy of both
 // masses and the main spring gains J^2/2 (1/m + (g^2 + w0^2 p^2)/M) - J Vi by it. Since g^2 + w0^2 p^2 = 1 - (w0 t
 // h)^4/12 + (w0 t h)^6/36 <= 1 for w0 h <= 1, this is
 //
@@ -120,21 +121,25 @@ struct Impulsive {
               false};
     }
 
-    [[gnu::always_inline]] constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units,
-                                                                 Approach<Value> step) {
+    template <class Seen>
+    [[gnu::always_inline]] constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, Seen step) {
       const Value trial = step.penetration, trial_rate = step.rate, travel = step.travel;
       rests = 0;
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
       if (!is_positive(trial) || !is_positive(trial_rate)) return {{}, {}, trial_rate};
       const Value rate = units.held(trial_rate, plan.largest_rate);
-      const Value acceleration = plan.acceleration * step.increment;
+      Value main_part = plan.acceleration * step.increment, acceleration = main_part;
+      if constexpr (__is_base_of(ApproachInField<Value>, Seen)) {
+        main_part = plan.acceleration * (step.increment - step.ball_increment);
+        acceleration = main_part + units.increment_of_rate(step.ball_increment);
+      }
       const auto bounce = plan.rebound.at(is_positive(travel) ? units.held(travel, plan.largest_rate) : rate);
       const Value pressed = Format::value(acceleration * bounce.depth);
       if (!is_positive(pressed - Format::value(half(rate * rate)))) {
         const Value beyond = trial - bounce.depth;
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
-        const Instant at(plan, t, rate, acceleration, step.main_rate);
+        const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
         const Value touch_rate = at.rate - over(pressed, travel);
         const Value impulse =
             held(plan, units, at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate))));
@@ -146,7 +151,7 @@ struct Impulsive {
       }
       rests = 1;
       const auto t = Format::quotient(positive_part(trial), positive_part(rate));
-      const Instant at(plan, t, rate, acceleration, step.main_rate);
+      const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
       const Value half_rate = Format::value(half(rate));
       return at.split(t, held(plan, units, is_positive(at.rate - half_rate) ? half_rate : at.rate));
     }
@@ -171,9 +176,10 @@ struct Impulsive {
       Value turned, rate;  // (w0 t h)^2, Vi
 
       template <class Share>
-      constexpr Instant(const Plan& plan, Share t, Value rate_at_end, Value acceleration, Value main_rate)
+      constexpr Instant(const Plan& plan, Share t, Value rate_at_end, Value acceleration, Value main_part,
+                        Value main_rate)
           : turned(plan.turn * Format::value(square(t))),
-            rate(rate_at_end - Format::value(t * (acceleration - sixth(acceleration))) +
+            rate(rate_at_end - Format::value(t * (acceleration - sixth(main_part))) +
                  Format::value(half(turned * main_rate))) {}
       constexpr Value sixth(Value x) const { return Format::value(turned * x * Format::short_constant(1.0 / 6)); }
       template <class Share>

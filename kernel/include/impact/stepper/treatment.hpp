@@ -34,8 +34,14 @@ struct Approach {
   Value penetration, rate;  // at the end of the step
   Value travel;             // of the penetration in the step
   Value before;             // at its start
-  Value increment;          // of the rate by spring and drive from this step's end to the next one's
+  Value increment;          // of the rate by spring, drive and field from this step's end to the next one's
   Value main_rate;          // of the main mass at the end
+};
+
+// The same in a field (motion/field.hpp).
+template <class Value>
+struct ApproachInField : Approach<Value> {
+  Value ball_increment;  // the ball's part of the increment
 };
 
 // The impulse of the contact's force in a step, and its moment about the step's end.
@@ -104,6 +110,9 @@ struct Treatment {
   template <class Plan, class Units, class State>
   static constexpr void carry_over(const Plan&, const Units&, const State&, bool) {}
   static constexpr void drop_force() {}
+  // The rate of penetration at the step's end is another one: dry friction.
+  template <class Plan, class Value>
+  static constexpr void change_rate(const Plan&, Value) {}
   // The ball is inside the stop without having come there: by a rounding, or across a cavity shorter than the way of a
   // step. False ends the step.
   template <class Units, class State, class Value>

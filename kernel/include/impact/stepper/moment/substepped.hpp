@@ -109,6 +109,10 @@ struct SubsteppedMoment {
       Inner::start(plan.inner, units, at, plan.part * at_rate);
       step_rate = at_rate;
     }
+    constexpr void change_rate(const Plan& plan, Value by) {
+      step_rate = step_rate + by;
+      Inner::change_rate(plan.inner, plan.part * by);
+    }
     // For the ledger: J0 (v0 + v1)/2 is a free pair's to_penetration work, however the force runs.
     constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
                                         const Contact& before, const SplitImpulse<Value>& impulse) const {

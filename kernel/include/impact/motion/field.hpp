@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A field of acceleration a(t) along x on both masses: weight, or what a base that shakes gives them in coordinates
+// relative to it. The main mass feels the force M a, the ball m a:
+//
+//     Gravity             a = Scene::gravity
+//     BaseAcceleration    a = Scene::gravity - the base's acceleration, a sample a step, linear between samples
+//
+// Exact with the exact flow. Under a constant field a displacement per step starts at h v + a h^2/2 and grows by a h^2;
+// the main mass's by its flow's response to a constant force. Between samples a0 and a1 the ball moves by h v +
+// (a0/3 + a1/6) h^2, of which a1's part comes with the sample, as for a sampled drive. The accelerations vanish from
+// the relative motion of two free masses: contact sees the difference of both increments.
+
+#include <impact/features.hpp>
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+// What the ball has of a field in a step.
+template <class Long, class Value>
+struct BallFlight {
+  Long travel;      // its displacement
+  Value increment;  // of its displacement per step
+};
+
+// A main mass's response to a force is flow's; the ball's is that of a free mass under the same stepper.
+template <class Stepper>
+constexpr LinearFlow flow_of_ball(const Scene& scene, double h) {
+  Scene ball{};
+  ball.main_mass = scene.ball_mass;
+  ball.main_stiffness = ball.main_damping = ball.drive_pulsation = 0;
+  return Stepper::flow(ball, h);
+}
+
+struct NoField {
+  static constexpr bool is_field = false, is_sampled = false;
+
+  template <class Format>
+  struct FieldPlan {};
+  static constexpr double at_start(const LinearFlow&) { return 0; }
+};
+
+struct Gravity : ScenePart {
+  static constexpr uint32_t kind = 5;  // a saved state is of one list of features
+  static constexpr bool is_field = true, is_sampled = false;
+
+  template <class Format>
+  struct FieldPlan {
+    using Value = typename Format::Value;
+    Value main_increment, ball_increment;
+    typename Format::Long ball_step;  // the same as ball_increment, with all its places
+    Value main_rate, ball_rate;       // the field's share of the displacement that the coming step will make
+    Value ahead, behind, ball_start;  // the same for a change of plan
+  };
+  template <class Format, class Units>
+  static constexpr FieldPlan<Format> make_plan(const Scene& scene, const Bounds&, const LinearFlow& main,
+                                               const LinearFlow& ball, const UnitExponents& unit, const Units& units) {
+    const double main_force = scene.main_mass * scene.gravity, ball_force = scene.ball_mass * scene.gravity;
+    const double main_start = main_force * (main.b0 + main.b1), ball_start = ball_force * (ball.b0 + ball.b1);
+    const double main_step = main_force * main.constant_increment(), ball_step = ball_force * ball.constant_increment();
+    const auto in = [](double x, int exponent) { return Format::sample(x * constant::power_of_two(-exponent)); };
+    return {in(main_step, unit.increment),    in(ball_step, unit.increment),
+            units.state(ball_step),           in(main_start / main.e12, unit.penetration),
+            in(ball_start, unit.penetration), in(main_start / main.e12, unit.increment),
+            in(main_start, unit.increment),   in(ball_start, unit.increment)};
+  }
+  static constexpr double largest(const Scene& scene, const Bounds&) { return constant::magnitude(scene.gravity); }
+  // m/N: of the force at the start, in the displacement that the first step will make.
+  static constexpr double at_start(const LinearFlow& flow) { return flow.b0 + flow.b1; }
+
+  template <class Format>
+  struct State {};
+
+  template <class Plan, class State>
+  static constexpr auto main_rate(const Plan& plan, const State&) {
+    return plan.main_rate;
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_rate(const Plan& plan, const State&) {
+    return plan.ball_rate;
+  }
+  template <class Plan, class State, class Value>
+  [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State&, Value) {
+    return plan.main_increment;
+  }
+  // The ball's free flight.
+  template <class Plan, class State, class Value>
+  [[gnu::always_inline]] static constexpr auto fly(const Plan& plan, State& state, Value) {
+    const auto travel = state.dx2;
+    state.x2.advance(travel);
+    state.dx2.advance(plan.ball_step);
+    return BallFlight<decltype(state.dx2), Value>{travel, plan.ball_increment};
+  }
+  template <class Plan, class State>
+  static constexpr auto ahead(const Plan& plan, const State&) {
+    return plan.ahead;
+  }
+  template <class Plan, class State>
+  static constexpr auto behind(const Plan& plan, const State&) {
+    return plan.behind;
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_start(const Plan& plan, const State&) {
+    return plan.ball_start;
+  }
+};
+
+// A sample is m/s^2 in a floating-point format, and a fraction of Bounds::base_acceleration in Q1.31 in fixed point, of
+// which every value is good. In m/s^2 it must be a number within Bounds::base_acceleration. The sample before the first
+// is 0.
+struct BaseAcceleration : ScenePart {
+  static constexpr uint32_t kind = 6;
+  static constexpr bool is_field = true, is_sampled = true;
+
+  template <class Format>
+  struct FieldPlan {
+    using Value = typename Format::Value;
+    using Gain = typename Format::Gain;
+    struct Shares {
+      Gain at_once, before, now, rate, ahead, behind;
+    };
+    Gain by_sample;
+    Value gravity, largest_base;
+    Shares main, ball;
+    float per_base_unit;  // native numbers
+    double base_unit;     // m/s^2
+  };
+  // Accelerations count downwards, so that a sample enters as it is.
+  template <class Format, class Units>
+  static constexpr FieldPlan<Format> make_plan(const Scene& scene, const Bounds& bounds, const LinearFlow& main,
+                                               const LinearFlow& ball, const UnitExponents& unit, const Units&) {
+    const double base = Format::sample_unit(bounds.base_acceleration), g = scene.gravity;
+    const double largest_sum = g < 0 || g > 0 ? 1.0001 * (base + constant::magnitude(g)) : base;
+    const double counts = Format::sample_unit(largest_sum);  // m/s^2
+    const auto shares = [&unit](const LinearFlow& flow, double force) {
+      const SampledForce share = sampled_force(flow);
+      return typename FieldPlan<Format>::Shares{Format::gain(-force * share.at_once, 0, unit.increment),
+                                                Format::gain(-force * share.before, 0, unit.increment),
+                                                Format::gain(-force * share.now, 0, unit.increment),
+                                                Format::gain(-force * flow.b0 / flow.e12, 0, unit.penetration),
+                                                Format::gain(-force * flow.b0 / flow.e12, 0, unit.increment),
+                                                Format::gain(-force * flow.b0, 0, unit.increment)};
+    };
+    return {Format::gain(counts > 0 ? base / counts : 0, 0, 0),
+            Format::sample(counts > 0 ? -g / counts : 0),
+            Format::largest_sample(bounds.base_acceleration),
+            shares(main, scene.main_mass * counts),
+            shares(ball, scene.ball_mass * counts),
+            static_cast<float>(base > 0 ? 1 / base : 0),
+            base};
+  }
+  static constexpr double largest(const Scene& scene, const Bounds& bounds) {
+    return constant::magnitude(scene.gravity) + bounds.base_acceleration;
+  }
+  static constexpr double at_start(const LinearFlow& flow) { return flow.b0; }
+
+  template <class Format>
+  struct State {
+    typename Format::Value downwards;  // the field's acceleration at the start of the step
+  };
+  template <class Plan, class State>
+  static constexpr void start(const Plan& plan, State& state) {
+    state.downwards = plan.gravity;
+  }
+  template <class Plan, class State>
+  static constexpr bool is_sound(const Plan&, const State& state) {
+    return Plan::FormatType::is_sound(state.downwards);
+  }
+
+  template <class Plan, class Value>
+  static constexpr bool accepts(const Plan& plan, Value sample) {
+    return Plan::FormatType::is_within(sample, plan.largest_base);
+  }
+  // What stands for a sample that is not accepted: the bound, or 0 for no number.
+  template <class Plan, class Value>
+  static constexpr Value held(const Plan& plan, Value sample) {
+    return Plan::FormatType::held_within(sample, plan.largest_base, Value{});
+  }
+  template <class Plan, class Value>
+  [[gnu::always_inline]] static constexpr Value at_end(const Plan& plan, Value sample) {
+    return plan.by_sample * sample + plan.gravity;
+  }
+
+  template <class Plan, class State>
+  static constexpr auto main_rate(const Plan& plan, const State& state) {
+    return plan.main.rate * state.downwards;
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_rate(const Plan& plan, const State& state) {
+    return plan.ball.rate * state.downwards;
+  }
+  // What the sample at the end of the step adds at once to the main mass's displacement.
+  template <class Plan, class Value>
+  [[gnu::always_inline]] static constexpr Value at_once(const Plan& plan, Value next) {
+    return plan.main.at_once * next;
+  }
+  template <class Plan, class Value>
+  [[gnu::always_inline]] static constexpr Value ball_at_once(const Plan& plan, Value next) {
+    return plan.ball.at_once * next;
+  }
+  template <class Plan, class State, class Value>
+  [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State& state, Value next) {
+    return plan.main.before * state.downwards + plan.main.now * next;
+  }
+  template <class Plan, class State, class Value>
+  [[gnu::always_inline]] static constexpr auto fly(const Plan& plan, State& state, Value next) {
+    auto travel = state.dx2;
+    plan.units.add(travel, ball_at_once(plan, next));
+    state.x2.advance(travel);
+    const Value increment = plan.ball.before * state.downwards + plan.ball.now * next;
+    plan.units.add(state.dx2, increment);
+    return BallFlight<decltype(state.dx2), Value>{travel, increment};
+  }
+  template <class Plan, class State>
+  static constexpr auto ahead(const Plan& plan, const State& state) {
+    return plan.main.ahead * state.downwards;
+  }
+  template <class Plan, class State>
+  static constexpr auto behind(const Plan& plan, const State& state) {
+    return plan.main.behind * state.downwards;
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_start(const Plan& plan, const State& state) {
+    return plan.ball.behind * state.downwards;
+  }
+};
+
+}  // namespace impact

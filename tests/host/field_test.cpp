@@ -1,0 +1,348 @@
+// Weight and a base that shakes: the reference against closed forms, the kernel against both.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <impact/absorber.hpp>
+#include <vector>
+
+#include "host_ref/extremes.hpp"
+#include "host_ref/reference.hpp"
+
+namespace impact {
+namespace {
+
+using host::larger;
+
+constexpr double weight = 9.81;  // m/s^2
+
+// Nothing on a beam: main mass and spring that a ball does not move.
+Scene on_the_ground() {
+  Scene scene;
+  scene.main_mass = 1e6;
+  scene.main_stiffness = 1e12;
+  scene.drive_amplitude = 0;
+  scene.gravity = -weight;
+  scene.stops = Stops::left;
+  scene.clearance = 0.1;
+  scene.x1 = scene.x2 = -scene.main_mass * weight / scene.main_stiffness;
+  scene.contact_stiffness = 1e12;
+  scene.contact_damping = 0;
+  return scene;
+}
+
+// The highest points between impacts, in heights above the stop, and the instants of the impacts' midpoints.
+struct Bounces {
+  std::vector<double> heights, instants;
+  double last_height = 0, last_speed = 0, entered = 0;
+  bool was_inside = false;
+
+  void see(double t, double height, double speed) {
+    const bool inside = height <= 0;
+    if (!inside && last_speed > 0 && speed <= 0) heights.push_back(height);
+    if (!inside && was_inside) instants.push_back((entered + t) / 2);
+    if (inside && !was_inside) entered = t;
+    was_inside = inside;
+    last_speed = speed;
+  }
+};
+
+// Times and heights of a ball that falls from 50 mm: h0 e^(2n), and 2 e^n sqrt(2 h0/g) from impact to impact, which
+// the contact lengthens by its own time, some 0.03 ms; with samples of 0.01 ms.
+TEST(Field, BallBouncesInTheReferenceAsInClosedForm) {
+  for (const double e : {1.0, 0.7}) {
+    host::Case run;
+    run.scene = on_the_ground();
+    run.law = e < 1 ? Law::hunt_crossley : Law::hertz;
+    run.drive = host::DriveKind::none;
+    run.damping_ratio = e < 1 ? Exact::damping_ratio(e) : 0;
+    host::Reference reference(run);
+    Bounces bounces;
+    const double step = 1e-5;
+    for (int n = 1; n <= 60000; ++n) {
+      reference.advance(n * step);
+      const host::Sample now = reference.sample();
+      bounces.see(now.t, now.x2 - now.x1 + 0.05, now.v2 - now.v1);
+    }
+    ASSERT_GE(bounces.heights.size(), 2u);
+    ASSERT_GE(bounces.instants.size(), 3u);
+    double part = 1;
+    for (size_t n = 0; n < 2; ++n) {
+      part *= e;
+      EXPECT_NEAR(bounces.heights[n], 0.05 * part * part, 1e-5) << e;
+      const double flight = 2 * part * std::sqrt(2 * 0.05 / weight);
+      EXPECT_NEAR(bounces.instants[n + 1] - bounces.instants[n], flight, 6e-5) << e;
+    }
+  }
+}
+
+template <class Format>
+class FieldIn : public testing::Test {};
+using Formats = testing::Types<Float64, Float32, Fixed32>;
+TYPED_TEST_SUITE(FieldIn, Formats);
+
+// An impact at an instant: no contact time to count.
+TYPED_TEST(FieldIn, BallBouncesInTheKernelAsInClosedForm) {
+  for (const double e : {1.0, 0.7}) {
+    Scene scene = on_the_ground();
+    scene.restitution = e;
+    Bounds bounds;
+    bounds.displacement = 0.12;
+    const double step = 1e-4;
+    using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity>;
+    const auto plan = Absorber::PlanType::make(scene, bounds, step);
+    ASSERT_EQ(plan.status, PlanStatus::ok);
+    Absorber absorber(plan);
+    Bounces bounces;
+    for (int n = 1; n <= 6000; ++n) {
+      absorber.step();
+      const auto now = absorber.reading();
+      bounces.see(n * step, now.x2 - now.x1 + 0.05, now.v2 - now.v1);
+    }
+    EXPECT_EQ(absorber.fault(), Fault::none);
+    ASSERT_GE(bounces.heights.size(), 2u);
+    double part = 1;
+    // The centre of an impact lies within a step, and the height with the speed of half of one.
+    for (size_t n = 0; n < 2; ++n) {
+      part *= e;
+      EXPECT_NEAR(bounces.heights[n], 0.05 * part * part, 3e-5) << e;
+    }
+  }
+}
+
+// A ball at rest on its stop, the main mass in its equilibrium: the penetration (m g/k1)^(2/3) or m g/k1 stays, for
+// 10 s. What a format rounds in a penetration of 2 mm and its rate is the rest.
+template <class Law, class Stepper, class Format>
+void rest(double tolerance, int lead) {
+  Scene scene;
+  scene.gravity = weight;
+  scene.drive_amplitude = 0;
+  scene.main_damping = 2;
+  scene.clearance = 0.002;
+  if (Law::is_linear) scene.contact_damping = 5;
+  const double ratio = scene.ball_mass * weight / scene.contact_stiffness;
+  const double penetration = Law::is_linear ? ratio : std::pow(ratio, 2.0 / 3);
+  scene.x1 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
+  scene.x2 = scene.x1 + scene.clearance / 2 + penetration;
+  Bounds bounds;
+  bounds.displacement = 0.05;
+  bounds.speed = 0.3;
+  using Absorber = Absorber<AtRunTime, Law, Stepper, NoDrive, Format, Gravity>;
+  const auto plan = Absorber::PlanType::make(scene, bounds, 1e-4);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Absorber absorber(plan);
+  for (int n = 0; n < lead; ++n) absorber.step();
+  for (int n = 0; n < 100000; ++n) {
+    absorber.step();
+    const auto now = absorber.reading();
+    ASSERT_LT(std::abs(now.x2 - now.x1 - scene.clearance / 2 - penetration), tolerance) << n;
+    ASSERT_LT(std::abs(now.v2 - now.v1), tolerance / 1e-4) << n;
+    ASSERT_LT(std::abs(now.x1 - scene.x1), 10 * tolerance) << n;
+  }
+  EXPECT_EQ(absorber.fault(), Fault::none);
+}
+template <class Law, class Stepper>
+void rest_in_every_format(int lead = 0) {
+  rest<Law, Stepper, Float64>(1e-9, lead);
+  rest<Law, Stepper, Fixed32>(2e-8, lead);
+  rest<Law, Stepper, Float32>(2e-8, lead);
+}
+// The classical schemes begin a contact that is under way without its force, and miss h^2/4 of the load's acceleration
+// in the first step: they are given 30 s for that.
+TEST(Field, BallRestsAtItsStaticPenetration) {
+  rest_in_every_format<HuntCrossley, Moment>();
+  rest_in_every_format<HuntCrossley, SubsteppedMoment<4>>();
+  rest_in_every_format<HuntCrossley, EnergyConsistent>();
+  rest_in_every_format<HuntCrossley, AverageAcceleration>(300000);
+  rest_in_every_format<HookeNewton, Moment>();
+  rest_in_every_format<HookeNewton, SubsteppedMoment<4>>();
+  rest_in_every_format<HookeNewton, EnergyConsistent>();
+  rest_in_every_format<HookeNewton, AverageAcceleration>(300000);
+}
+
+// On a stop whose contact is an instant the ball comes to rest on the stop itself.
+TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
+  Scene scene;
+  scene.gravity = weight;
+  scene.drive_amplitude = 0;
+  scene.main_damping = 2;
+  scene.clearance = 0.002;
+  scene.contact_stiffness = 3e9;
+  scene.restitution = 0.5;
+  scene.x1 = scene.x2 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
+  Bounds bounds;
+  bounds.displacement = 0.05;
+  bounds.speed = 0.3;
+  using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity>;
+  const auto plan = Absorber::PlanType::make(scene, bounds, 1e-4);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Absorber absorber(plan);
+  for (int n = 0; n < 100000; ++n) absorber.step();
+  for (int n = 0; n < 100000; ++n) {
+    absorber.step();
+    const auto now = absorber.reading();
+    ASSERT_LT(std::abs(now.x2 - now.x1 - scene.clearance / 2), 1e-8) << n;
+    ASSERT_LT(std::abs(now.v2 - now.v1), 1e-5) << n;
+  }
+  EXPECT_EQ(absorber.fault(), Fault::none);
+}
+
+// Both masses fall as one, whatever the step: exact but for rounding.
+TYPED_TEST(FieldIn, BothMassesFallFreely) {
+  Scene scene;
+  scene.main_stiffness = scene.main_damping = 0;
+  scene.drive_amplitude = 0;
+  scene.gravity = weight;
+  scene.v1 = scene.v2 = -1;
+  Bounds bounds;
+  bounds.displacement = 0.5;
+  for (const double step : {1e-3, 1e-4}) {
+    using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>;
+    Absorber absorber(Absorber::PlanType::make(scene, bounds, step));
+    for (int n = 1; n * step <= 0.25; ++n) {
+      absorber.step();
+      const double t = n * step, x = -t + weight * t * t / 2, v = -1 + weight * t;
+      const auto now = absorber.reading();
+      ASSERT_NEAR(now.x1, x, 2e-7);
+      ASSERT_NEAR(now.x2, x, 2e-7);
+      ASSERT_NEAR(now.v1, v, 2e-6);
+      ASSERT_NEAR(now.v2, v, 2e-6);
+    }
+  }
+}
+
+// What an accelerometer would give: linear between samples of 2 ms, at any step that divides them.
+constexpr double sample_step = 2e-3, longest_shaking = 20;
+double shaking(int n) { return 12 * std::sin(0.1 * n) + 3 * std::sin(0.342 * n); }
+
+struct Fields {
+  double gravity;
+  bool is_shaken;
+};
+
+// The largest difference of a displacement from the reference over 0.4 s.
+template <class Law, class Stepper, class Format>
+double error(const Fields& fields, double step) {
+  constexpr double duration = 0.4;
+  host::Case run;
+  run.law = Law::law;
+  run.scene.gravity = fields.gravity;
+  if (Law::is_linear) run.scene.contact_damping = 20.81;
+  run.scene.x1 = run.scene.x2 = fields.gravity / 1000;
+  const int ratio = static_cast<int>(std::lround(sample_step / step));
+  Bounds bounds;
+  bounds.displacement = 0.2;
+  bounds.speed = 3;
+  if (fields.is_shaken) {
+    bounds.base_acceleration = longest_shaking;
+    run.base_step = sample_step;
+    for (int n = 0; n * sample_step < duration + sample_step; ++n) run.base_samples.push_back(shaking(n));
+  }
+  host::Reference reference(run);
+  double worst = 0;
+  const auto compare = [&](auto& absorber, const auto& advance) {
+    for (int n = 1; n * step <= duration * (1 + 1e-12); ++n) {
+      advance(absorber, n);
+      if (n % ratio != 0) continue;
+      reference.advance(n * step);
+      const auto now = absorber.reading();
+      const host::Sample right = reference.sample();
+      worst = larger(worst, larger(std::abs(now.x1 - right.x1), std::abs(now.x2 - right.x2)));
+    }
+    EXPECT_EQ(absorber.fault(), Fault::none);
+  };
+  if (fields.is_shaken) {
+    using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, BaseAcceleration>;
+    Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
+    compare(absorber, [ratio](auto& shaken, int n) {
+      const int before = n / ratio;
+      const double part = static_cast<double>(n % ratio) / ratio;
+      shaken.step(shaken.base_sample_of(shaking(before) * (1 - part) + shaking(before + 1) * part));
+    });
+  } else {
+    using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity>;
+    Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
+    compare(absorber, [](auto& upright, int) { upright.step(); });
+  }
+  return worst;
+}
+
+constexpr Fields every_field[] = {{-weight, false}, {0, true}, {-weight, true}};
+
+// As without a field: fourth order, second order, in 32 bits down to rounding.
+TEST(Field, KernelKeepsItsOrderInAField) {
+  for (const Fields& fields : every_field) {
+    const auto falls = [&](double coarse, double fine, double least) {
+      EXPECT_GT(std::log2(coarse / fine) / 2, least) << fields.gravity << fields.is_shaken;
+    };
+    using M = Moment;
+    using E = EnergyConsistent;
+    falls(error<HuntCrossley, M, Float64>(fields, 1e-3), error<HuntCrossley, M, Float64>(fields, 2.5e-4), 3.5);
+    falls(error<HookeNewton, M, Float64>(fields, 1e-3), error<HookeNewton, M, Float64>(fields, 2.5e-4), 2);
+    falls(error<HuntCrossley, E, Float64>(fields, 1e-3), error<HuntCrossley, E, Float64>(fields, 2.5e-4), 1.6);
+    falls(error<HuntCrossley, AverageAcceleration, Float64>(fields, 1e-3),
+          error<HuntCrossley, AverageAcceleration, Float64>(fields, 2.5e-4), 1.5);
+    EXPECT_LT((error<HuntCrossley, SubsteppedMoment<4>, Float64>(fields, 1e-3)), 2e-9);
+    EXPECT_LT((error<HuntCrossley, M, Float64>(fields, 1e-3)), 5e-8);
+    EXPECT_LT((error<HuntCrossley, M, Fixed32>(fields, 2.5e-4)), 2e-7);
+    EXPECT_LT((error<HuntCrossley, M, Float32>(fields, 2.5e-4)), 2e-7);
+  }
+}
+
+// The field changes at a change of plan, and the motion goes on without a jump.
+TYPED_TEST(FieldIn, ChangeOfPlanKeepsTheMotion) {
+  Scene scene;
+  scene.gravity = weight;
+  Bounds bounds;
+  bounds.displacement = 0.2;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity>;
+  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-4));
+  for (int n = 0; n < 200; ++n) absorber.step();
+  const auto before = absorber.reading();
+  scene.gravity = -2 * weight;
+  ASSERT_TRUE(absorber.retune(Absorber::PlanType::make(scene, bounds, 1e-4)));
+  const auto after = absorber.reading();
+  EXPECT_EQ(after.x1, before.x1);
+  EXPECT_EQ(after.x2, before.x2);
+  EXPECT_NEAR(after.v1, before.v1, 1e-6);
+  EXPECT_NEAR(after.v2, before.v2, 1e-6);
+}
+
+// A ball that falls past its bounds is held, and says so.
+TYPED_TEST(FieldIn, BallThatFallsTooFastIsHeld) {
+  Scene scene;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
+  scene.gravity = weight;
+  Bounds bounds;
+  bounds.displacement = 1;
+  bounds.speed = 0.5;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>;
+  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-3));
+  for (int n = 0; n < 2000000; ++n) absorber.step();
+  const auto now = absorber.reading();
+  EXPECT_TRUE(std::isfinite(now.x1) && std::isfinite(now.x2) && std::isfinite(now.v1) && std::isfinite(now.v2));
+  EXPECT_NE(absorber.fault(), Fault::none);
+}
+
+// What is stated must be named, and what is named must be within its range.
+TEST(Field, PartsAndValuesBelongTogether) {
+  Scene heavy;
+  heavy.gravity = weight;
+  Bounds shaken;
+  shaken.base_acceleration = 10;
+  using Plain = Plan<Fixed32, HuntCrossley, Moment, Sine>;
+  using Upright = Plan<Fixed32, HuntCrossley, Moment, Sine, Gravity>;
+  using Shaken = Plan<Fixed32, HuntCrossley, Moment, Sine, BaseAcceleration>;
+  EXPECT_EQ(Plain::make(heavy, {}, 1e-4).status, PlanStatus::gravity_not_named);
+  EXPECT_EQ(Plain::make({}, shaken, 1e-4).status, PlanStatus::base_acceleration_not_named);
+  EXPECT_EQ(Upright::make(heavy, shaken, 1e-4).status, PlanStatus::base_acceleration_not_named);
+  EXPECT_EQ(Upright::make(heavy, {}, 1e-4).status, PlanStatus::ok);
+  EXPECT_EQ(Shaken::make(heavy, shaken, 1e-4).status, PlanStatus::ok);
+  heavy.gravity = 2e6;
+  EXPECT_EQ(Upright::make(heavy, {}, 1e-4).status, PlanStatus::gravity);
+  shaken.base_acceleration = -1;
+  EXPECT_EQ(Shaken::make({}, shaken, 1e-4).status, PlanStatus::base_acceleration_bound);
+}
+
+}  // namespace
+}  // namespace impact

@@ -1,0 +1,354 @@
+// Dry friction of the ball: the reference against closed forms, the kernel against both.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <impact/absorber.hpp>
+#include <random>
+#include <vector>
+
+#include "host_ref/extremes.hpp"
+#include "host_ref/reference.hpp"
+
+namespace impact {
+namespace {
+
+using host::larger;
+
+// Two free masses, without momentum: the ball slides at v and is stopped by R/mu over v^2/(2 R/mu) (mu: the reduced
+// mass), which for a heavy main mass and R = f m g is v^2/(2 f g).
+struct Slide {
+  Scene scene;
+  double rate = 0.13, deceleration = 0, way = 0, time = 0;
+
+  Slide() {
+    scene.drive_amplitude = scene.main_stiffness = scene.main_damping = 0;
+    scene.ball_friction = 0.3;
+    scene.clearance = 0.08;
+    scene.v1 = -0.03;
+    scene.v2 = 0.1;
+    deceleration = scene.ball_friction * (1 / scene.main_mass + 1 / scene.ball_mass);
+    way = rate * rate / (2 * deceleration);
+    time = rate / deceleration;
+  }
+};
+
+TEST(Friction, BallStopsInTheReferenceAsInClosedForm) {
+  const Slide slide;
+  host::Case run;
+  run.scene = slide.scene;
+  run.drive = host::DriveKind::none;
+  host::Reference reference(run);
+  reference.advance(slide.time / 2);
+  EXPECT_NEAR(reference.sample().x2 - reference.sample().x1, 0.75 * slide.way, 1e-15);
+  reference.advance(2 * slide.time);
+  const host::Sample now = reference.sample();
+  EXPECT_NEAR(now.x2 - now.x1, slide.way, 1e-15);
+  EXPECT_EQ(now.v2, now.v1);
+  EXPECT_NEAR(now.friction_dissipated, slide.scene.ball_friction * slide.way, 1e-15);
+}
+
+template <class Format>
+class FrictionIn : public testing::Test {};
+using Formats = testing::Types<Float64, Float32, Fixed32>;
+TYPED_TEST_SUITE(FrictionIn, Formats);
+
+template <class Format>
+constexpr double floor_of = sizeof(typename Format::Value) == sizeof(double) ? 1e-15 : 1e-8;
+
+// Exact while it slides; it stops within a step, and then nothing moves any more.
+TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
+  const Slide slide;
+  Bounds bounds;
+  bounds.displacement = 0.1;
+  bounds.speed = 0.3;
+  for (const double step : {1e-3, 1e-4}) {
+    using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, DryFriction, EnergyLedger>;
+    Absorber absorber(Absorber::PlanType::make(slide.scene, bounds, step));
+    int n = 0;
+    for (; (n + 1) * step < slide.time; ++n) {
+      absorber.step();
+      const double t = (n + 1) * step;
+      const auto now = absorber.reading();
+      ASSERT_NEAR(now.x2 - now.x1, slide.rate * t - slide.deceleration * t * t / 2, 4 * floor_of<TypeParam>);
+      ASSERT_NEAR(now.v2 - now.v1, slide.rate - slide.deceleration * t, 4 * floor_of<TypeParam> / step);
+    }
+    for (const int end = n + 100; n < end; ++n) absorber.step();
+    const auto stopped = absorber.reading();
+    const double second_order = slide.deceleration * step * step / 8;
+    EXPECT_NEAR(stopped.x2 - stopped.x1, slide.way, second_order + 4 * floor_of<TypeParam>);
+    EXPECT_NEAR(absorber.friction_dissipated(), slide.scene.ball_friction * slide.way,
+                slide.scene.ball_friction * (second_order + 1e-7));
+    for (const int end = n + 100000; n < end; ++n) absorber.step();
+    const auto still = absorber.reading();
+    EXPECT_NEAR(still.x2 - still.x1, stopped.x2 - stopped.x1, 4 * floor_of<TypeParam>);
+    EXPECT_NEAR(still.v2, still.v1, 1e-6);
+    EXPECT_EQ(absorber.fault(), Fault::none);
+  }
+}
+
+// A ball that friction holds against its weight, half way up an upright cavity whose main mass vibrates: it does not
+// creep, nor does its rate chatter, in 10^6 steps.
+TYPED_TEST(FrictionIn, HeldBallDoesNotCreep) {
+  Scene scene;
+  scene.gravity = 9.81;
+  scene.ball_friction = 6;
+  scene.clearance = 0.04;
+  scene.main_damping = 1;
+  scene.drive_amplitude = 3;
+  scene.x1 = 1.3 * 9.81 / 1000;
+  scene.x2 = scene.x1 + 0.005;
+  Bounds bounds;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
+  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-4));
+  for (int n = 0; n < 1000000; ++n) {
+    absorber.step();
+    const auto now = absorber.reading();
+    ASSERT_NEAR(now.x2 - now.x1, 0.005, 1e-11 + 4 * floor_of<TypeParam>) << n;
+    ASSERT_NEAR(now.v2, now.v1, 1e-6) << n;
+  }
+  EXPECT_EQ(absorber.fault(), Fault::none);
+}
+
+// On a base that shakes by A sin(wt) the ball of a rigid main mass sticks until A sin(wt1) = R/m, slides with the rate
+// (A/w)(cos wt - cos wt1) + (R/m)(t - t1), and sticks again where that is zero: a closed form between two events.
+TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
+  constexpr double amplitude = 8, pulsation = 50, sample_step = 1e-4, pi = 3.14159265358979323846;
+  Scene scene;
+  scene.main_mass = 1e3;
+  scene.main_stiffness = 1e10;
+  scene.main_damping = 1e5;
+  scene.drive_amplitude = 0;
+  scene.clearance = 0.2;
+  scene.ball_friction = 1.5;
+  const double limit = scene.ball_friction / scene.ball_mass;
+  const double t1 = std::asin(limit / amplitude) / pulsation;
+  const auto rate = [&](double t) {
+    return amplitude / pulsation * (std::cos(pulsation * t) - std::cos(pulsation * t1)) + limit * (t - t1);
+  };
+  double slides = t1 * (1 + 1e-3), t2 = 1.5 * pi / pulsation;
+  for (int pass = 0; pass < 100; ++pass) {
+    const double middle = (slides + t2) / 2;
+    (rate(middle) < 0 ? slides : t2) = middle;
+  }
+  const double way =
+      amplitude / pulsation *
+          ((std::sin(pulsation * t2) - std::sin(pulsation * t1)) / pulsation - std::cos(pulsation * t1) * (t2 - t1)) +
+      limit * (t2 - t1) * (t2 - t1) / 2;
+  // It sticks then until the base turns as far the other way.
+  const double t3 = pi / pulsation + t1;
+  ASSERT_LT(t2, t3);
+
+  host::Case run;
+  run.scene = scene;
+  run.drive = host::DriveKind::none;
+  run.base_step = sample_step;
+  for (int n = 0; n < 2000; ++n) run.base_samples.push_back(amplitude * std::sin(pulsation * n * sample_step));
+  host::Reference reference(run);
+  Bounds bounds;
+  bounds.displacement = 0.2;
+  bounds.base_acceleration = 10;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Float64, BaseAcceleration, DryFriction>;
+  const auto plan = Absorber::PlanType::make(scene, bounds, sample_step);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Absorber absorber(plan);
+  int n = 0;
+  const auto advance_to = [&](double t) {
+    for (; n * sample_step < t; ++n)
+      absorber.step(absorber.base_sample_of(run.base_samples[static_cast<size_t>(n) + 1]));
+    reference.advance(n * sample_step);
+  };
+  // The main mass gives by 8e-7 m under the base's acceleration.
+  const auto expect_way = [&](double expected) {
+    EXPECT_NEAR(reference.sample().x2 - reference.sample().x1, expected, 2e-6 + 1e-3 * std::abs(expected));
+    EXPECT_NEAR(absorber.reading().x2 - absorber.reading().x1, expected, 2e-6 + 1e-3 * std::abs(expected));
+  };
+  advance_to(t1 * 0.99);
+  expect_way(0);
+  advance_to((t2 + t3) / 2);
+  expect_way(way);
+  EXPECT_EQ(reference.sample().v1, reference.sample().v2);
+  advance_to(t3 * 0.999);
+  expect_way(way);
+  advance_to((t2 + t3) / 2 + pi / pulsation);
+  expect_way(0);
+}
+
+// The largest difference of a displacement from the reference over 0.4 s of the paper's scene, upright or level.
+template <class Law, class Stepper, class Format>
+double error(double gravity, double friction, double step) {
+  host::Case run;
+  run.law = Law::law;
+  run.scene.gravity = gravity;
+  run.scene.ball_friction = friction;
+  if (Law::is_linear) run.scene.contact_damping = 20.81;
+  run.scene.x1 = run.scene.x2 = gravity / 1000;
+  Bounds bounds;
+  bounds.displacement = 0.2;
+  bounds.speed = 3;
+  host::Reference reference(run);
+  using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity, DryFriction>;
+  Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
+  double worst = 0;
+  const int ratio = static_cast<int>(std::lround(2e-3 / step));
+  for (int n = 1; n * step <= 0.4 * (1 + 1e-12); ++n) {
+    absorber.step();
+    if (n % ratio != 0) continue;
+    reference.advance(n * step);
+    const auto now = absorber.reading();
+    const host::Sample right = reference.sample();
+    worst = larger(worst, larger(std::abs(now.x1 - right.x1), std::abs(now.x2 - right.x2)));
+  }
+  EXPECT_EQ(absorber.fault(), Fault::none);
+  return worst;
+}
+
+// Second order where the sliding turns: over four halvings of the step, within each of which it depends on where the
+// turns fall.
+TEST(Friction, IsOfSecondOrder) {
+  for (const double gravity : {0.0, -9.81})
+    for (const double friction : {0.5, 2.5}) {
+      const auto falls = [&](double coarse, double fine) {
+        EXPECT_LT(fine, 1.5 * coarse / 256 * 4) << gravity << " " << friction;
+      };
+      using M = Moment;
+      using E = EnergyConsistent;
+      using A = AverageAcceleration;
+      falls(error<HuntCrossley, M, Float64>(gravity, friction, 1e-3),
+            error<HuntCrossley, M, Float64>(gravity, friction, 6.25e-5));
+      falls(error<HuntCrossley, E, Float64>(gravity, friction, 1e-3),
+            error<HuntCrossley, E, Float64>(gravity, friction, 6.25e-5));
+      falls(error<HuntCrossley, A, Float64>(gravity, friction, 1e-3),
+            error<HuntCrossley, A, Float64>(gravity, friction, 6.25e-5));
+      falls(error<HookeNewton, M, Float64>(gravity, friction, 1e-3),
+            error<HookeNewton, M, Float64>(gravity, friction, 6.25e-5));
+      EXPECT_LT((error<HuntCrossley, M, Float64>(gravity, friction, 1e-4)), 5e-7);
+      EXPECT_LT((error<HuntCrossley, M, Fixed32>(gravity, friction, 1e-4)), 1e-6);
+      EXPECT_LT((error<HuntCrossley, M, Float32>(gravity, friction, 1e-4)), 1e-6);
+    }
+}
+
+// Without drive and without damping the energy of both masses, spring, weight and contact only falls, in random scenes
+// (Hertz, which loses nothing itself): by no more than what a contact without friction gains, 1e-5.
+template <class Stepper>
+double largest_gain() {
+  std::mt19937 generator(7);
+  const auto between = [&generator](double least, double most) {
+    return std::uniform_real_distribution<>(least, most)(generator);
+  };
+  const auto scale = [&between](double least, double most) {
+    return std::exp(between(std::log(least), std::log(most)));
+  };
+  double worst = 0;
+  int planned = 0;
+  for (int scenes = 0; scenes < 100; ++scenes) {
+    Scene scene;
+    scene.drive_amplitude = scene.main_damping = scene.contact_damping = 0;
+    scene.ball_mass = scale(0.01, 3);
+    scene.main_stiffness = scale(300, 1e4);
+    scene.contact_stiffness = scale(1e3, 1e7);
+    scene.clearance = scale(0.002, 0.05);
+    scene.gravity = between(-10, 10);
+    scene.ball_friction = scale(1e-3, 2) * scene.ball_mass * 9.81;
+    scene.v1 = between(-0.3, 0.3);
+    scene.v2 = between(-0.3, 0.3);
+    scene.x1 = between(-0.01, 0.01);
+    scene.x2 = scene.x1 + between(-0.45, 0.45) * scene.clearance;
+    Bounds bounds;
+    bounds.displacement = 0.5;
+    bounds.speed = 3;
+    using Absorber = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64, Gravity, DryFriction>;
+    const auto plan = Absorber::PlanType::make(scene, bounds, scale(2e-5, 1e-3));
+    if (plan.status != PlanStatus::ok) continue;
+    ++planned;
+    Absorber absorber(plan);
+    const auto energy = [&] {
+      const auto now = absorber.reading();
+      const double inside = std::abs(now.x2 - now.x1) - scene.clearance / 2;
+      const double stored = inside > 0 ? 0.4 * scene.contact_stiffness * inside * inside * std::sqrt(inside) : 0;
+      return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
+              scene.main_stiffness * now.x1 * now.x1) /
+                 2 -
+             scene.gravity * (scene.main_mass * now.x1 + scene.ball_mass * now.x2) + stored;
+    };
+    const double sag = (scene.main_mass + scene.ball_mass) * scene.gravity / scene.main_stiffness;
+    const double size = scene.main_mass * scene.v1 * scene.v1 / 2 + scene.ball_mass * scene.v2 * scene.v2 / 2 +
+                        scene.main_stiffness * (scene.x1 - sag) * (scene.x1 - sag) / 2 +
+                        scene.ball_mass * std::abs(scene.gravity) * scene.clearance;
+    double least = energy();
+    for (int n = 0; n < 20000; ++n) {
+      absorber.step();
+      if (absorber.is_touching()) continue;
+      worst = larger(worst, (energy() - least) / size);
+      least = std::min(least, energy());
+    }
+  }
+  EXPECT_GT(planned, 40);
+  return worst;
+}
+TEST(Friction, CreatesNoEnergy) {
+  EXPECT_LT(largest_gain<EnergyConsistent>(), 1e-6);
+  EXPECT_LT(largest_gain<Moment>(), 1e-6);
+  EXPECT_LT(largest_gain<SubsteppedMoment<4>>(), 1e-6);
+}
+
+TYPED_TEST(FrictionIn, LedgerHasItsOwnLine) {
+  host::Case run;
+  run.scene.gravity = -9.81;
+  run.scene.ball_friction = 2;
+  run.scene.x1 = run.scene.x2 = -0.00981;
+  Bounds bounds;
+  bounds.displacement = 0.2;
+  bounds.speed = 3;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction, EnergyLedger>;
+  Absorber absorber(Absorber::PlanType::make(run.scene, bounds, 1e-4));
+  for (int n = 0; n < 4000; ++n) absorber.step();
+  host::Reference reference(run);
+  reference.advance(0.4);
+  const host::Sample right = reference.sample();
+  EXPECT_NEAR(absorber.friction_dissipated(), right.friction_dissipated, 1e-5 * right.friction_dissipated);
+  const auto& plan = absorber.plan;
+  EXPECT_NEAR(absorber.state().dissipated.total() * plan.force_unit * plan.units.si_penetration_unit(),
+              right.energy_dissipated, 1e-4 * right.energy_dissipated);
+}
+
+// An observer's correction, a change of plan, a state that is kept: the motion goes on.
+TYPED_TEST(FrictionIn, GoesOnAfterCorrectionAndChangeOfPlan) {
+  Scene scene;
+  scene.ball_friction = 0.5;
+  Bounds bounds;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, DryFriction>;
+  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-4));
+  for (int n = 0; n < 300; ++n) absorber.step();
+  const auto before = absorber.reading();
+  const auto saved = absorber.save();
+  scene.ball_friction = 1.5;
+  const auto tighter = Absorber::PlanType::make(scene, bounds, 1e-4);
+  ASSERT_TRUE(absorber.retune(tighter));
+  const auto after = absorber.reading();
+  EXPECT_EQ(after.x1, before.x1);
+  EXPECT_EQ(after.x2, before.x2);
+  EXPECT_NEAR(after.v1, before.v1, 1e-6);
+  EXPECT_NEAR(after.v2, before.v2, 1e-6);
+  EXPECT_FALSE(absorber.restore(saved));  // of another friction
+  absorber.correct(typename TypeParam::Value{}, typename TypeParam::Value{});
+  EXPECT_NEAR(absorber.reading().v2, after.v2, 1e-6);
+}
+
+TEST(Friction, IsRefusedByName) {
+  using Plain = Plan<Fixed32, HuntCrossley, Moment, Sine>;
+  using Rubbing = Plan<Fixed32, HuntCrossley, Moment, Sine, NoField, DryFriction>;
+  Scene scene;
+  scene.ball_friction = 1;
+  EXPECT_EQ(Plain::make(scene, {}, 1e-4).status, PlanStatus::ball_friction_not_named);
+  EXPECT_EQ(Rubbing::make(scene, {}, 1e-4).status, PlanStatus::ok);
+  for (const double friction : {-1.0, 2e9, 1e5, 1e-6}) {
+    scene.ball_friction = friction;
+    EXPECT_EQ(Rubbing::make(scene, {}, 1e-4).status, PlanStatus::ball_friction) << friction;
+  }
+  scene.ball_friction = 0;
+  EXPECT_EQ(Rubbing::make(scene, {}, 1e-4).status, PlanStatus::ok);
+}
+
+}  // namespace
+}  // namespace impact

@@ -387,38 +387,27 @@ class Absorber
                       Format::term(plan.damping, plan.units.displacement(state_.dx1));
     if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
+    if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
+    plan.units.add(state_.dx1, increment);
+    if constexpr (Field::is_field) Field::fly(plan, state_, base);
     [[maybe_unused]] Long apart{};
-    if constexpr (Field::is_field) {
-      increment = increment + Field::main_increment(plan, state_, base);
-      const auto ball = Field::fly(plan, state_, base);
-      if constexpr (Field::is_sampled) state_.downwards = base;
-      plan.units.add(state_.dx1, increment);
-      if constexpr (Friction::is_friction) apart = state_.x2 - state_.x1;
-      meet(increment, main_travel, ball);
-    } else {
-      plan.units.add(state_.dx1, increment);
-      if constexpr (Friction::is_friction) apart = state_.x2 - state_.x1;
-      meet(increment, main_travel);
+    if constexpr (Friction::is_friction) apart = state_.x2 - state_.x1;
+
+    if (!judges_contact_once && !is_flight_in_range()) {
+      hold();
+    } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
+      if constexpr (Format::calls_contact)
+        call_touch(increment, main_travel);
+      else
+        touch(increment, main_travel);
+    } else if (judges_contact_once && !is_flight_in_range()) {
+      hold();
     }
     if constexpr (Friction::is_friction)
       rub(state_.contact.phase == Phase::apart ? Value{} : plan.units.relative(state_.x2 - state_.x1 - apart));
     (Features::after_step(plan, state_), ...);
   }
-  // The contact, where there is one. `ball`: what the ball has of a field.
-  template <class... Ball>
-  [[gnu::always_inline]] constexpr void meet(Value increment, Long main_travel, const Ball&... ball) {
-    if (!judges_contact_once && !is_flight_in_range()) {
-      hold();
-    } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
-      if constexpr (Format::calls_contact)
-        call_touch(increment, main_travel, ball...);
-      else
-        touch(increment, main_travel, ball...);
-    } else if (judges_contact_once && !is_flight_in_range()) {
-      hold();
-    }
-  }
-  constexpr bool is_flight_in_range() const {
+  [[gnu::always_inline]] constexpr bool is_flight_in_range() const {
     if constexpr (Field::is_field)
       return plan.units.in_range_in_field(state_.x1, state_.x2, state_.dx1, state_.dx2);
     else
@@ -483,12 +472,8 @@ class Absorber
     return ahead;
   }
 
-  template <class... Ball>
-  [[gnu::noinline]] constexpr void call_touch(Value increment, Long main_travel, const Ball&... ball) {
-    touch(increment, main_travel, ball...);
-  }
-  template <class... Ball>
-  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel, const Ball&... ball) {
+  [[gnu::noinline]] constexpr void call_touch(Value increment, Long main_travel) { touch(increment, main_travel); }
+  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel) {
     if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
     const bool left = plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
@@ -499,12 +484,11 @@ class Absorber
     }
     step.rate = relative_rate(left);
     if constexpr (Field::is_field)
-      step.travel = mirrored(plan.units.relative((ball.travel, ...) - main_travel), left);
+      step.travel = mirrored(plan.units.relative(Field::ball_travel(plan, state_) - main_travel), left);
     else
       step.travel = mirrored(plan.units.relative(state_.dx2 - main_travel), left);
     step.before = step.penetration - step.travel;
-    if (push(step, increment, left, ball...) && plan.crosses && state_.contact.phase == Phase::apart)
-      cross(increment, !left, ball...);
+    if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }
 
   // The penetration; whether there is a contact, under way or begun.
@@ -517,27 +501,25 @@ class Absorber
   }
 
   // The ball that has left one stop comes to the other in the same step, at the rate that it left with.
-  template <class... Ball>
-  [[gnu::noinline]] constexpr void cross(Value increment, bool left, const Ball&... ball) {
+  [[gnu::noinline]] constexpr void cross(Value increment, bool left) {
     SeenStep step{};
     if (!is_inside(step, left)) return;
     state_.at_left = left;
     step.travel = step.rate = relative_rate(left);
     step.before = step.penetration - step.rate;
     if (is_positive(step.before) && !put_back(plan.units, state_, step, left)) return;
-    push(step, increment, left, ball...);
+    push(step, increment, left);
   }
 
   // What the contact does to both masses. False where the ball was put back to its stop or a state was held.
-  template <class... Ball>
-  [[gnu::always_inline]] constexpr bool push(SeenStep& step, Value increment, bool left, const Ball&... ball) {
+  [[gnu::always_inline]] constexpr bool push(SeenStep& step, Value increment, bool left) {
     const auto& units = plan.units;
     Contact& contact = state_.contact;
     if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left))
       return false;
     step.increment = -mirrored(increment, left);
     if constexpr (Field::is_field) {
-      step.ball_increment = mirrored((ball.increment, ...), left);
+      step.ball_increment = mirrored(Field::ball_increment(plan, state_), left);
       step.increment = step.increment + step.ball_increment;
     }
     step.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);

@@ -18,13 +18,6 @@
 
 namespace impact {
 
-// What the ball has of a field in a step.
-template <class Long, class Value>
-struct BallFlight {
-  Long travel;      // its displacement
-  Value increment;  // of its displacement per step
-};
-
 // A main mass's response to a force is flow's; the ball's is that of a free mass under the same stepper.
 template <class Stepper>
 constexpr LinearFlow flow_of_ball(const Scene& scene, double h) {
@@ -85,13 +78,19 @@ struct Gravity : ScenePart {
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State&, Value) {
     return plan.main_increment;
   }
-  // The ball's free flight.
+  // The ball's free flight; then its way and what it added to dx2.
   template <class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr auto fly(const Plan& plan, State& state, Value) {
-    const auto travel = state.dx2;
-    state.x2.advance(travel);
+  [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value) {
+    state.x2.advance(state.dx2);
     state.dx2.advance(plan.ball_step);
-    return BallFlight<decltype(state.dx2), Value>{travel, plan.ball_increment};
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_travel(const Plan& plan, const State& state) {
+    return state.dx2 - plan.ball_step;
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_increment(const Plan& plan, const State&) {
+    return plan.ball_increment;
   }
   template <class Plan, class State>
   static constexpr auto ahead(const Plan& plan, const State&) {
@@ -158,7 +157,9 @@ struct BaseAcceleration : ScenePart {
 
   template <class Format>
   struct State {
-    typename Format::Value downwards;  // the field's acceleration at the start of the step
+    typename Format::Value downwards;   // the acceleration at the last sample
+    typename Format::Long ball_travel;  // of the last step
+    typename Format::Value ball_increment;
   };
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
@@ -205,13 +206,21 @@ struct BaseAcceleration : ScenePart {
     return plan.main.before * state.downwards + plan.main.now * next;
   }
   template <class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr auto fly(const Plan& plan, State& state, Value next) {
-    auto travel = state.dx2;
-    plan.units.add(travel, ball_at_once(plan, next));
-    state.x2.advance(travel);
-    const Value increment = plan.ball.before * state.downwards + plan.ball.now * next;
-    plan.units.add(state.dx2, increment);
-    return BallFlight<decltype(state.dx2), Value>{travel, increment};
+  [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
+    state.ball_travel = state.dx2;
+    plan.units.add(state.ball_travel, ball_at_once(plan, next));
+    state.x2.advance(state.ball_travel);
+    state.ball_increment = plan.ball.before * state.downwards + plan.ball.now * next;
+    plan.units.add(state.dx2, state.ball_increment);
+    state.downwards = next;
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_travel(const Plan&, const State& state) {
+    return state.ball_travel;
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_increment(const Plan&, const State& state) {
+    return state.ball_increment;
   }
   template <class Plan, class State>
   static constexpr auto ahead(const Plan& plan, const State& state) {

@@ -146,14 +146,18 @@ class StepLength {
   Run kernel_run(const Request& request, Make make) const {
     if (!make(request)) return {};
     bool is_sound = true;
-    std::vector<double> x1(static_cast<size_t>(steps_per_interval_));
+    std::vector<double> x1(static_cast<size_t>(steps_per_interval_));  // of the last interval
     const Run run = timed_run(
-        steps_per_interval_, [&] { return make(request); },
-        [&](const auto& simulation) { simulation->run(steps_per_interval_, nullptr, x1.data()); },
-        [&is_sound](const auto& simulation) {
-          is_sound = is_sound && !simulation->fault();
-          return simulation->sample().x1;
-        });
+        steps_per_interval_,
+        [&] {
+          auto simulation = make(request);
+          x1.back() = simulation->sample().x1;
+          return simulation;
+        },
+        [&](const auto& simulation) {
+          is_sound = is_sound && simulation->run(steps_per_interval_, nullptr, x1.data()) == steps_per_interval_;
+        },
+        [&](const auto&) { return x1.back(); });
     return is_sound ? run : Run{};
   }
   template <class Model>

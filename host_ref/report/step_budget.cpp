@@ -1,7 +1,6 @@
-// step_budget OUTPUT.csv BUDGETS.csv FILE.csv...: instructions of a step with its budget and the configuration's
-// memory, one row a phase; `all` has the larger of `free` and `contact`, and no mean. cycles_max is of BUDGETS.csv too,
-// where a model of the core has counted them. FILE holds costs or footprints,
-// as its columns say. A count that is not its budget is said on standard error.
+// step_budget OUTPUT.csv BUDGETS.csv COSTS.csv...: instructions of a step, one row a phase; `all` has the larger of
+// `free` and `contact`, and no mean. Beside it what BUDGETS.csv has: the budget, the memory, and cycles where a model
+// of the core has counted them. A count that is not its budget is said on standard error.
 
 #include <algorithm>
 #include <host_ref/extremes.hpp>
@@ -20,17 +19,11 @@ std::string configuration_of(const Row& row) {
 }
 
 void write_step_budget(const std::vector<std::string>& paths) {
-  std::map<std::string, std::string> budget, memory;  // by configuration and phase or quantity
+  std::map<std::string, std::string> budget;  // by configuration and phase or quantity
   for (const Row& row : read_table(paths.at(1))) budget[configuration_of(row) + row.at("quantity")] = row.at("budget");
   std::vector<Row> costs;
-  for (size_t i = 2; i < paths.size(); ++i) {
-    for (const Row& row : read_table(paths[i])) {
-      if (row.count("phase"))
-        costs.push_back(row);
-      else
-        memory[configuration_of(row) + row.at("quantity")] = row.at("value");
-    }
-  }
+  for (size_t i = 2; i < paths.size(); ++i)
+    for (const Row& row : read_table(paths[i])) costs.push_back(row);
   std::map<std::string, double> largest;
   for (const Row& row : costs) {
     if (row.at("phase") == "iterating") continue;  // another scene
@@ -47,9 +40,11 @@ void write_step_budget(const std::vector<std::string>& paths) {
     const std::string& allowed = budget[key + phase];
     if (!allowed.empty() && allowed != most)
       std::cerr << key << phase << ": " << most << " instructions, its budget is " << allowed << "\n";
-    output.write(key + phase + "," + mean + "," + most + "," + allowed + "," + memory[key + "flash_bytes"] + "," +
-                 memory[key + "ram_bytes"] + "," + memory[key + "stack_bytes"] + "," + budget[key + phase + "_cycles"] +
-                 "\n");
+    std::string text = key + phase + "," + mean + "," + most + "," + allowed;
+    for (const std::string& quantity :
+         {std::string("flash_bytes"), std::string("ram_bytes"), std::string("stack_bytes"), phase + "_cycles"})
+      text += "," + budget[key + quantity];
+    output.write(text + "\n");
   };
   for (const Row& row : costs) {
     const std::string key = configuration_of(row);

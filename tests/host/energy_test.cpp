@@ -10,6 +10,7 @@
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/free_pair.hpp"
+#include "host_ref/reference.hpp"
 
 namespace impact::host {
 namespace {
@@ -88,6 +89,36 @@ TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
   for (double steps : {1.01, 2.5, 10.0}) {
     const Rebounds found = rebounds(Law::hooke_newton, Numeric::float64, 0.7, steps);
     EXPECT_LE(found.largest, 1 + 1e-12) << steps;
+  }
+}
+
+// A stop that damps so strongly (k1/c1 = 0.05 m/s) that a main mass which brakes leaves the ball behind in it, without
+// a force, and comes back before the ball is out: 25 impacts in 3 s, some hundred steps each.
+TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
+  Request request;
+  request.stepper = Stepper::energy;
+  request.bounds = Bounds{0.2, 2, 0, 10};
+  Scene& scene = request.scene;
+  scene.contact_stiffness = 2e5;
+  scene.contact_damping = 4e6;
+  scene.main_damping = 0.5;
+  scene.drive_pulsation = 25;
+  Case run;
+  run.scene = scene;
+  Reference reference(run);
+  reference.advance(3);
+  const double exact = reference.sample().energy_dissipated;
+  for (const Numeric numeric : {Numeric::float64, Numeric::fixed32}) {
+    for (const double step : {1e-3, 5e-4, 1e-4}) {
+      request.numeric = numeric;
+      request.step = step;
+      const auto simulation = make_simulation(request).simulation;
+      ASSERT_NE(simulation, nullptr);
+      for (long i = std::lround(3 / step); i > 0; --i) simulation->step(0);
+      EXPECT_EQ(simulation->fault(), nullptr);
+      EXPECT_EQ(simulation->sample().impacts, reference.sample().impacts);
+      EXPECT_NEAR(simulation->sample().energy_dissipated, exact, 0.01 * exact) << step;
+    }
   }
 }
 

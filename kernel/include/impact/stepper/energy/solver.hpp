@@ -7,7 +7,8 @@
 //     d1 + b + k q = dt        b = q (1 + A)/(1 + u), what the force takes        (Hertz: C = 0)
 //
 // whose left side rises with d1: there is one end. 1 + A <= 0 says that the ball leaves faster than the law can push
-// it: no force. Where the left side at d1 = 0 is below dt the contact stays, otherwise it leaves.
+// it: no force, and d1 = dt. That may still be inside, where a main mass that turns back is pushed again. Otherwise,
+// where the left side at d1 = 0 is below dt the contact stays, else it leaves.
 //
 // Staying, with s^2 = d1: times 1 + u this reads, convex and increasing in d1 from its root on,
 //
@@ -20,7 +21,7 @@
 // belongs to it then is at most a fixed multiple of the root, whatever k1, h and the speeds are, because d1, b and k q
 // grow like powers of d1 between 1 and 5, and q, where an earlier penetration outweighs d1, no less than (2/5) G r^3
 // itself. From a multiple c a term of power m takes m ln(c) passes to come near the root, and then each doubles the
-// digits: `passes` is their number, found over the u_of_step range of C dt, A and d0/D (tests/host/energy_test.cpp
+// digits: `passes` is their number, found over the whole range of C dt, A and d0/D (tests/host/energy_test.cpp
 // repeats the search).
 //
 // Leaving, with t = d0/(d0 - d1), the share of the step in contact, and Q = (2/5) G r^3, q = Q t:
@@ -55,7 +56,8 @@ struct EnergySolver {
 
   constexpr End solve() const {
     const Real dt = d0 + travel, damping_factor = number(1) + damping * travel;
-    if (is_damped && !is_positive(damping_factor)) return {};
+    if (is_damped && !is_positive(damping_factor))
+      return {is_positive(dt) ? rooted(dt) : number(0), number(0), number(0)};
     const Real least = number(0.4) * stiffness * r * r * r;
     const Real at_rest = recoil_of(least, damping_factor) +
                          (is_damped ? least * CorrectionFunction<Format>::at(damping * least).k : number(0));
@@ -63,6 +65,8 @@ struct EnergySolver {
   }
 
  private:
+  // So that the position correction is positive.
+  static constexpr Real rooted(Real d) { return Format::rounded_down(Format::wide_root(d)); }
   static constexpr Real number(double x) { return Format::wide(x); }
   static constexpr Real smaller(Real x, Real y) { return x < y ? x : y; }
   static constexpr Real larger(Real x, Real y) { return x < y ? y : x; }
@@ -119,7 +123,7 @@ struct EnergySolver {
       }
       d = larger(d - missed / slope, number(1.0 / 64) * d);
     }
-    const Real s = Format::rounded_down(Format::wide_root(d));
+    const Real s = rooted(d);
     return {s, recoil_of(mean_at(s * s, s).q, damping_factor), number(0)};
   }
 

@@ -3,45 +3,106 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <random>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 
 namespace impact::host {
 namespace {
 
-class Draw {
- public:
-  explicit Draw(unsigned long seed) : engine_(seed) {}
-  double between(double least, double most) {
-    return least + (most - least) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-  double decade(double least, double most) { return std::exp(between(std::log(least), std::log(most))); }
+double between(double u, double least, double most) { return least + (most - least) * u; }
+double decade(double u, double least, double most) { return std::exp(between(u, std::log(least), std::log(most))); }
+// For a coordinate that chooses and then says how much: its place in [from, to].
+double part(double u, double from, double to) { return std::clamp((u - from) / (to - from), 0.0, 1.0); }
 
- private:
-  std::mt19937_64 engine_;
+// From -1 to 1, by the finaliser of Steele, Lea & Flood's SplitMix64 (2014).
+double noise(long i) {
+  uint64_t z = static_cast<uint64_t>(i) * 0x9E3779B97F4A7C15u;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  return between(static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53, -1, 1);
+}
+
+// The force over a step, by its derivatives in units of the step: f(s) = sum of f[n] s^n, s from 0 to 1.
+constexpr int order = 24;
+struct Force {
+  double f[order + 1] = {};
+  double spread = 0;  // the largest less the least
+  double at_end = 0;
+
+  static Force sine(const Scene& scene, double t, double h) {
+    Force result;
+    const double turn = scene.drive_pulsation * h, phase = scene.drive_pulsation * t, size = scene.drive_amplitude;
+    const double sine = size * std::sin(phase), cosine = size * std::cos(phase);
+    double factor = 1;
+    for (int n = 0; n <= order; ++n) {
+      result.f[n] = factor * (n % 2 ? cosine : sine) * (n % 4 < 2 ? 1 : -1);
+      factor *= turn / (n + 1);
+    }
+    result.spread = size * std::min(2.0, turn);
+    result.at_end = size * std::sin(phase + turn);
+    return result;
+  }
+  static Force line(double from, double to) {
+    Force result;
+    result.f[0] = from;
+    result.f[1] = to - from;
+    result.spread = std::abs(to - from);
+    result.at_end = to;
+    return result;
+  }
+};
+
+// The main mass's flight through a step, x(s) = sum of a[n] s^n, from M x'' = F - k x, and the force's work on it.
+struct Flight {
+  double end, work;
+
+  Flight(const Scene& scene, const Force& force, const Sample& now, double h) : end(0), work(0) {
+    double a[order + 1] = {now.x1, now.v1 * h};
+    const double turn = scene.main_stiffness * h * h / scene.main_mass, share = h * h / scene.main_mass;
+    for (int n = 0; n + 2 <= order; ++n) a[n + 2] = (share * force.f[n] - turn * a[n]) / ((n + 1) * (n + 2));
+    // The work by Gauss's method on 8 points: of degree 15.
+    constexpr double points[][2] = {
+        {0.019855071751231856, 0.050614268145188088}, {0.10166676129318658, 0.11119051722668723},
+        {0.2372337950418355, 0.15685332293894369},    {0.40828267875217511, 0.181341891689181},
+        {0.59171732124782495, 0.181341891689181},     {0.7627662049581645, 0.15685332293894369},
+        {0.89833323870681348, 0.11119051722668723},   {0.9801449282487682, 0.050614268145188088}};
+    int last = order;
+    while (last > 2 && std::abs(a[last]) < 1e-18 * (std::abs(a[0]) + std::abs(a[1])) && force.f[last] == 0) --last;
+    for (const auto& [s, weight] : points) {
+      double f = 0, v = 0;
+      for (int n = last; n >= 1; --n) {
+        f = f * s + force.f[n];
+        v = v * s + n * a[n];
+      }
+      work += weight * (f * s + force.f[0]) * v;
+    }
+    for (int n = order; n >= 0; --n) end += a[n];
+  }
 };
 
 }  // namespace
 
-CoupledScene coupled_scene(Law law, Edge edge, unsigned index) {
-  Draw draw(index * 8UL + static_cast<unsigned long>(edge));
+CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, const Place& at) {
   CoupledScene result;
+  result.steps = drive == DriveKind::none ? 2000 : 1000;
   Request& request = result.request;
   request.law = law;
-  request.drive = DriveKind::none;
+  request.drive = drive;
   Scene& scene = request.scene;
   scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
-  scene.main_mass = draw.decade(1e-2, 1e2);
-  scene.ball_mass = scene.main_mass * (edge == Edge::heavy_ball ? draw.decade(3, 1e3) : draw.decade(1e-3, 1e3));
-  request.step = draw.decade(1e-5, 1e-2);
-  const double turn = draw.between(0, 1) < 0.5 ? draw.between(1e-3, 0.9) : draw.decade(1e-4, 0.9);
-  scene.main_stiffness = scene.main_mass * turn * turn / (request.step * request.step);
-  scene.contact_stiffness = draw.decade(1e2, 1e13);
-  const double speed = draw.decade(1e-2, 3), heading = draw.between(0, 6.283);
+  scene.main_mass = decade(at[0], 1e-2, 1e2);
+  scene.ball_mass = scene.main_mass * (edge == Edge::heavy_ball ? decade(at[1], 3, 1e3) : decade(at[1], 1e-3, 1e3));
+  const double h = request.step = decade(at[2], 1e-5, 1e-2);
+  const double turn = at[3] < 0.5 ? between(part(at[3], 0, 0.5), 1e-3, 0.9) : decade(part(at[3], 0.5, 1), 1e-4, 0.9);
+  scene.main_stiffness = scene.main_mass * turn * turn / (h * h);
+  scene.contact_stiffness = decade(at[4], 1e2, 1e13);
+  const double speed = decade(at[5], 1e-2, 3), heading = between(at[6], 0, 6.283);
   scene.clearance =
-      edge == Edge::crossing ? std::min(0.1, speed * request.step * draw.decade(0.01, 2)) : draw.decade(1e-5, 0.1);
-  scene.x2 = draw.between(-0.49, 0.49) * scene.clearance;
-  scene.v1 = draw.between(0, 1) < 0.3 ? 0 : speed / 2 * std::cos(heading);
+      edge == Edge::crossing ? std::min(0.1, speed * h * decade(at[7], 0.01, 2)) : decade(at[7], 1e-5, 0.1);
+  scene.x2 = between(at[8], -0.49, 0.49) * scene.clearance;
+  scene.v1 = at[9] < 0.3 ? 0 : speed / 2 * std::cos(heading);
   scene.v2 = speed / 2 * std::sin(heading);
 
   Impact impact;
@@ -49,22 +110,41 @@ CoupledScene coupled_scene(Law law, Edge edge, unsigned index) {
   impact.contact_stiffness = scene.contact_stiffness;
   impact.reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
   impact.speed = std::abs(scene.v1 - scene.v2) + 1e-6;
-  const double restitution = draw.between(0, 1) < 0.25 ? 1 : draw.between(0.05, 0.99);
-  scene.restitution = restitution;
-  scene.contact_damping = law == Law::hertz ? 0 : contact_damping(impact, restitution).value();
+  scene.restitution = at[10] > 0.75 ? 1 : between(part(at[10], 0, 0.75), 0.05, 0.99);
+  scene.contact_damping = law == Law::hertz ? 0 : contact_damping(impact, scene.restitution).value();
 
-  const double energy = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
+  result.energy = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
+  const double at_start = std::sqrt(2 * result.energy), time = static_cast<double>(result.steps) * h;
+  const double by_drive = drive == DriveKind::none ? 0 : at_start * decade(at[11], 0.01, 30);
+  const double force = by_drive * std::sqrt(scene.main_mass) / time;
+  if (drive == DriveKind::sine) {
+    scene.drive_amplitude = force;
+    scene.drive_pulsation = at[12] < 0.5 ? turn / h * between(part(at[12], 0, 0.5), 0.95, 1.05)
+                                         : decade(part(at[12], 0.5, 1), 1e-4, 2.9) / h;
+  } else if (drive == DriveKind::sampled) {
+    scene.drive_pulsation = turn / h * between(at[12], 0.9, 1.1);
+    result.samples = at[13] < 0.33 ? Samples::noise : at[13] < 0.66 ? Samples::square_wave : Samples::along;
+  }
+
+  const double energy = (at_start + by_drive) * (at_start + by_drive) / 2;
   const double depth = law == Law::hooke_newton ? std::sqrt(2 * energy / scene.contact_stiffness)
                                                 : std::pow(2.5 * energy / scene.contact_stiffness, 0.4);
   constexpr double margin = 1.01;
   Bounds bounds;
   bounds.speed = margin * std::sqrt(2 * energy / std::min(scene.main_mass, scene.ball_mass));
-  bounds.displacement = margin * (std::sqrt(2 * energy / scene.main_stiffness) + scene.clearance / 2 + depth) +
-                        bounds.speed * request.step;
-  bounds.force = 0;
+  bounds.displacement =
+      margin * (std::sqrt(2 * energy / scene.main_stiffness) + scene.clearance / 2 + depth) + bounds.speed * h;
+  bounds.force = drive == DriveKind::sampled ? force : 0;
   request.bounds = bounds;
-  result.energy = energy;
   return result;
+}
+
+CoupledScene coupled_scene(Law law, Edge edge, unsigned index) {
+  constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::none, DriveKind::sampled};
+  std::mt19937_64 engine(index * 8UL + static_cast<unsigned long>(edge));
+  Place place;
+  for (double& coordinate : place) coordinate = static_cast<double>(engine() >> 11) * 0x1p-53;
+  return coupled_scene(law, edge, drives[index % 4], place);
 }
 
 double energy_of(const Scene& scene, const Sample& sample) {
@@ -80,31 +160,57 @@ std::string text_of(const Request& request) {
   std::snprintf(
       text, sizeof text,
       "impact-sim --law %s --newmark %s --numeric %s --main-mass %.17g --ball-mass %.17g --main-stiffness %.17g "
-      "--main-damping 0 --clearance %.17g --contact-stiffness %.17g --contact-damping %.17g --drive none --step "
-      "%.17g --v1 %.17g --x2 %.17g --v2 %.17g --bound-displacement %.17g --bound-speed %.17g",
+      "--main-damping 0 --clearance %.17g --contact-stiffness %.17g --contact-damping %.17g --drive %s "
+      "--drive-amplitude %.17g --drive-pulsation %.17g --step %.17g --v1 %.17g --x2 %.17g --v2 %.17g "
+      "--bound-displacement %.17g --bound-speed %.17g --bound-force %.17g",
       std::string(name_of(request.law)).c_str(), std::string(name_of(request.stepper)).c_str(),
       std::string(name_of(request.numeric)).c_str(), scene.main_mass, scene.ball_mass, scene.main_stiffness,
-      scene.clearance, scene.contact_stiffness, scene.contact_damping, request.step, scene.v1, scene.x2, scene.v2,
-      bounds.displacement, bounds.speed);
+      scene.clearance, scene.contact_stiffness, scene.contact_damping,
+      request.drive == DriveKind::none   ? "none"
+      : request.drive == DriveKind::sine ? "sine"
+                                         : "samples",
+      scene.drive_amplitude, scene.drive_pulsation, request.step, scene.v1, scene.x2, scene.v2, bounds.displacement,
+      bounds.speed, bounds.force);
   return text;
 }
 
-CoupledRun run_coupled(const CoupledScene& scene, long steps) {
+CoupledRun run_coupled(const CoupledScene& found) {
   CoupledRun result;
-  const Outcome outcome = make_simulation(scene.request);
+  const Outcome outcome = make_simulation(found.request);
   if (!outcome.simulation) return result;
   result.is_accepted = true;
-  double dissipated = 0;
-  for (long i = 0; i < steps; ++i) {
-    outcome.simulation->step(0);
-    const Sample now = outcome.simulation->sample();
-    const double energy = energy_of(scene.request.scene, now);
+  const Scene& scene = found.request.scene;
+  const double h = found.request.step, size = found.request.bounds->force;
+  const DriveKind drive = found.request.drive;
+  double dissipated = 0, work = 0, most_work = 0, force = 0;
+  Sample now = outcome.simulation->sample();
+  for (long i = 0; i < found.steps; ++i) {
+    const double t = static_cast<double>(i) * h;
+    Force over_step;
+    if (drive == DriveKind::sine) over_step = Force::sine(scene, t, h);
+    if (drive == DriveKind::sampled) {
+      const double share = found.samples == Samples::noise         ? noise(i)
+                           : found.samples == Samples::square_wave ? (std::sin(scene.drive_pulsation * t) < 0 ? -1 : 1)
+                                                                   : (now.v1 < 0 ? -1 : 1);
+      over_step = Force::line(force, share * size);
+    }
+    outcome.simulation->step(over_step.at_end);
+    const Sample before = now;
+    now = outcome.simulation->sample();
+    if (drive != DriveKind::none) {
+      const Flight flight(scene, over_step, before, h);
+      const double pushed = now.x1 - flight.end;
+      work += flight.work + pushed * (force + over_step.at_end) / 2 + std::abs(pushed) * over_step.spread / 2;
+      most_work = larger(most_work, work);
+      force = over_step.at_end;
+    }
+    const double scale = found.energy + most_work, energy = energy_of(scene, now);
     // While touching some of it is in the contact; no number is a gain without end.
-    if (now.penetration < 0 || !(energy < 2 * scene.energy)) {
-      const double gain = energy / scene.energy - 1;
+    if (now.penetration < 0 || !(energy < 2 * scale)) {
+      const double gain = (energy - found.energy - work) / scale;
       if (!(gain <= result.gain)) result.gain = gain;
     }
-    const double back = (dissipated - now.energy_dissipated) / scene.energy;
+    const double back = (dissipated - now.energy_dissipated) / scale;
     if (!(back <= result.returned)) result.returned = back;
     if (!(now.energy_dissipated <= dissipated)) dissipated = now.energy_dissipated;
     if (outcome.simulation->fault()) {

@@ -1,10 +1,14 @@
 #pragma once
-// Random scenes of the coupled machine: a ball between two stops in a mass on a spring, undriven and undamped but for
-// its contacts, over masses 1e-2 to 1e2 kg, mass ratios 1e-3 to 1e3, w0 h up to 0.9, stiffnesses 1e2 to 1e13,
-// clearances 1e-5 to 0.1 m, and two edges of that: a ball that crosses its clearance within a step, and a ball of three
-// to a thousand times the main mass. The bounds are what the energy at the start allows, no tighter and no wider.
+// Random scenes of the coupled machine: a ball between two stops in a mass on a spring, undamped but for its contacts,
+// over masses 1e-2 to 1e2 kg, mass ratios 1e-3 to 1e3, w0 h up to 0.9, stiffnesses 1e2 to 1e13, clearances 1e-5 to 0.1
+// m, and two edges of that: a ball that crosses its clearance within a step, and a ball of three to a thousand times
+// the main mass. Undriven, driven by a sine of 1e-4 to 2.9 rad a step, half of them within 5 % of the main mass's own,
+// or by samples: noise, a square wave, or a force that always pushes where the main mass goes.
+//
+// The bounds are what the energy at the start and the drive allow, no tighter and no wider: with E the energy of all,
+// E' <= F |v1| and |v1| <= (2 E/M)^(1/2), so that (2 E)^(1/2) grows by no more than F t/M^(1/2).
 
-#include <random>
+#include <array>
 #include <string>
 
 #include "host_ref/simulation.hpp"
@@ -12,26 +16,37 @@
 namespace impact::host {
 
 enum class Edge { none, crossing, heavy_ball };
+enum class Samples { noise, square_wave, along };
 
 struct CoupledScene {
   Request request;
+  long steps = 0;
   double energy = 0;  // at the start, J
+  Samples samples = Samples::noise;
 };
 
-// The same for the same index, on every machine.
+// What a scene is drawn by: each coordinate from 0 to 1.
+constexpr size_t coordinates = 15;
+using Place = std::array<double, coordinates>;
+CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, const Place& place);
+
+// One at random, the same for the same index on every machine: every other one is driven.
 CoupledScene coupled_scene(Law law, Edge edge, unsigned index);
 
 double energy_of(const Scene& scene, const Sample& sample);  // of masses and main spring, J
 
-// The command that runs it.
+// The command that runs it, but for a drive by samples.
 std::string text_of(const Request& request);
 
-// Steps the scene and keeps the largest energy seen while the ball is apart.
+// Steps the scene. The energy that contact has made is that of both masses and the main spring, less the energy at the
+// start and the drive's work; counted while the ball is apart, over the energy at the start and the most work until
+// then. The work is that of the exact flight, and in a step with contact that on the displacement by the contact's
+// impulse x as well: it lies between x times the least and the largest force in the step, and the most is taken.
 struct CoupledRun {
   bool is_accepted = false, has_fault = false;
-  double gain = 0;      // over the energy at the start
-  double returned = 0;  // what the ledger ever went back by, over the energy at the start
+  double gain = 0;
+  double returned = 0;  // what the ledger ever went back by, over the same
 };
-CoupledRun run_coupled(const CoupledScene& scene, long steps);
+CoupledRun run_coupled(const CoupledScene& scene);
 
 }  // namespace impact::host

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <impact/choice.hpp>
 
+#include "host_ref/extremes.hpp"
+
 namespace impact::host {
 
 Resolution resolution(const Request& request) {
@@ -53,9 +55,10 @@ Planned plan(const Request& request) {
 
 double natural_pulsation(const Scene& scene) { return std::sqrt(scene.main_stiffness / scene.main_mass); }
 
+// No number where a sample is none: no plan takes that for a bound.
 static double largest_sample(const Request& request) {
   double largest = 0;
-  for (double force : request.samples) largest = std::max(largest, std::abs(force));
+  for (double force : request.samples) largest = larger(largest, std::abs(force));
   return largest;
 }
 
@@ -74,7 +77,7 @@ Bounds estimated_bounds(const Request& request) {
   const double speed = held(std::max(
       {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2)}));
   const double reach = held(start + speed / std::max(natural, slowest));
-  return {reach, speed, reach, std::max(1e-6, largest_sample(request))};
+  return {reach, speed, reach, larger(1e-6, largest_sample(request))};
 }
 
 // Of a float64 run of the same scene, so that a rounding cannot pass them. It takes longer steps where they are exact
@@ -103,7 +106,7 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
       break;
     }
   }
-  bounds = {1e-6, 1e-6, 1e-6, std::max(1e-6, largest_sample(request))};
+  bounds = {1e-6, 1e-6, 1e-6, larger(1e-6, largest_sample(request))};
   const auto note = [&bounds, &planned] {
     const Sample now = planned.simulation->sample();
     bounds.displacement = std::max({bounds.displacement, margin * std::abs(now.x1), margin * std::abs(now.x2)});

@@ -232,5 +232,22 @@ TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
   }
 }
 
+// Where the bounds are had from the samples: by an estimate, and in fixed32 by a run.
+TEST(Edges, ASampleThatIsNoNumberIsRefused) {
+  for (const Numeric numeric : numerics) {
+    Request request = paper_request(Law::hunt_crossley, Stepper::moment, 1e-3);
+    request.numeric = numeric;
+    request.drive = DriveKind::sampled;
+    request.duration = 0.5;
+    request.samples = sampled_sine(1e-3, 0.5);
+    request.bounds.reset();
+    EXPECT_NE(make_simulation(request).simulation, nullptr) << name_of(numeric);
+    request.samples[7] = std::nan("");
+    const Outcome refused = make_simulation(request);
+    EXPECT_EQ(refused.simulation, nullptr) << name_of(numeric);
+    EXPECT_EQ(refused.refusal.field, "bound-force") << name_of(numeric);
+  }
+}
+
 }  // namespace
 }  // namespace impact::host

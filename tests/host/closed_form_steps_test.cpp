@@ -1,0 +1,123 @@
+// Single steps of a contact against their closed forms, in double: what no run of many steps shows, because a term that
+// is wrong or missing there hides behind the method's own order.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <impact/absorber.hpp>
+#include <vector>
+
+namespace impact::host {
+namespace {
+
+// Of two free masses at a Hooke-Newton stop: d'' = -w^2 d - 2 z w d', z < 1.
+struct Oscillation {
+  double pulsation, ratio;  // w, z
+
+  struct State {
+    double d, v;
+  };
+  State after(double t, State at) const {
+    const double damped = pulsation * std::sqrt(1 - ratio * ratio), decay = ratio * pulsation;
+    const double c = std::cos(damped * t), s = std::sin(damped * t), b = (at.v + decay * at.d) / damped;
+    const double factor = std::exp(-decay * t), d = factor * (at.d * c + b * s);
+    return {d, factor * (b * damped * c - at.d * damped * s) - decay * d};
+  }
+};
+
+Scene free_pair(const Oscillation& motion) {
+  Scene scene;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
+  scene.contact_stiffness = mu * motion.pulsation * motion.pulsation;
+  scene.contact_damping = 2 * mu * motion.ratio * motion.pulsation;
+  scene.stops = Stops::right;
+  return scene;
+}
+
+constexpr double h = 1e-3;
+// About the longest steps that are taken: five a contact.
+const std::vector<Oscillation> oscillations = {{620, 0}, {580, 0.1}, {470, 0.5}, {400, 0.9}};
+
+// The plan's eight constants hold the whole series.
+TEST(ClosedFormSteps, HookeNewtonInsideAContactIsExact) {
+  for (const Oscillation& motion : oscillations) {
+    for (const double v : {0.5, 0.1, 0.0}) {
+      Scene scene = free_pair(motion);
+      const Oscillation::State start{1e-3, v};
+      scene.x2 = scene.clearance / 2 + start.d;
+      scene.v2 = start.v;
+      const auto plan = Plan<Float64, HookeNewton, Moment, NoDrive>::make(scene, Bounds{0.1, 1, 0, 1}, h);
+      ASSERT_EQ(plan.status, PlanStatus::ok) << motion.pulsation << " " << motion.ratio;
+      Absorber<AtRunTime, HookeNewton, Moment, NoDrive, Float64> absorber(plan);
+      absorber.step();
+      const auto exact = motion.after(h, start);
+      ASSERT_GT(exact.d, 0);
+      const auto now = absorber.reading();
+      EXPECT_NEAR(now.x2 - now.x1 - scene.clearance / 2, exact.d, 1e-14) << motion.ratio << " " << v;
+      EXPECT_NEAR(now.v2 - now.v1, exact.v, 1e-11) << motion.ratio << " " << v;
+    }
+  }
+}
+
+// A step in which the ball comes has the series up to its fifth term: what it misses is less than twice the sixth.
+TEST(ClosedFormSteps, HookeNewtonComesWithinTheSixthTermOfItsSeries) {
+  constexpr double speed = 0.5;
+  for (const Oscillation& motion : oscillations) {
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+      Scene scene = free_pair(motion);
+      scene.x2 = scene.clearance / 2 - speed * h * (1 - share);
+      scene.v2 = speed;
+      const auto plan = Plan<Float64, HookeNewton, Moment, NoDrive>::make(scene, Bounds{0.1, 1, 0, 1}, h);
+      ASSERT_EQ(plan.status, PlanStatus::ok);
+      Absorber<AtRunTime, HookeNewton, Moment, NoDrive, Float64> absorber(plan);
+      absorber.step();
+      // The derivatives of the acceleration by the contact, a = w^2 d + 2 z w d'.
+      const double t = share * h, w = motion.pulsation, c = 2 * motion.ratio * w;
+      double d[8] = {0, speed}, sixth = 0;
+      for (int n = 0; n < 6; ++n) {
+        const double a = w * w * d[n] + c * d[n + 1];
+        d[n + 2] = -a;
+        sixth = std::abs(a);
+      }
+      // Undamped, every other one is nil: the next bounds it.
+      const double bound = 2 * sixth * std::pow(t, 6) / 720 + 1e-13;
+      const auto exact = motion.after(t, {0, speed});
+      const auto now = absorber.reading();
+      EXPECT_NEAR(now.v2 - now.v1, exact.v, bound) << w << " " << motion.ratio << " " << share;
+      EXPECT_NEAR(now.x2 - now.x1 - scene.clearance / 2, exact.d, bound * t)
+          << w << " " << motion.ratio << " " << share;
+    }
+  }
+}
+
+// An impact at an instant sets a main mass at rest swinging. What the step leaves out is (w0 t)^4/120 of the kick's
+// displacement and (w0 t)^4/24 of its velocity; the contact's own length of 5e-7 s counts as well.
+TEST(ClosedFormSteps, ImpulsiveSetsAMassSwingingAsInClosedForm) {
+  constexpr double step = 1e-2, speed = 1;
+  for (const double turn : {0.2, 0.5, 0.8}) {
+    for (const double share : {0.3, 0.6, 0.95}) {
+      Scene scene;
+      scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+      const double w = turn / step, t = share * step;
+      scene.main_stiffness = scene.main_mass * w * w;
+      scene.contact_stiffness = 1e17;
+      scene.v2 = speed;
+      scene.clearance = 0.05;
+      scene.x2 = scene.clearance / 2 - speed * (step - t);
+      const auto plan = Plan<Float64, Hertz, Impulsive, NoDrive>::make(scene, Bounds{0.1, 4, 0, 1}, step);
+      ASSERT_EQ(plan.status, PlanStatus::ok);
+      Absorber<AtRunTime, Hertz, Impulsive, NoDrive, Float64> absorber(plan);
+      absorber.step();
+      const double kick = 2 * speed / (1 / scene.main_mass + 1 / scene.ball_mass), v1 = kick / scene.main_mass;
+      const double fourth = std::pow(w * t, 4), contact = 1e-6 / t;
+      const auto now = absorber.reading();
+      EXPECT_NEAR(now.x1, v1 * std::sin(w * t) / w, v1 * t * (fourth / 120 + contact)) << turn << " " << share;
+      EXPECT_NEAR(now.v1, v1 * std::cos(w * t), v1 * (fourth / 24 + contact)) << turn << " " << share;
+      EXPECT_NEAR(now.v2, speed - kick / scene.ball_mass, 1e-12) << turn << " " << share;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -38,10 +38,10 @@ constexpr Choice choice_for(const Resolution& contact, double step) {
   const auto is_right = [&](const Range& steps, double longest_phase, int parts) {
     return part(parts) <= 1 && steps.holds(step) && contact.main_pulsation * step <= longest_phase;
   };
-  // An undamped Hooke-Newton contact gains 1e-5 of the impact's energy at 8 sub-steps, with the sixth power of the
-  // step; twice that for safety.
+  // Twice what an impact was found to gain, for safety.
   const auto if_passive = [&](Choice choice, int parts) {
-    const double square = part(parts) * part(parts), gain = contact.is_linear ? 2e-5 * square * square * square : 0;
+    const double square = part(parts) * part(parts),
+                 gain = contact.is_linear ? 2 * Moment::largest_gain * square * square * square : 0;
     return gain <= loss ? choice : Choice::energy;
   };
   if (is_right(Moment::steps(contact), Moment::longest_phase, 1)) return if_passive(Choice::moment, 1);

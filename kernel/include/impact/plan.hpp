@@ -195,6 +195,8 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
       !Format::Units::resolves(terms.force_unit * h * h / constant::smaller(scene.ball_mass, scene.main_mass),
                                exponents.recoil))
     return refused(PlanStatus::contact_stiffness);
+  if (!Format::Units::resolves(Treatment::finest_penetration(terms), exponents.penetration))
+    return refused(PlanStatus::contact_stiffness);
 
   if constexpr (Friction::is_friction) {
     // What is below 32 of a rate's last places has no size of its own.

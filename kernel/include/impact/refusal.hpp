@@ -55,7 +55,8 @@ constexpr bool explain() {
   static_assert(status != PlanStatus::initial_velocity, "Rig::scene.v1 and v2: -1e3 to 1e3 m/s");
   static_assert(status != PlanStatus::displacement_bound,
                 "Bounds::displacement: 1e-9 to 1e6 m, and no less than the initial displacements, the way of a step at "
-                "Bounds::speed and, in Fixed32, the clearance");
+                "Bounds::speed and, in Fixed32, the clearance; there also not so wide beside Bounds::speed that the "
+                "spring's force has no places");
   static_assert(status != PlanStatus::speed_bound,
                 "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, with a step at that speed no "
                 "longer than Bounds::displacement and c1/k1 times it below 2^20");

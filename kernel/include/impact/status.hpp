@@ -117,6 +117,7 @@ constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
 constexpr PlanStatus status_of(Overflow overflow) {
   return overflow == Overflow::force         ? PlanStatus::speed_bound
          : overflow == Overflow::penetration ? PlanStatus::contact_stiffness
+         : overflow == Overflow::position    ? PlanStatus::displacement_bound
                                              : PlanStatus::ok;
 }
 

@@ -52,8 +52,10 @@ constexpr double sine(double x) {
 }
 constexpr double cosine(double x) { return sine(x + 1.570796326794896619231); }
 
+// Held at exp(-700), as 0, and at exp(700); a NaN for a NaN.
 constexpr double exponential(double x) {
-  if (x < -700) return 0;
+  if (!(x >= -700)) return x < 0 ? 0 : x;
+  if (x > 700) x = 700;
   constexpr double ln2 = 0.6931471805599453094172;
   const int doublings = static_cast<int>(x / ln2 + (x < 0 ? -0.5 : 0.5));
   x -= ln2 * doublings;

@@ -16,7 +16,7 @@ struct UnitExponents {
 };
 
 // Which quantity is too large beside the others for a format of fixed point.
-enum class Overflow { none, force, penetration };
+enum class Overflow { none, force, penetration, position };
 
 // The largest magnitudes in a scene, in the same units.
 struct UnitBounds {

@@ -106,6 +106,9 @@ struct Treatment {
   // Whether it keeps a force from step to step, in its plan's units.
   static constexpr bool keeps_force = false;
 
+  // The smallest change of a penetration that a plan's units must tell, m.
+  static constexpr double finest_penetration(const ContactTerms&) { return 1e300; }
+
   // A force that still acts in the step after the one that found it.
   template <class Plan, class Units, class State>
   static constexpr void carry_over(const Plan&, const Units&, const State&, bool) {}

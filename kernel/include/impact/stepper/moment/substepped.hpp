@@ -53,6 +53,8 @@ struct SubsteppedMoment {
     // than n^2 of them, and a speed by no more than twice the largest rate.
     static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
       Inner::bound_forces(in_a_part(terms), largest);
+      // The displacements of both masses have room together.
+      if (terms.is_linear) largest.push *= constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
       largest.push =
           constant::larger(largest.push, constant::smaller(4 * terms.largest_rate * terms.step, n * n * largest.push));
     }

@@ -39,15 +39,31 @@ Request with(const Settled& settled, const Values& values) {
   return request;
 }
 
-// A range as it is printed: each limit rounded to the side that is allowed. A step's are brought nearer until they are
-// accepted as an option: bounds that are looked for again come out a little different.
+Explanation explained(const Request& asked, const Settled& settled) {
+  const Values values{settled.request.scene, *settled.request.bounds, settled.request.step};
+  return explain(values, [&](const Values& changed) {
+    const Bounds &a = changed.bounds, &b = values.bounds;
+    const bool is_asked = a.displacement == b.displacement && a.speed == b.speed && a.penetration == b.penetration;
+    return asked.bounds || is_asked ? plan(with(settled, changed)).status : settled.planned.status;
+  });
+}
+
+// A range as it is printed: each limit rounded to the side that is allowed, and brought nearer until it is accepted as
+// an option, or another value refused: bounds that are looked for again come out a little different.
 std::string allowed_text(const Request& asked, const Explanation& found) {
   constexpr double most_steps = 1e6;  // nobody is to wait for a refusal
   const auto is_accepted = [&](const std::string& text) {
+    Values typed{asked.scene, {}, asked.step};
+    *typed.find(found.parameter) = number_in(text);
     Request request = asked;
-    request.step = number_in(text);
-    return found.parameter != Parameter::step || request.duration / request.step > most_steps ||
-           settled(request).planned.status == PlanStatus::ok;
+    request.scene = typed.scene;
+    request.step = typed.step;
+    const bool is_exact = found.parameter != Parameter::step && asked.bounds;
+    if (is_exact || request.duration / request.step > most_steps) return true;
+    const Settled again = settled(request);
+    const PlanStatus status = again.planned.status;
+    return status == PlanStatus::ok || status == PlanStatus::contact_time ||
+           explained(request, again).parameter != found.parameter;
   };
   Range range = found.allowed;
   const bool is_below = found.value > range.most;
@@ -67,18 +83,13 @@ std::string allowed_text(const Request& asked, const Explanation& found) {
 
 Refusal refusal_of(const Request& asked, const Settled& settled) {
   const Request& request = settled.request;
-  const PlanStatus status = settled.planned.status;
-  if (status == PlanStatus::contact_time)
+  if (settled.planned.status == PlanStatus::contact_time)
     return {"newmark", std::string(name_of(request.stepper)),
             "auto: the contact lasts " + short_text(resolution(request).main_phase) +
                 " rad of the main mass's vibration, impulsive holds up to " +
                 short_text(Impulsive::longest_main_phase)};
   const Values values{request.scene, *request.bounds, request.step};
-  const Explanation found = explain(values, [&](const Values& changed) {
-    const Bounds &a = changed.bounds, &b = values.bounds;
-    const bool is_asked = a.displacement == b.displacement && a.speed == b.speed && a.penetration == b.penetration;
-    return asked.bounds || is_asked ? plan(with(settled, changed)).status : status;
-  });
+  const Explanation found = explained(asked, settled);
   const std::string option = option_named(found.parameter), value = shortest_text(found.value);
   if (!found.allowed.holds(found.value)) return {option, value, allowed_text(asked, found)};
   if (request.numeric == Numeric::fixed32)

@@ -98,7 +98,7 @@ CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, const Place& at)
   const double turn = at[3] < 0.5 ? between(part(at[3], 0, 0.5), 1e-3, 0.9) : decade(part(at[3], 0.5, 1), 1e-4, 0.9);
   scene.main_stiffness = scene.main_mass * turn * turn / (h * h);
   scene.contact_stiffness = decade(at[4], 1e2, 1e13);
-  const double speed = decade(at[5], 1e-2, 3), heading = between(at[6], 0, 6.283);
+  const double speed = decade(at[5], 1e-2, 3), heading = between(at[6], 0.01, 6.27);
   scene.clearance =
       edge == Edge::crossing ? std::min(0.1, speed * h * decade(at[7], 0.01, 2)) : decade(at[7], 1e-5, 0.1);
   scene.x2 = between(at[8], -0.49, 0.49) * scene.clearance;

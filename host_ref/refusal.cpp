@@ -19,6 +19,8 @@ std::string option_named(Parameter parameter) {
       return "bound-penetration";
     case Parameter::force_bound:
       return "bound-force";
+    case Parameter::base_acceleration_bound:
+      return "bound-base-acceleration";
     default:
       break;
   }

@@ -56,10 +56,14 @@ Planned plan(const Request& request) {
 double natural_pulsation(const Scene& scene) { return std::sqrt(scene.main_stiffness / scene.main_mass); }
 
 // No number where a sample is none: no plan takes that for a bound.
-static double largest_sample(const Request& request) {
+static double largest_of(const std::vector<double>& samples) {
   double largest = 0;
-  for (double force : request.samples) largest = larger(largest, std::abs(force));
+  for (double sample : samples) largest = larger(largest, std::abs(sample));
   return largest;
+}
+static double largest_sample(const Request& request) { return largest_of(request.samples); }
+static double base_bound(const Request& request) {
+  return request.is_shaken ? larger(1e-6, largest_of(request.base_samples)) : 0;
 }
 
 // The largest speed is that of the start and what the drive can add in the run, F/M over the difference of the
@@ -72,12 +76,15 @@ Bounds estimated_bounds(const Request& request) {
   if (request.drive == DriveKind::sine)
     driven = scene.drive_amplitude / std::max(std::abs(natural - scene.drive_pulsation), slowest);
   driven = std::max(driven, largest_sample(request) / std::max(natural, slowest));
+  // A field's acceleration on both masses.
+  driven += (scene.main_mass + scene.ball_mass) * (std::abs(scene.gravity) + largest_of(request.base_samples)) /
+            std::max(natural, slowest);
   const auto held = [](double bound) { return std::min(bound_range.most, std::max(bound, bound_range.least)); };
   const double start = std::max(std::abs(scene.x1), std::abs(scene.x2));
   const double speed = held(std::max(
       {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2)}));
   const double reach = held(start + speed / std::max(natural, slowest));
-  return {reach, speed, reach, larger(1e-6, largest_sample(request))};
+  return {reach, speed, reach, larger(1e-6, largest_sample(request)), base_bound(request)};
 }
 
 // Of a float64 run of the same scene, so that a rounding cannot pass them. It takes longer steps where they are exact
@@ -96,8 +103,8 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
     Request longer = request;
     longer.step = times * asked_step;
     const double pulsation = std::max(natural_pulsation(request.scene), request.scene.drive_pulsation);
-    if (!request.samples.empty() || request.stepper != Stepper::moment || longer.step * pulsation > longest_phase ||
-        chosen(longer) != Stepper::moment ||
+    if (!request.samples.empty() || request.is_shaken || request.stepper != Stepper::moment ||
+        longer.step * pulsation > longest_phase || chosen(longer) != Stepper::moment ||
         Moment::restitution_error(resolution(longer), longer.step) > restitution_error)
       continue;
     if (Planned made = plan(longer); made.status == PlanStatus::ok) {
@@ -106,7 +113,7 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
       break;
     }
   }
-  bounds = {1e-6, 1e-6, 1e-6, larger(1e-6, largest_sample(request))};
+  bounds = {1e-6, 1e-6, 1e-6, larger(1e-6, largest_sample(request)), base_bound(request)};
   const auto note = [&bounds, &planned] {
     const Sample now = planned.simulation->sample();
     bounds.displacement = std::max({bounds.displacement, margin * std::abs(now.x1), margin * std::abs(now.x2)});
@@ -116,7 +123,9 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
   const long steps = std::lround(request.duration / request.step);
   note();
   for (long i = 0; i < steps; ++i) {
-    planned.simulation->step(request.samples.empty() ? 0 : request.samples[static_cast<size_t>(i)]);
+    const auto n = static_cast<size_t>(i);
+    planned.simulation->step(request.samples.empty() ? 0 : request.samples[n],
+                             request.base_samples.empty() ? 0 : request.base_samples[n]);
     note();
   }
   bounds.displacement =

@@ -112,9 +112,15 @@ std::string_view name_of(Damping damping) { return name_in(dampings, damping); }
 std::string_view name_of(Stepper stepper) { return name_in(steppers, stepper); }
 std::string_view name_of(Numeric numeric) { return name_in(numerics, numeric); }
 
-long Simulation::run(long steps, const double* forces, double* x1) {
+bool has_parts(const Request& request) {
+  const Scene& scene = request.scene;
+  const bool is_stated = scene.gravity < 0 || scene.gravity > 0 || scene.ball_friction > 0 || request.is_shaken;
+  return is_stated && request.numeric != Numeric::float32_plain && !is_pointwise(request.stepper);
+}
+
+long Simulation::run(long steps, const double* forces, double* x1, const double* base) {
   for (long n = 0; n < steps; ++n) {
-    step(forces ? forces[n] : 0);
+    step(forces ? forces[n] : 0, base ? base[n] : 0);
     if (fault()) return n;
     x1[n] = sample().x1;
   }

@@ -24,36 +24,42 @@ struct Request {
   DriveKind drive = DriveKind::sine;
   Damping damping = Damping::constant;  // of Hunt-Crossley; all but constant by Scene::restitution
   Scene scene{};
-  double step = 1e-4;              // h, s
-  std::optional<Bounds> bounds{};  // when absent, they are looked for: see below
-  double duration = 1.0;           // s, used only to find bounds
-  std::vector<double> samples{};   // drive samples, N, used only to find bounds
+  double step = 1e-4;                  // h, s
+  std::optional<Bounds> bounds{};      // when absent, they are looked for: see below
+  double duration = 1.0;               // s, used only to find bounds
+  std::vector<double> samples{};       // drive samples, N, used only to find bounds
+  bool is_shaken = false;              // the base accelerates:
+  std::vector<double> base_samples{};  // m/s^2, used only to find bounds
 };
+// Gravity, friction or a base that accelerates: with Moment, its sub-steps, EnergyConsistent and Impulsive, in any
+// format but Float32Plain. Others refuse it by name.
+bool has_parts(const Request& request);
 
 // One row of output, SI units.
 struct Sample {
   double t = 0, x1 = 0, v1 = 0, x2 = 0, v2 = 0;
-  double penetration = 0;        // negative while apart, m
-  double contact_force = 0;      // >= 0 when tension is clamped, N
-  double energy_dissipated = 0;  // by contact since the start, J
-  double energy_stored = 0;      // by contact now, J
-  double drive_work = 0;         // by the drive since the start, J
+  double penetration = 0;          // negative while apart, m
+  double contact_force = 0;        // >= 0 when tension is clamped, N
+  double energy_dissipated = 0;    // by contact since the start, J
+  double energy_stored = 0;        // by contact now, J
+  double drive_work = 0;           // by the drive since the start, J
   double friction_dissipated = 0;  // by dry friction since the start, J
-  long impacts = 0;              // contacts begun since the start
-  double impact_speed = 0;       // rate of penetration at which the last one began, m/s
-  double peak_force = 0;         // largest contact force since the start, N
+  long impacts = 0;                // contacts begun since the start
+  double impact_speed = 0;         // rate of penetration at which the last one began, m/s
+  double peak_force = 0;           // largest contact force since the start, N
 };
 
 class Simulation {
  public:
   virtual ~Simulation() = default;
-  virtual void step(double force) = 0;    // advances by h; `force` is the sample at the end of the step
+  // Advances by h; `force` and `base` (its acceleration) are the samples at the end of the step.
+  virtual void step(double force, double base = 0) = 0;
   virtual Sample sample() const = 0;      // the state now
   virtual const char* fault() const = 0;  // nullptr, or why the state is no longer to be trusted
 
-  // As many steps at once, with x1 at the end of each; `forces` may be null. Stops behind a step that raises a fault,
-  // and returns how many raised none.
-  virtual long run(long steps, const double* forces, double* x1);
+  // As many steps at once, with x1 at the end of each; `forces` and `base` may be null. Stops behind a step that raises
+  // a fault, and returns how many raised none.
+  virtual long run(long steps, const double* forces, double* x1, const double* base = nullptr);
 };
 
 // A request that the kernel cannot plan, with the field at fault ("contact-stiffness", as the tool's option), its value

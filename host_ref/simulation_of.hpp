@@ -20,6 +20,9 @@ struct Planned {
 // With any stepper and drive: simulation_instance.hpp.
 template <class Format, class ContactLaw>
 Planned plan_with_law(const Request& request, const Bounds& bounds);
+// The same for a request that has_parts: parts_instance.hpp.
+template <class Format, class ContactLaw>
+Planned plan_with_parts(const Request& request, const Bounds& bounds);
 
 // The law in double at a penetration and its rate, for what the tool prints beside the state.
 template <class ContactLaw>
@@ -29,29 +32,30 @@ double law_force(const Scene& scene, double damping, double penetration, double 
   return elastic + damping * shape * rate;
 }
 
-template <class Format, class ContactLaw, class Stepper, class Drive>
+template <class Format, class ContactLaw, class Stepper, class Drive, class... Parts>
 class KernelSimulation final : public Simulation {
  public:
-  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, EnergyLedger, ImpactLog>;
+  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, EnergyLedger, ImpactLog, Parts...>;
 
   KernelSimulation(const Request& request, const Bounds& bounds, const typename Kernel::PlanType& plan)
       : scene_(request.scene),
         step_(request.step),
         largest_force_(bounds.force),
         sample_unit_(Format::sample_unit(bounds.force)),
+        largest_base_(bounds.base_acceleration),
         position_unit_(constant::power_of_two(position_exponent(plan) - 63)),
         kernel_(plan) {}
 
-  void step(double force) override {
+  void step(double force, double base) override {
     double x1 = 0;
-    run(1, &force, &x1);
+    run(1, &force, &x1, &base);
   }
 
   // Not inlined into step(): it is the whole kernel.
-  [[gnu::noinline]] long run(long steps, const double* forces, double* x1) override {
+  [[gnu::noinline]] long run(long steps, const double* forces, double* x1, const double* base) override {
     for (long n = 0; n < steps; ++n) {
       if (n == steps - 1) note_ball();
-      advance(forces ? forces[n] : 0);
+      advance(forces ? forces[n] : 0, base ? base[n] : 0);
       if (kernel_.fault() != Fault::none || is_sample_beyond_) return n;
       x1[n] = displacement();
     }
@@ -75,7 +79,9 @@ class KernelSimulation final : public Simulation {
     sample.penetration = scene.stops == Stops::right  ? y - gap
                          : scene.stops == Stops::left ? -y - gap
                                                       : std::abs(y) - gap;
-    if constexpr (Kernel::Contact::is_instantaneous) {
+    if constexpr (detail::is_one_of<ContactForce, Parts...>) {
+      sample.contact_force = std::abs(plan.units.fraction(state.contact_force)) * plan.force_unit;
+    } else if constexpr (Kernel::Contact::is_instantaneous) {
       // The mean over the last step.
       sample.contact_force = scene.ball_mass * std::abs(now.v2 - v2_before_) / step_;
     } else if (kernel_.is_touching()) {
@@ -89,6 +95,7 @@ class KernelSimulation final : public Simulation {
     sample.energy_dissipated = state.dissipated.total() * pair_unit;
     if (kernel_.is_touching()) sample.energy_stored = plan.units.fraction(state.stored) * pair_unit;
     sample.drive_work = state.drive_work.total() * plan.drive_unit * plan.units.si_penetration_unit();
+    sample.friction_dissipated = kernel_.friction_dissipated();
     sample.impacts = static_cast<long>(state.impacts);
     sample.impact_speed = plan.units.si_penetration(state.impact_rate) / plan.step;
     sample.peak_force = plan.units.fraction(state.peak_force) * plan.force_unit;
@@ -120,14 +127,20 @@ class KernelSimulation final : public Simulation {
     if constexpr (Kernel::Contact::is_instantaneous) v2_before_ = kernel_.reading().v2;
   }
 
-  void advance(double force) {
-    if constexpr (Drive::is_sampled) {
-      // Fixed32's fractions cannot say so themselves.
-      if (!(std::abs(force) <= largest_force_)) is_sample_beyond_ = true;
-      kernel_.step(Format::sample(sample_unit_ > 0 ? force / sample_unit_ : 0));
-    } else {
+  void advance([[maybe_unused]] double force, [[maybe_unused]] double base) {
+    // Fixed32's fractions cannot say so themselves.
+    if constexpr (Drive::is_sampled) is_sample_beyond_ = is_sample_beyond_ || !(std::abs(force) <= largest_force_);
+    if constexpr (Kernel::Field::is_sampled)
+      is_sample_beyond_ = is_sample_beyond_ || !(std::abs(base) <= largest_base_);
+    const auto sample = [this, force] { return Format::sample(sample_unit_ > 0 ? force / sample_unit_ : 0); };
+    if constexpr (Drive::is_sampled && Kernel::Field::is_sampled)
+      kernel_.step(sample(), kernel_.base_sample_of(base));
+    else if constexpr (Drive::is_sampled)
+      kernel_.step(sample());
+    else if constexpr (Kernel::Field::is_sampled)
+      kernel_.step(kernel_.base_sample_of(base));
+    else
       kernel_.step();
-    }
     ++steps_;
   }
 
@@ -155,7 +168,7 @@ class KernelSimulation final : public Simulation {
   }
 
   Scene scene_;
-  double step_, largest_force_, sample_unit_, position_unit_;
+  double step_, largest_force_, sample_unit_, largest_base_, position_unit_;
   double damping_ratio_ = impact::damping_ratio<ContactLaw>(scene_);
   bool is_sample_beyond_ = false;
   Kernel kernel_;
@@ -163,27 +176,34 @@ class KernelSimulation final : public Simulation {
   double v2_before_ = kernel_.reading().v2;
 };
 
-template <class Format, class ContactLaw, class Stepper, class Drive>
+template <class Format, class ContactLaw, class Stepper, class Drive, class... Parts>
 Planned plan_for(const Request& request, const Bounds& bounds) {
-  const auto plan = Plan<Format, ContactLaw, Stepper, Drive>::make(request.scene, bounds, request.step);
+  using Run = KernelSimulation<Format, ContactLaw, Stepper, Drive, Parts...>;
+  const auto plan = Run::Kernel::PlanType::make(request.scene, bounds, request.step);
   if (plan.status != PlanStatus::ok) return {nullptr, plan.status};
-  return {std::make_unique<KernelSimulation<Format, ContactLaw, Stepper, Drive>>(request, bounds, plan),
-          PlanStatus::ok};
+  return {std::make_unique<Run>(request, bounds, plan), PlanStatus::ok};
+}
+
+template <class Format, class ContactLaw>
+Planned plan_any(const Request& request, const Bounds& bounds) {
+  if constexpr (!std::is_same_v<Format, Float32Plain>)
+    if (has_parts(request)) return plan_with_parts<Format, ContactLaw>(request, bounds);
+  return plan_with_law<Format, ContactLaw>(request, bounds);
 }
 
 template <class Format>
 Planned plan_simulation(const Request& request, const Bounds& bounds) {
   switch (request.law) {
     case Law::hooke_newton:
-      return plan_with_law<Format, HookeNewton>(request, bounds);
+      return plan_any<Format, HookeNewton>(request, bounds);
     case Law::hertz:
-      return plan_with_law<Format, Hertz>(request, bounds);
+      return plan_any<Format, Hertz>(request, bounds);
     case Law::hunt_crossley:
       break;
   }
   // By the restitution that comes out, `Exact` is every law that sets the damping at each impact: make_simulation.
-  if (request.damping != Damping::constant) return plan_with_law<Format, Exact>(request, bounds);
-  return plan_with_law<Format, HuntCrossley>(request, bounds);
+  if (request.damping != Damping::constant) return plan_any<Format, Exact>(request, bounds);
+  return plan_any<Format, HuntCrossley>(request, bounds);
 }
 
 }  // namespace impact::host

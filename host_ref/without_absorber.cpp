@@ -19,6 +19,9 @@ Request without_absorber(const Request& request) {
   }
   bare.drive = request.drive;
   bare.samples = request.samples;
+  bare.is_shaken = request.is_shaken;
+  bare.base_samples = request.base_samples;
+  bare.scene.gravity = request.scene.gravity;
   bare.step = request.step;
   bare.duration = request.duration;
   bare.scene.main_mass = request.scene.main_mass;

@@ -22,7 +22,7 @@ double BareRuns::largest(const Request& request, const std::string& drive_file) 
   const bool is_sine = bare.drive == DriveKind::sine;
   const Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration,
                  scene.main_mass, scene.main_stiffness, scene.main_damping, is_sine ? scene.drive_amplitude : 0,
-                 is_sine ? scene.drive_pulsation : 0, scene.x1, scene.v1},
+                 is_sine ? scene.drive_pulsation : 0, scene.x1, scene.v1, scene.gravity},
                 drive_file};
   std::promise<double> result;
   std::shared_future<double> known;

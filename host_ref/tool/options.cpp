@@ -190,6 +190,16 @@ const std::vector<Option>& options() {
       number("drive-pulsation", "rad/s", drive_pulsation_range, field(&Scene::drive_pulsation), "of the sine"),
       file("drive-file", field(&Settings::drive_file), true,
            "force samples instead, one a line and step: line n holds the force in N at the end of step n; 0 at t = 0"),
+      file("base-file", field(&Settings::base_file), true,
+           "displacement samples of the base in m instead, line n at the end of step n; 0 at t = 0: the force k z + c "
+           "z' "
+           "of spring and damper on the main mass, in absolute coordinates"),
+      file("base-acceleration-file", field(&Settings::base_acceleration_file), true,
+           "acceleration samples of the base in m/s^2, line n at the end of step n; 0 at t = 0: displacements are then "
+           "relative to the base"),
+      number("gravity", "m/s^2", gravity_range, field(&Scene::gravity), "weight of both masses, along x"),
+      number("ball-friction", "N", force_range, field(&Scene::ball_friction),
+             "dry friction between ball and main mass, sticking included"),
 
       number("x1", "m", initial_displacement_range, field(&Scene::x1), "initial displacement of the main mass"),
       number("v1", "m/s", initial_velocity_range, field(&Scene::v1), "and its velocity"),
@@ -203,6 +213,8 @@ const std::vector<Option>& options() {
       number("bound-speed", "m/s", bound_range, field(&Bounds::speed), "and the largest speed"),
       number("bound-penetration", "m", bound_range, field(&Bounds::penetration), "and the largest penetration"),
       number("bound-force", "N", force_range, field(&Bounds::force), "and the largest sample of a --drive-file"),
+      number("bound-base-acceleration", "m/s^2", base_acceleration_range, field(&Bounds::base_acceleration),
+             "and of a --base-acceleration-file; 0: the largest that is in it"),
 
       count("every", field(&Settings::every), "write every N-th step, the initial state first"),
       file("output", field(&Settings::output), false, "replaced as a whole when the run ends")

@@ -86,6 +86,17 @@ const char* format_type(Numeric numeric) {
   return "Float64";
 }
 
+std::string parts(const Request& request) {
+  const Scene& scene = request.scene;
+  std::string text;
+  if (request.is_shaken)
+    text += ", impact::BaseAcceleration";
+  else if (scene.gravity < 0 || scene.gravity > 0)
+    text += ", impact::Gravity";
+  if (scene.ball_friction > 0) text += ", impact::DryFriction";
+  return text;
+}
+
 const char* stops_name(Stops stops) { return stops == Stops::both ? "both" : stops == Stops::left ? "left" : "right"; }
 
 std::string line(const std::string& name, const std::string& value, const std::string& unit) {
@@ -115,30 +126,38 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
                        {"v1", scene.v1, "m/s"},
                        {"x2", scene.x2, "m"},
                        {"v2", scene.v2, "m/s"},
-                       {"restitution", scene.restitution, "of a damping that is set at each impact"}},
+                       {"restitution", scene.restitution, "of a damping that is set at each impact"},
+                       {"gravity", scene.gravity, "m/s^2, along x"},
+                       {"ball_friction", scene.ball_friction, "N"}},
     bound_numbers[] = {{"displacement", bounds.displacement, "m"},
                        {"speed", bounds.speed, "m/s"},
                        {"penetration", bounds.penetration, "m"},
-                       {"force", bounds.force, "N, of a sampled drive"}};
+                       {"force", bounds.force, "N, of a sampled drive"},
+                       {"base_acceleration", bounds.base_acceleration, "m/s^2"}};
   std::string text =
       "#pragma once\n// The absorber of this run, bit for bit; bounds that the command leaves open are those that it "
       "found:\n//\n//     " +
       command(arguments) +
       "\n\n#include <impact/absorber.hpp>\n\nstruct Rig {\n  static constexpr impact::Scene scene = [] {\n    "
       "impact::Scene scene;\n";
+  // What is not stated is not written: a part's value asks for the part.
+  const auto is_of_a_part = [](const std::string& name) {
+    return name == "gravity" || name == "ball_friction" || name == "base_acceleration";
+  };
   for (const auto& [name, value, unit] : scene_numbers)
-    text += line(std::string("scene.") + name, shortest_text(value), unit);
+    if (!is_of_a_part(name) || value < 0 || value > 0)
+      text += line(std::string("scene.") + name, shortest_text(value), unit);
   text += line("scene.stops", std::string("impact::Stops::") + stops_name(scene.stops), "that are there");
   text +=
       line("scene.tension", std::string("impact::Tension::") + (scene.tension == Tension::allow ? "allow" : "clamp"),
            "whether a stop may pull");
   text += "    return scene;\n  }();\n  static constexpr impact::Bounds bounds = [] {\n    impact::Bounds bounds;\n";
   for (const auto& [name, value, unit] : bound_numbers)
-    text += line(std::string("bounds.") + name, shortest_text(value), unit);
+    if (!is_of_a_part(name) || value > 0) text += line(std::string("bounds.") + name, shortest_text(value), unit);
   text += "    return bounds;\n  }();\n  static constexpr double step = " + shortest_text(made.step) +
           ";  // s\n};\nusing Absorber = impact::Absorber<Rig, impact::" + law_type(made) +
           ", impact::" + stepper_type(made.stepper) + ", impact::" + drive_type(made.drive) +
-          ", impact::" + format_type(made.numeric) + ">;\n";
+          ", impact::" + format_type(made.numeric) + parts(made) + ">;\n";
   return text;
 }
 

@@ -18,7 +18,7 @@ struct Settings {
   long every = 1;
   double impact_speed = 0.8;  // m/s, at which Hunt-Crossley is to show the stated restitution
   bool paper_damping = false, benchmark = false, is_step_automatic = false;
-  std::string drive_file, output, plot, rig, sweep;
+  std::string drive_file, base_file, base_acceleration_file, output, plot, rig, sweep;
   Shard shard;
 };
 

@@ -53,10 +53,11 @@ Settings checked(const std::vector<Argument>& arguments) {
   return settings;
 }
 
-std::string fingerprint_of(const std::vector<double>& samples) {
-  if (samples.empty()) return {};
+std::string fingerprint_of(const std::vector<double>& samples, const std::vector<double>& base) {
+  if (samples.empty() && base.empty()) return {};
   Fingerprint fingerprint;
   for (const double sample : samples) fingerprint.add_number(sample);
+  for (const double sample : base) fingerprint.add_number(sample);
   char digits[16];
   std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(fingerprint.value));
   return digits;
@@ -84,7 +85,9 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
     }
     sweep.header += column + ",";
   }
-  const bool has_drive_file = sweep.header.find(",drive-file,") != std::string::npos;
+  bool has_drive_file = false;
+  for (const char* file : {",drive-file,", ",base-file,", ",base-acceleration-file,"})
+    has_drive_file = has_drive_file || sweep.header.find(file) != std::string::npos;
   if (has_drive_file) sweep.header += "drive_samples,";
   sweep.header += "max_x1,rms_x1,attenuation,energy_dissipated,impacts,fault\n";
 
@@ -107,8 +110,9 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
         swept.key += cells[i] + ",";
       }
       swept.settings = checked(swept.arguments);
-      if (has_drive_file) swept.key += fingerprint_of(swept.settings.request.samples) + ",";
-      swept.settings.request.samples = {};
+      Request& request = swept.settings.request;
+      if (has_drive_file) swept.key += fingerprint_of(request.samples, request.base_samples) + ",";
+      request.samples = request.base_samples = {};
       sweep.keys.emplace(scene, swept.key);
       if ((scene - settings.shard.index) % settings.shard.count == 0) sweep.scenes.push_back(std::move(swept));
     } catch (const BadInput& bad) {
@@ -149,11 +153,12 @@ std::string one_cell(std::string text) {
 // What follows the key in a scene's row.
 std::string results_of(const SweptScene& scene, BareRuns& bare_runs) {
   Request request = scene.settings.request;
-  if (request.drive == DriveKind::sampled) request = settings_from(scene.arguments).request;
+  if (request.drive == DriveKind::sampled || request.is_shaken) request = settings_from(scene.arguments).request;
   const Outcome outcome = make_simulation(request);
   if (!outcome.simulation) return ",,,,," + one_cell(BadInput(outcome.refusal).what()) + "\n";
   const Summary summary = summary_of(*outcome.simulation, request);
-  const double bare_largest = bare_runs.largest(request, scene.settings.drive_file);
+  const double bare_largest = bare_runs.largest(request, scene.settings.drive_file + "\n" + scene.settings.base_file +
+                                                             "\n" + scene.settings.base_acceleration_file);
 
   const int digits = significant_digits(request.numeric);
   std::string text;

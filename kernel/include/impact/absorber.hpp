@@ -294,7 +294,8 @@ class Absorber
     hold_in_range();
     (restart<Features>(), ...);
     if constexpr (counts_slid_way) state_.slid = {};
-    if constexpr (Friction::is_friction) begin_to_slide();
+    if constexpr (Friction::is_friction)
+      if (rubs()) begin_to_slide();
     publish();
     return true;
   }
@@ -352,7 +353,15 @@ class Absorber
       state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
     }
     (Features::start(plan, state_), ...);
-    if constexpr (Friction::is_friction) begin_to_slide();
+    if constexpr (Friction::is_friction)
+      if (rubs()) begin_to_slide();
+  }
+  // Without friction nothing is done, so that a plan AtRunTime of none makes the bits of an absorber without the part.
+  constexpr bool rubs() const {
+    if constexpr (Friction::is_friction)
+      return is_positive(plan.before);
+    else
+      return false;
   }
   // What records starts anew.
   template <class Feature>
@@ -404,7 +413,8 @@ class Absorber
       hold();
     }
     if constexpr (Friction::is_friction)
-      rub(state_.contact.phase == Phase::apart ? Value{} : plan.units.relative(state_.x2 - state_.x1 - apart));
+      if (rubs())
+        rub(state_.contact.phase == Phase::apart ? Value{} : plan.units.relative(state_.x2 - state_.x1 - apart));
     (Features::after_step(plan, state_), ...);
   }
   [[gnu::always_inline]] constexpr bool is_flight_in_range() const {
@@ -517,10 +527,12 @@ class Absorber
     Contact& contact = state_.contact;
     if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left))
       return false;
-    step.increment = -mirrored(increment, left);
     if constexpr (Field::is_field) {
-      step.ball_increment = mirrored(Field::ball_increment(plan, state_), left);
-      step.increment = step.increment + step.ball_increment;
+      const Value ball = Field::ball_increment(plan, state_);
+      step.ball_increment = left ? -ball : ball;
+      step.increment = -mirrored(increment - ball, left);
+    } else {
+      step.increment = -mirrored(increment, left);
     }
     step.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
     // A law at the step's end has its rate with the friction of the whole step.

@@ -169,7 +169,7 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
       return refused(PlanStatus::ball_friction);
   }
   // An impact changes the rate of sliding by twice the largest, and friction by no more than the largest in a step.
-  const double largest_change = Friction::is_friction ? 4 * terms.largest_rate * h : 0;
+  const double largest_change = Friction::is_friction && scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
   largest.penetration = larger(largest.penetration, largest_change);
   const double drive = larger(scene.drive_amplitude, bounds.force);
   // A state is held at up to twice its bounds.

@@ -47,7 +47,10 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
               {"--numeric fixed32 --step 1e-3 --newmark average --bound-speed 4", 13},
               {"--numeric float64 --step 1e-4 --damping per-impact --restitution 0.6 --newmark moment", 17},
               {"--numeric fixed32 --drive-file \"it's forces\" --step 1e-3 --duration 2", 13},
-              {"--numeric float32 --drive-file \"it's forces\" --step 1e-3 --duration 2", 9}};
+              {"--numeric float32 --drive-file \"it's forces\" --step 1e-3 --duration 2", 9},
+              {"--numeric fixed32 --gravity -9.81 --x1 -0.01 --x2 -0.01", 13},
+              {"--numeric fixed32 --ball-friction 0.5 --drive none --v2 0.9", 13},
+              {"--numeric float32 --newmark energy --step 1e-3 --gravity 5 --ball-friction 0.7", 9}};
   std::string program = program_head, calls;
   for (size_t i = 0; i < std::size(runs); ++i) {
     const std::string name = "rig" + std::to_string(i), options = runs[i].options;

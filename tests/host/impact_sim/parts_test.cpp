@@ -1,0 +1,85 @@
+// Weight, friction and a base that shakes, as options.
+
+#include <cmath>
+
+#include "host_ref/reference.hpp"
+#include "impact_sim.hpp"
+
+namespace impact::host {
+namespace {
+
+std::vector<double> last_row(const std::string& csv) {
+  const std::vector<std::string> lines = lines_of(csv);
+  std::vector<double> numbers;
+  std::stringstream row(lines.back());
+  for (std::string cell; std::getline(row, cell, ',');) numbers.push_back(std::stod(cell));
+  return numbers;
+}
+
+TEST_F(ImpactSim, AnUprightSceneWithFrictionIsTheReferences) {
+  const Result result =
+      run("--gravity -9.81 --ball-friction 0.5 --x1 -0.01 --x2 -0.01 --duration 0.4 --step 1e-4 --newmark moment");
+  ASSERT_EQ(result.code, 0) << result.err;
+  Case scene;
+  scene.scene.gravity = -9.81;
+  scene.scene.ball_friction = 0.5;
+  scene.scene.x1 = scene.scene.x2 = -0.01;
+  Reference reference(scene);
+  reference.advance(0.4);
+  const std::vector<double> row = last_row(result.out);
+  EXPECT_NEAR(row.at(1), reference.sample().x1, 1e-6);
+  EXPECT_NEAR(row.at(3), reference.sample().x2, 1e-6);
+}
+
+// A base that moves by z: seen from outside by the force k z + c z', and on it by its acceleration.
+TEST_F(ImpactSim, ABasesDisplacementAndItsAccelerationAreTheSameMotion) {
+  constexpr double amplitude = 0.004, pulsation = 45, step = 1e-4;
+  std::string displacements, accelerations;
+  for (int n = 1; n <= 3000; ++n) {
+    const double turn = pulsation * n * step;
+    displacements += std::to_string(1e9 * amplitude * (turn - std::sin(turn))) + "e-9\n";
+    accelerations += std::to_string(1e9 * amplitude * pulsation * pulsation * std::sin(turn)) + "e-9\n";
+  }
+  write(file("z"), displacements);
+  write(file("a"), accelerations);
+  const Result outside = run("--base-file z --step 1e-4 --newmark moment --main-damping 2");
+  const Result inside = run("--base-acceleration-file a --drive none --step 1e-4 --newmark moment --main-damping 2");
+  ASSERT_EQ(outside.code, 0) << outside.err;
+  ASSERT_EQ(inside.code, 0) << inside.err;
+  const double z = amplitude * (pulsation * 0.3 - std::sin(pulsation * 0.3));
+  // The base starts from rest, and the ball with it.
+  EXPECT_NEAR(last_row(outside.out).at(1) - z, last_row(inside.out).at(1), 3e-6);
+  EXPECT_NEAR(last_row(outside.out).at(3) - z, last_row(inside.out).at(3), 3e-6);
+}
+
+TEST_F(ImpactSim, PartsAreRefusedByName) {
+  write(file("a"), "1\n2\n");
+  write(file("bad"), "1\nx\n");
+  const struct {
+    const char *options, *refused;
+  } cases[] = {{"--gravity nan", "--gravity nan: allowed: a number from -1e+06 to 1e+06 m/s^2"},
+               {"--ball-friction -1", "--ball-friction -1: allowed: a number from 0"},
+               {"--ball-friction 1e6 --step 1e-4", "--step 0.0001: allowed: "},
+               {"--gravity 1 --newmark average", "--newmark average: allowed: auto, moment"},
+               {"--ball-friction 1 --numeric float32-plain", "--numeric float32-plain: allowed: float64"},
+               {"--base-acceleration-file bad", "--base-acceleration-file bad line 2: 'x': allowed: a number from"},
+               {"--base-acceleration-file a --duration 1", "--base-acceleration-file a with 2 lines"},
+               {"--base-file none", "--base-file none: allowed: a file that can be read"},
+               {"--base-file a --drive-file a", "--base-file a: allowed: without --drive-file"},
+               {"--bound-base-acceleration 3", "--bound-base-acceleration 3: allowed: with --base-acceleration-file"}};
+  for (const auto& [options, refused] : cases) {
+    const Result result = run(options);
+    EXPECT_EQ(result.code, 2) << options;
+    EXPECT_THAT(result.err, HasSubstr(refused)) << options;
+  }
+}
+
+TEST_F(ImpactSim, ASweepTakesParts) {
+  write(file("scenes.csv"), "gravity,ball-friction\n0,0\n-9.81,0\n-9.81,0.5\n0,0.5\n");
+  const Result result = run("--sweep scenes.csv --duration 0.5 --step 1e-4");
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(lines_of(result.out), SizeIs(5));
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -413,8 +413,7 @@ class Absorber
       hold();
     }
     if constexpr (Friction::is_friction)
-      if (rubs())
-        rub(state_.contact.phase == Phase::apart ? Value{} : plan.units.relative(state_.x2 - state_.x1 - apart));
+      if (rubs()) rub(apart);
     (Features::after_step(plan, state_), ...);
   }
   [[gnu::always_inline]] constexpr bool is_flight_in_range() const {
@@ -567,14 +566,17 @@ class Absorber
                                                Field::at_once(plan, state_.downwards));
     return way;
   }
-  // `pushed`: x2 - x1 by contact in this step.
-  constexpr void rub(Value pushed) {
+  // `apart`: x2 - x1 before contact in this step.
+  constexpr void rub(Long apart) {
     Value rate = relative_rate(false);
     if constexpr (Contact::keeps_force)
       rate = rate +
              mirrored((plan.contact.dx1_share * state_.contact.force) + (plan.contact.dx2_share * state_.contact.force),
                       at_left());
-    const Value change = Friction::template rub<counts_slid_way>(plan, state_, rate, way_ahead() - rate + pushed);
+    const Value change = Friction::template rub<counts_slid_way>(plan, state_, rate, [this, rate, apart] {
+      const Value way = way_ahead() - rate;
+      return state_.contact.phase == Phase::apart ? way : way + plan.units.relative(state_.x2 - state_.x1 - apart);
+    });
     if (state_.contact.phase == Phase::apart) return;
     const Value towards_stop = mirrored(change, at_left());
     state_.contact.change_rate(plan.contact, towards_stop);

@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Dry friction of the ball in its cavity: a force of Scene::ball_friction newtons, R, between ball and main mass
-// against the sliding y', and at rest whatever holds the ball, up to R.
+// Dry friction of the ball in its cavity: a force of Scene::ball_friction
+// newtons, R, between ball and main mass against the sliding y', and at rest
+// whatever holds the ball, up to R.
 //
-// A constant force over a step is the same as two impulses on the velocities alone, one at the step's start and one at
-// its end, for the main mass as for the ball: with the force's response b in the displacement and c in h v (m/N),
+// A constant force over a step is the same as two impulses on the velocities
+// alone, one at the step's start and one at its end, for the main mass as for
+// the ball: with the force's response b in the displacement and c in h v (m/N),
 //
-//     ahead of the step    u0 = R b/e12        at its end    u1 = R c - (1 + e22) u0        (linear_flow.hpp)
+//     ahead of the step    u0 = R b/e12        at its end    u1 = R c - (1 +
+//     e22) u0        (linear_flow.hpp)
 //
-// The ball's are R h^2/(2 m) both. Positions are never touched, so that contact goes on as it is, and an impulse on the
-// velocities that does not turn the sliding can only take energy. Per step, with q0 and q1 what both do to the rate of
-// sliding, V the rate at the end of the flight, f what was taken ahead and s the rate before that:
+// The ball's are R h^2/(2 m) both. Positions are never touched, so that contact
+// goes on as it is, and an impulse on the velocities that does not turn the
+// sliding can only take energy. Per step, with q0 and q1 what both do to the
+// rate of sliding, V the rate at the end of the flight, f what was taken ahead
+// and s the rate before that:
 //
-//     a = V - s + f              the change of the rate without friction, by contact as well
-//     e = s + a -+ (q0 + q1)     the rate with it, if the sliding lasts
-//     e of the sliding's sign    the rate is e: exact
-//     turned, |a| <= q0 + q1     the ball sticks: the rate is 0
-//     turned, |a| > q0 + q1      it slides back, from when the rate, linear in time, was 0:
+//     a = V - s + f              the change of the rate without friction, by
+//     contact as well e = s + a -+ (q0 + q1)     the rate with it, if the
+//     sliding lasts e of the sliding's sign    the rate is e: exact turned, |a|
+//     <= q0 + q1     the ball sticks: the rate is 0 turned, |a| > q0 + q1 it
+//     slides back, from when the rate, linear in time, was 0:
 //                                e (|a| - q0 - q1)/(|a| + q0 + q1)
 //
-// and ahead of the next step f goes, which for a ball that slides is q0, and no more than leaves the step a
-// displacement by the last a: nothing where it sticks. So friction's work, f times a way of the other sign, is never
-// positive, and a ball at rest stays: it has no rate left, and its load is taken ahead. Second order where the sliding
-// turns or ends within a step.
+// and ahead of the next step f goes, which for a ball that slides is q0, and no
+// more than leaves the step a displacement by the last a: nothing where it
+// sticks. So friction's work, f times a way of the other sign, is never
+// positive, and a ball at rest stays: it has no rate left, and its load is
+// taken ahead. Second order where the sliding turns or ends within a step.
 
 #include <impact/features.hpp>
 #include <impact/motion/linear_flow.hpp>
@@ -40,8 +46,8 @@ struct NoFriction {
   struct FrictionPlan {};
 };
 
-// Beside an EnergyLedger: the way that has been slid, which times R is what friction has dissipated. It counts like a
-// penetration.
+// Beside an EnergyLedger: the way that has been slid, which times R is what
+// friction has dissipated. It counts like a penetration.
 template <class Format, bool is_counted>
 struct SlidWay {};
 template <class Format>
@@ -58,11 +64,13 @@ struct DryFriction : ScenePart {
   struct FrictionPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
-    Value before, both;                                     // q0, q0 + q1
-    Gain main_before, main_after, ball_before, ball_after;  // of an impulse, in dx1 and dx2
-    Gain main_share;                                        // of f, in h v1
-    double friction;                                        // R, N
-    typename Format::Long main_sliding, ball_sliding;       // what a step of sliding adds to dx1 and takes of dx2
+    Value before, both;  // q0, q0 + q1
+    Gain main_before, main_after, ball_before,
+        ball_after;   // of an impulse, in dx1 and dx2
+    Gain main_share;  // of f, in h v1
+    double friction;  // R, N
+    typename Format::Long main_sliding,
+        ball_sliding;  // what a step of sliding adds to dx1 and takes of dx2
   };
   // In metres per step and newton: both impulses on both masses.
   struct Impulses {
@@ -119,10 +127,34 @@ struct DryFriction : ScenePart {
     state.ahead = {};
   }
 
-  // At the end of a step that ends with this rate, with `way`, what the coming step would add to the way at that rate.
-  // What that does to the rate.
+  // At the end of a step that ends with this rate; `way()` is what the coming
+  // step would add to the way at that rate. Returns what friction does to the
+  // rate.
+  template <bool is_counted, class Plan, class State, class Value, class Way>
+  [[gnu::always_inline]] static constexpr Value rub(const Plan& plan, State& state, Value rate, const Way& way) {
+    const Value unrubbed = rate + state.ahead;  // s + a
+    const bool back = is_negative(unrubbed);
+    const Value end = mirrored(unrubbed, back) - plan.both;
+    const bool was_full = !is_positive(plan.before - mirrored(state.ahead, back));
+    // Far from its end: a ball that the coming step turns has a load that it
+    // slides back under.
+    if (was_full && is_positive(end - plan.both)) {
+      if constexpr (is_counted) state.slid.add(half_sum(plan, mirrored(state.sliding, back), end));
+      state.sliding = mirrored(end, back);
+      slide(plan, state, back);
+      return state.sliding - state.ahead - rate;
+    }
+    return end_sliding<is_counted>(plan, state, rate, way());
+  }
+
+ private:
+  template <class Plan, class State>
+  [[gnu::always_inline]] static constexpr void slide(const Plan& plan, State& state, bool back) {
+    state.dx1.advance(mirrored(plan.main_sliding, back));
+    state.dx2.advance(mirrored(plan.ball_sliding, !back));
+  }
   template <bool is_counted, class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr Value rub(const Plan& plan, State& state, Value rate, Value way) {
+  [[gnu::noinline]] static constexpr Value end_sliding(const Plan& plan, State& state, Value rate, Value way) {
     const Value change = rate - state.sliding + state.ahead;
     const bool was_still = is_zero(state.sliding);
     const bool back = is_negative(was_still ? change : state.sliding);
@@ -143,17 +175,13 @@ struct DryFriction : ScenePart {
     }
     const Value ahead = taken_ahead(plan, state.sliding, way);
     const bool is_full = !is_positive(plan.before - mirrored(ahead, back));
-    if (slides && was_full && is_full) {
-      state.dx1.advance(mirrored(plan.main_sliding, back));
-      state.dx2.advance(mirrored(plan.ball_sliding, !back));
-    } else {
+    if (slides && was_full && is_full)
+      slide(plan, state, back);
+    else
       act(plan, state, rate - state.sliding, ahead);
-    }
     state.ahead = ahead;
     return state.sliding - ahead - rate;
   }
-
- private:
   template <class Value>
   static constexpr bool is_negative(Value x) {
     return is_positive(-x);
@@ -173,8 +201,8 @@ struct DryFriction : ScenePart {
   static constexpr Value half_sum(const Plan&, Value a, Value b) {
     return Plan::FormatType::value(half(a + b));
   }
-  // From `before` to 0 in a part of the step, and for the rest of it, as `beyond` is of `before` + `beyond`, to
-  // `after`.
+  // From `before` to 0 in a part of the step, and for the rest of it, as
+  // `beyond` is of `before` + `beyond`, to `after`.
   template <class Plan, class Value>
   static constexpr Value slid_to_and_fro(const Plan& plan, Value before, Value beyond, Value after) {
     using Format = typename Plan::FormatType;
@@ -182,7 +210,8 @@ struct DryFriction : ScenePart {
     const auto rest = Format::quotient(positive_part(beyond), positive_part(before + beyond));
     return half_sum(plan, before, Format::value(rest * size) - Format::value(rest * before));
   }
-  // The rate of a ball whose sliding has turned within the step, from that of one whose friction has not.
+  // The rate of a ball whose sliding has turned within the step, from that of
+  // one whose friction has not.
   template <class Plan, class Value>
   static constexpr Value turned(const Plan& plan, Value change, Value end) {
     using Format = typename Plan::FormatType;
@@ -192,8 +221,8 @@ struct DryFriction : ScenePart {
     const bool back = is_negative(end);
     return mirrored(Format::value(share * positive_part(mirrored(end, back))), back);
   }
-  // `way`: of the sliding in the coming step, without friction. Where that turns, friction takes nothing ahead, unless
-  // it is to hold the ball.
+  // `way`: of the sliding in the coming step, without friction. Where that
+  // turns, friction takes nothing ahead, unless it is to hold the ball.
   template <class Plan, class Value>
   static constexpr Value taken_ahead(const Plan& plan, Value rate, Value way) {
     const bool back = is_negative(way);

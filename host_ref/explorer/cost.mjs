@@ -22,7 +22,7 @@ export function costOf(table, part, scene, stepper) {
   return [
     ['Free flight', `${short(Number(free.instructions_mean), 4)} instructions, at most ${free.instructions_max}`],
     ['In contact', `${short(Number(contact.instructions_mean), 4)} instructions, at most ${contact.instructions_max}`],
-    ...(iterating ? [['Iterating', `at most ${iterating.instructions_max} instructions, at a stop 10^4 times as stiff`]] : []),
+    ...(iterating ? [['Stiff stops', `at most ${iterating.instructions_max} instructions, at a stop 10^4 times as stiff`]] : []),
     ['Worst step', `about ${Math.round(cycles)} cycles (${part.cycles} an instruction, assumed), ${short(1e6 * cycles / part.clock)} us, ${short(100 * cycles / part.clock / scene.step)} % of the period`],
     ...memory.map((kind) => [{ flash: 'Flash', ram: 'RAM', stack: 'Stack' }[kind], `${contact[`${kind}_bytes`]} bytes`]),
   ];

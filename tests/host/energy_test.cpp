@@ -44,8 +44,8 @@ double lost_in(double steps) { return steps < 20 ? 0 : 100 / std::pow(steps, 4);
 
 constexpr double steps_per_contact[] = {0.003, 0.1, 0.7, 1.3, 2.5, 5, 10, 40};
 
-// With its correction the step keeps Hunt-Crossley's first integral, at any number of steps. What is left is what the
-// correction's ratio is short of the true one: 6e-4 at most, see stepper/energy/position_correction.hpp.
+// The step keeps Hunt-Crossley's first integral, at any number of steps. What is left is what its k is short of the
+// true one: 6e-4 at most, see stepper/energy/stiff.hpp.
 TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
   for (Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
     for (double e : {0.05, 0.1, 0.2, 0.5, 0.7, 0.95})
@@ -62,14 +62,15 @@ TEST(EnergyConsistent, ResolvedContactIsOfFourthOrder) {
     for (double steps : {30, 60, 120, 240}) {
       const Law law = e < 1 ? Law::hunt_crossley : Law::hertz;
       const Rebounds found = rebounds(law, Numeric::float64, e, steps);
-      EXPECT_GT(found.least, e - lost_in(steps)) << e << " at " << steps;
-      EXPECT_LT(found.largest, e < 1 ? e + lost_in(steps) : 1 + 1e-12) << e << " at " << steps;
+      // Damped as heavily as for 0.2, the contact is resolved only where it lasts longest.
+      const double error = lost_in(steps) + (e < 0.5 ? 4e-5 * e : 0);
+      EXPECT_GT(found.least, e - error) << e << " at " << steps;
+      EXPECT_LT(found.largest, e < 1 ? e + error : 1 + 1e-12) << e << " at " << steps;
     }
 }
 
-// The elastic work is the change of stored energy: what is left is rounding, and what the solver takes to stay on the
-// side of loss, 2^-20 of a root in float, 2^-24 in fixed point, 2^-49 in double, some five times that of the energy a
-// step. Float32Plain rounds positions to 2^-25 of half the clearance, 3e-6 of the peak penetration at 10 steps.
+// The elastic work is the change of stored energy: what is left is rounding. Float32Plain rounds positions to 2^-25 of
+// half the clearance, 3e-6 of the peak penetration at 10 steps.
 TEST(EnergyConsistent, HertzReboundsElasticallyAtAnyStiffness) {
   for (double steps : steps_per_contact) {
     const Rebounds found = rebounds(Law::hertz, Numeric::float64, 1, steps);
@@ -122,86 +123,82 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
   }
 }
 
-// The solver alone, in double and over every proportion of G, C, d0 and D that a step can meet: the end that it finds
-// solves the step's equation d1 + b + k q = dt in its fixed number of passes, to the 2^-49 of a root by which it stays
-// on the side of loss times how much faster the equation's left side grows than the root: 3 * 16384 on the correction's
-// line.
-template <bool is_damped>
-void expect_solved(uint32_t seed) {
+// The step of a stiff contact alone, over every proportion of G, C, d0 and D: the work that the force takes is never
+// less than what is stored, and Hunt-Crossley's first integral is kept to the error of k, 0.36 % of the loss (up to u =
+// 0.98).
+template <class Format, class ContactLaw>
+void expect_passive(uint32_t seed, double rounding, double place = 0) {
+  using Contact = StiffContact<Format, ContactLaw>;
+  using Units = typename Format::Units;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
-  const auto anything = [&] { return std::pow(10, 16 * unit(random) - 8); };
-  int stays = 0;
+  const auto any = [&](double decades) { return std::pow(10, -decades * unit(random)); };
+  int stays = 0, leaves = 0;
   for (int i = 0; i < 200000; ++i) {
-    EnergySolver<Float64, is_damped> step{1, is_damped ? anything() : 0, 0, 0, anything()};
-    if (unit(random) < 0.6) {
-      step.r = anything();
-      step.d0 = step.r * step.r;
-      if (unit(random) < 0.5) step.travel = step.d0 * (4 * unit(random) - 1);
-    } else {
-      step.d0 = -step.travel * unit(random);
-    }
-    const double A = step.damping * step.travel, dt = step.d0 + step.travel;
-    if (A > 50 || A <= -1) continue;  // 50 is a restitution of 0.02
-    const auto end = step.solve();
-    if (end.root <= 0) continue;
-    ++stays;
-    const double d = end.root * end.root, r = step.r;
-    const double q = 0.4 * (r > 0 ? d * end.root + r * r * end.root + r * r * r * r / (end.root + r)
-                                  : d * d * end.root / (d - step.d0));
-    const double correction = is_damped ? q * CorrectionFunction<Float64>::at(step.damping * q).k : 0;
-    const double back = is_damped ? q * (1 + A) / (1 + step.damping * q) : q;
-    EXPECT_NEAR(d + back + correction, dt, 1e-10 * dt)
-        << r << ' ' << step.d0 << ' ' << step.travel << ' ' << step.damping;
+    const double compliance = 1e8 * any(16);
+    const double damping = ContactLaw::is_damped ? 1e4 * any(8) : 0;
+    const int exponent = Format::exponent_of(std::fmax(damping, 1));
+    const auto plan = Contact::Plan::make(compliance, Format::gain(0.5, 0, 0), exponent);
+    const bool is_inside = unit(random) < 0.6;
+    const double size = 0.25 * any(sizeof(typename Format::Value) == 4 ? 2 : 6);
+    const auto travel = Format::sample(size * (is_inside ? 2 * unit(random) - 1 : any(6)));
+    const auto before = Format::sample(is_inside ? size * any(6) : -Units::fraction(travel) * unit(random));
+    const auto rate = is_inside ? Format::sample(size * any(6)) : decltype(travel){};
+    const Contact step{plan, {Format::gain(damping, 0, exponent)}, is_inside, rate, before, travel, before + travel};
+    const auto end = step.end();
+    const double D = Units::fraction(travel), b = Units::fraction(end.recoil), V0 = Units::fraction(rate),
+                 V1 = Units::fraction(end.rate), scale = D * D / 4 + V0 * V0;
+    const double lost = b * (D - b) + V0 * V0 - V1 * V1;
+    ASSERT_GE(lost, -rounding * scale - place * std::sqrt(scale))
+        << D << ' ' << V0 << ' ' << compliance << ' ' << damping;
+    V1 > 0 ? ++stays : ++leaves;
+    if (sizeof(typename Format::Value) == 4 || damping * D < -0.5 || b == 0) continue;
+    const double y0 = 1 + damping * D, y1 = y0 - 2 * damping * b;
+    if (damping * (std::fabs(D) + V0) > 50 || damping * (std::fabs(D) + V0) < 1e-3 || y1 < 0.02 * y0) continue;
+    // b (D - b) less the first integral's change
+    const double u = (y0 - y1) / (y0 + y1), exact = b * (D - b) - (damping * b - std::atanh(u)) / (damping * damping);
+    EXPECT_NEAR(lost, exact, 0.004 * exact + 3e-4 * scale) << D << ' ' << V0 << ' ' << V1 << ' ' << damping;
   }
-  EXPECT_GT(stays, 10000);
+  EXPECT_GT(stays, 20000);
+  EXPECT_GT(leaves, 20000);
 }
-TEST(EnergySolver, EndsInItsPassesWhateverTheStiffness) {
-  expect_solved<false>(1);
-  expect_solved<true>(2);
+// Fixed32: a place of 2^-30 in an energy of 2^-8 or more, and of 2^-31 in b and V1.
+TEST(StiffContact, MakesNoEnergy) {
+  expect_passive<Float64, Hertz>(1, 1e-15);
+  expect_passive<Float64, HuntCrossley>(2, 1e-15);
+  expect_passive<Float32, Hertz>(3, 8 * 0x1p-24);
+  expect_passive<Float32, HuntCrossley>(4, 8 * 0x1p-24);
+  expect_passive<Fixed32, Hertz>(5, 0x1p-22, 0x1p-30);
+  expect_passive<Fixed32, HuntCrossley>(6, 0x1p-22, 0x1p-30);
 }
 
-TEST(EnergySolver, StartsFromABoundAboveTheRoot) {
-  for (double x = 1e-30; x < 1e30; x *= 1.0173) {
-    const double third = std::cbrt(x), fifth = std::pow(x, 0.2);
-    const auto narrow = static_cast<float>(x);
-    const Floating wide = Floating::of(x);
-    const auto value = [](Floating y) { return std::ldexp(y.mantissa, y.exponent - 31); };
-    for (double above :
-         {root_above<3>(x) / third, double{root_above<3>(narrow)} / third, value(root_above<3>(wide)) / third,
-          root_above<5>(x) / fifth, double{root_above<5>(narrow)} / fifth, value(root_above<5>(wide)) / fifth}) {
-      EXPECT_GE(above, 1 - 1e-6) << x;
-      EXPECT_LE(above, 1.13) << x;
-    }
+// How many steps later than the law an elastic contact of so many steps lets the ball go, over 64 phases.
+double lateness_of(double steps_of_contact) {
+  using Contact = StiffContact<Float64, Hertz>;
+  constexpr double way = 1e-3;  // in a step
+  // The peak d and V = way/2 there.
+  const double peak = steps_of_contact * way / 2.9432;
+  const auto plan = Contact::Plan::make(2.5 * way * way / 4 / std::pow(peak, 2.5), 1, 0);
+  double late = 0;
+  for (int phase = 0; phase < 64; ++phase) {
+    double d = -way * (phase + 0.5) / 64, w = way, rate = 0;
+    const double impact = -d / way;
+    int steps = 0;
+    do {
+      const auto end = Contact{plan, 0, rate > 0, rate, d, w, d + w}.end();
+      w -= 2 * end.recoil, d = end.penetration, rate = end.rate, ++steps;
+    } while (rate > 0 && steps < 1000);
+    EXPECT_NEAR(w, -way, 1e-14);
+    late += (steps + d / way - impact - steps_of_contact) / 64;
   }
+  return late;
 }
-
-// Against double, with the bounds that numeric/floating.hpp states.
-TEST(Floating, KeepsItsBounds) {
-  const auto value = [](Floating x) { return std::ldexp(x.mantissa, x.exponent - 31); };
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> exponent(-60, 60), sign(-1, 1);
-  for (int i = 0; i < 200000; ++i) {
-    const auto any = [&] { return Floating::of(std::copysign(std::exp2(exponent(random)), sign(random))); };
-    const Floating x = any(), y = any();
-    const double a = value(x), b = value(y), place = 0x1p-28;
-    EXPECT_NEAR(value(x * y), a * b, place * std::abs(a * b));
-    EXPECT_NEAR(value(x / y), a / b, place * std::abs(a / b));
-    EXPECT_NEAR(value(x + y), a + b, place * 2 * std::max(std::abs(a), std::abs(b)));
-    EXPECT_NEAR(value(x - y), a - b, place * 2 * std::max(std::abs(a), std::abs(b)));
-    EXPECT_NEAR(value(square_root(is_positive(x) ? x : -x)), std::sqrt(std::abs(a)), 0x1p-27 * std::sqrt(std::abs(a)));
-    EXPECT_EQ(x < y, a < b);
+TEST(StiffContact, LastsAsLongAsTheLaws) {
+  for (const double steps : {1e-3, 0.01, 0.1, 0.3, 1.0, 2.0, 3.0}) {
+    EXPECT_GT(lateness_of(steps), 0) << steps;
+    EXPECT_LT(lateness_of(steps), 1) << steps;
   }
-  const Floating nothing, one = Floating::of(1.0), least = {1 << 30, -30};
-  EXPECT_EQ((nothing * one).mantissa, 0);
-  EXPECT_EQ((nothing + one).mantissa, one.mantissa);
-  EXPECT_EQ((one - one).mantissa, 0);
-  EXPECT_EQ(square_root(nothing).mantissa, 0);
-  EXPECT_EQ((nothing / one).mantissa, 0);
-  EXPECT_EQ(nothing.fraction(), 0);
-  EXPECT_EQ(one.fraction(), INT32_MAX);
-  EXPECT_EQ((-one).fraction(), -INT32_MAX);
-  EXPECT_EQ(least.fraction(), 1);
+  for (const double steps : {5.0, 7.0, 10.0, 14.0, 20.0}) EXPECT_NEAR(lateness_of(steps), 0, 0.1) << steps;
 }
 
 }  // namespace

@@ -289,12 +289,14 @@ TEST(PowerFourFifths, IsWithinItsBound) {
       const double exact = std::pow(x * 0x1p-31, 0.8) * 0x1p31;
       ASSERT_LE(power_four_fifths_q31(x), exact + 2) << x;
       ASSERT_GE(power_four_fifths_q31(x), exact * (1 - 0.0096) - 2) << x;
+      ASSERT_NEAR(power_four_fifths_q31<true>(x), exact, exact * 4.4e-5 + 4) << x;
     }
   for (int exponent = -126; exponent < 128; ++exponent)
     for (int i = 0; i < 4096; ++i) {
       const float x = std::ldexp(1 + static_cast<float>(i) / 4096, exponent);
       const double exact = std::pow(static_cast<double>(x), 0.8);
       ASSERT_NEAR(static_cast<double>(power_four_fifths(x)) / exact, 1 - 0.0048, 0.0048 + 4 * 0x1p-24) << x;
+      ASSERT_NEAR(static_cast<double>(power_four_fifths<true>(x)) / exact, 1, 4.4e-5 + 4 * 0x1p-24) << x;
     }
   EXPECT_EQ(power_four_fifths(0), 0);
   EXPECT_EQ(power_four_fifths(-1), 0);

@@ -26,6 +26,10 @@ template <>
 constexpr const char* name<SubsteppedMoment<4>> = "moment-4";
 template <>
 constexpr const char* name<EnergyConsistent> = "energy";
+// With stops 10^4 times as stiff: stepper/energy/stiff.hpp.
+struct StiffEnergyConsistent : EnergyConsistent {};
+template <>
+constexpr const char* name<StiffEnergyConsistent> = "energy-stiff";
 template <>
 constexpr const char* name<Impulsive> = "impulsive";
 template <>
@@ -57,6 +61,10 @@ template <class Newmark>
 constexpr bool is_impulsive = false;
 template <>
 constexpr bool is_impulsive<Impulsive> = true;
+template <class Newmark>
+constexpr bool is_stiff = false;
+template <>
+constexpr bool is_stiff<StiffEnergyConsistent> = true;
 
 // The columns law,newmark,numeric,drive as one string.
 struct Label {
@@ -89,6 +97,10 @@ constexpr Scene scene_of() {
   if (is_impulsive<Newmark>) {
     scene.contact_stiffness *= 1e6;
     scene.contact_damping *= is_linear ? 1e3 : 1e6;
+  }
+  if (is_stiff<Newmark>) {
+    scene.contact_stiffness *= 1e4;
+    scene.contact_damping *= 1e4;
   }
   if (Law::is_damped_per_impact) scene.restitution = 0.68;
   if (!Drive::is_sine) scene.x1 = scene.x2 = 0.03;
@@ -168,6 +180,12 @@ constexpr auto with_damping_per_impact() {
               Configuration<Exact, EnergyConsistent, Numeric, Sine>, Configuration<Exact, Impulsive, Numeric, Sine>,
               Configuration<Exact, AverageAcceleration, Numeric, Sine>>{};
 }
+template <class Numeric>
+constexpr auto with_stiff_stops() {
+  return List<Configuration<Hertz, StiffEnergyConsistent, Numeric, Sine>,
+              Configuration<HuntCrossley, StiffEnergyConsistent, Numeric, Sine>,
+              Configuration<Exact, StiffEnergyConsistent, Numeric, Sine>>{};
+}
 template <class... Numerics>
 constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
@@ -181,9 +199,11 @@ constexpr auto golden_configurations() {
   if constexpr (IMPACT_GOLDEN_PART == 1)
     return (with_laws<Numerics>(List<HookeNewton>{}) + ...);
   else if constexpr (IMPACT_GOLDEN_PART == 2)
-    return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...) + (with_damping_per_impact<Numerics>() + ...);
+    return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...) + (with_damping_per_impact<Numerics>() + ...) +
+           (with_stiff_stops<Numerics>() + ...);
   else
-    return all_configurations<Numerics...>() + (with_damping_per_impact<Numerics>() + ...);
+    return all_configurations<Numerics...>() + (with_damping_per_impact<Numerics>() + ...) +
+           (with_stiff_stops<Numerics>() + ...);
 }
 
 // Those whose cost is measured and has a budget.

@@ -1,4 +1,4 @@
-// What the energy-consistent step costs where it iterates, as rows with the phase `iterating` that within_budget.sh
+// What the energy-consistent step costs at stiff stops, as rows with the phase `iterating` that within_budget.sh
 // judges: the steps in contact of one second at h = 0.1 ms of the paper's scene with k1 and c1 10^4 times as large.
 
 #include "configurations.hpp"

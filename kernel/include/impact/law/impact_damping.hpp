@@ -43,11 +43,15 @@ constexpr Value strength(const Units& units, Value damped) {
 }
 
 template <class Format, bool is_per_impact>
-struct ImpactDamping {};
+struct ImpactDamping {
+  using Damping = typename Format::Weight;
+};
 
 template <class Format>
 struct ImpactDamping<Format, true> {
-  typename Format::HeldGain own_damping;  // of the contact under way
+  using Damping = typename Format::HeldGain;
+
+  Damping own_damping;  // of the contact under way
 
   // An impact without speed is one without damping, and so is a contact under way at the start.
   constexpr void begin(const SlowestImpact<Format, true>& slowest, typename Format::Gain share,

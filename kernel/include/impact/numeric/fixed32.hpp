@@ -9,7 +9,6 @@
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/fixed32_numbers.hpp>
 #include <impact/numeric/fixed32_units.hpp>
-#include <impact/numeric/floating.hpp>
 #include <impact/numeric/fraction.hpp>
 #include <impact/numeric/oscillator.hpp>
 #include <impact/numeric/power_four_fifths.hpp>
@@ -153,27 +152,40 @@ struct Fixed32 : Fixed32Numbers {
     if (later) return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
     return {t.raw < step ? 0 : t.raw - step};
   }
-  // Numbers of a range that no unit holds.
-  using Wide = Floating;
-  static constexpr Wide wide(double x) { return Floating::of(x); }
-  static constexpr Wide wide_value(Value x) { return Floating::of(x.raw == INT32_MIN ? -INT32_MAX : x.raw, 0); }
-  static constexpr Wide wide_value(Root x) { return Floating::of(x.raw, 0); }
-  static constexpr Wide wide_gain(Gain gain) {
-    return Floating::of(static_cast<uint32_t>(gain.mantissa), -1 - gain.shift);
+  // By how many places both numbers may move to the left and stay below a quarter.
+  static constexpr int spare_places(Value x, Value y) {
+    const auto size = [](Value z) { return static_cast<uint32_t>(z.raw < 0 ? ~z.raw : z.raw); };
+    return leading_zeros(size(x) | size(y)) - 3;
   }
-  static constexpr Value narrow(Wide x) { return {x.fraction()}; }
-  static constexpr Root narrow_root(Wide x) { return {x.size()}; }
-  static constexpr Wide wide_root(Wide x) { return square_root(x); }
-  // Below x by more than what an iteration leaves, and a Root.
-  static constexpr Wide rounded_down(Wide x) {
-    return Floating::of((x * Floating::of(1 - constant::power_of_two(-24))).size(), 0);
+  // Of the unit in which a number up to `largest` is a Value.
+  static constexpr int exponent_of(double largest) { return impact::constant::exponent_above(largest); }
+  static constexpr Value power_of_two(int exponent) { return {INT32_C(1) << (31 + exponent)}; }
+  // x / (x + a) for x >= 0
+  struct Balance {
+    uint32_t a;
+    int places;
+  };
+  static constexpr Balance balance(double a) {
+    const int above = impact::constant::exponent_above(a), places = above < 0 ? 0 : above < 30 ? above : 30;
+    const double raw = a * impact::constant::power_of_two(31 - places);
+    return {static_cast<uint32_t>(impact::constant::smaller(raw, 2147483647.0)), places};
   }
-  static constexpr Unsigned<32> root_of_product(Unsigned<30> x) {
-    return {square_root_q32(x.raw < UINT32_C(1) << 30 ? x.raw << 2 : ~UINT32_C(0))};
+  static constexpr Unsigned<32> share(Value x, Balance balance) {
+    const Unsigned<31> part = {static_cast<uint32_t>(x.raw >> balance.places)};
+    return quotient(part, part + Unsigned<31>{balance.a});
   }
-  // x^(4/5), x > 0
+  // Held at 1.
+  template <int bits>
+  static constexpr Unsigned<32> root_of_product(Unsigned<bits> x) {
+    static_assert(bits <= 32, "no such product");
+    constexpr int places = 32 - bits;
+    return {square_root_q32(x.raw <= UINT32_MAX >> places ? x.raw << places : ~UINT32_C(0))};
+  }
+  // x^(4/5), x > 0 (precise: x >= 0)
+  template <bool is_precise = false>
   static constexpr Value power_four_fifths(Value x) {
-    return value(Unsigned<31>{power_four_fifths_q31(static_cast<uint32_t>(x.raw))});
+    if (is_precise && x.raw == 0) return x;
+    return value(Unsigned<31>{power_four_fifths_q31<is_precise>(static_cast<uint32_t>(x.raw))});
   }
   // Between the values at even steps of y from 0 to 1.
   template <size_t size>

@@ -16,7 +16,6 @@
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/oscillator.hpp>
 #include <impact/numeric/power_four_fifths.hpp>
-#include <impact/numeric/root_above.hpp>
 #include <impact/numeric/square_root.hpp>
 #include <impact/numeric/units.hpp>
 
@@ -219,22 +218,18 @@ struct RealFormat {
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
   static constexpr Value rounded_product(Real x, Real y) { return x * y; }
-  // Numbers of a range that no unit holds are Values as well.
-  using Wide = Real;
-  static constexpr Wide wide(double x) { return static_cast<Real>(x); }
-  static constexpr Wide wide_value(Value x) { return x; }
-  static constexpr Wide wide_gain(Gain gain) { return gain; }
-  static constexpr Value narrow(Wide x) { return x; }
-  static constexpr Root narrow_root(Wide x) { return x; }
-  static constexpr Wide wide_root(Wide x) { return root(x); }
-  // Below x by more than what an iteration leaves.
-  static constexpr Wide rounded_down(Wide x) {
-    return x * static_cast<Real>(1 - constant::power_of_two(sizeof(Real) == 4 ? -20 : -49));
-  }
+  static constexpr int spare_places(Value, Value) { return 0; }
+  static constexpr int exponent_of(double) { return 0; }
+  static constexpr Value power_of_two(int) { return 1; }
+  // x / (x + a) for x >= 0
+  using Balance = Real;
+  static constexpr Balance balance(double a) { return static_cast<Real>(constant::larger(a, 1e-30)); }
+  static constexpr Real share(Real x, Balance a) { return x / (x + a); }
   static constexpr Real root_of_product(Real x) { return root(x); }
   static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
+  template <bool is_precise = false>
   static constexpr Real power_four_fifths(Real x) {
-    return static_cast<Real>(impact::power_four_fifths(static_cast<float>(x)));
+    return static_cast<Real>(impact::power_four_fifths<is_precise>(static_cast<float>(x)));
   }
   // Between the values at even steps of y from 0 to 1.
   template <size_t size>

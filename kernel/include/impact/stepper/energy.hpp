@@ -20,7 +20,7 @@ struct EnergyConsistent {
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
-  // The power laws' equation is solved at any stiffness. Hooke-Newton's quadratic is the difference of two numbers, of
+  // The power laws are stepped at any stiffness. Hooke-Newton's quadratic is the difference of two numbers, of
   // which a stop much stiffer than the step leaves nothing but their rounding.
   static constexpr Range steps(const Resolution& contact) {
     return contact.is_linear ? Range{0, contact.contact_time} : any_step;

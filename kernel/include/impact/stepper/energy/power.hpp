@@ -7,12 +7,12 @@
 //     entering  n = (2/5) s^3 d1/(d1 - d0)
 //     leaving   n = (2/5) r^3 d0/(d0 - d1)
 //
-//     f = n (1 + C (d1 - d0 + correction))        correction = G n u/3        d1 = trial - G f - correction        u =
-//     C G n
+//     f = n (1 + C (d1 - d0 + correction))        correction = G n u/3        u = C G n
+//     d1 = trial - G f - correction
 //
 // (Hertz: C = 0, no correction.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the
-// correction, which moves the ball without changing its velocity, this step keeps it (position_correction.hpp; u/3 is
-// that series' first term).
+// correction, which moves the ball without changing its velocity, this step keeps it (stiff.hpp; u/3 is the first term
+// of its k).
 //
 // Where the plan knows the contact to be resolved (is_resolved), f is evaluated once, at a predicted end:
 //
@@ -27,11 +27,11 @@
 // order in 1/N. What u/3 leaves out of the correction is of fourth. Restitution is right within 100/N^4
 // (tests/host/energy_test.cpp).
 //
-// Any other contact goes to solver.hpp, which an image whose contact is resolved does not hold.
+// Any other contact goes to stiff.hpp, which an image whose contact is resolved does not hold.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/energy/response.hpp>
-#include <impact/stepper/energy/solver.hpp>
+#include <impact/stepper/energy/stiff.hpp>
 
 namespace impact {
 
@@ -42,14 +42,16 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   using Weight = typename Format::Weight;
   using Units = typename Format::Units;
   using Root = typename Format::Root;
-  using Wide = typename Format::Wide;
+  static constexpr bool is_per_impact = ContactLaw::is_damped_per_impact;
+  using Stiff = StiffContact<Format, ContactLaw>;
+  using Damping = typename Stiff::Damping;
 
   struct Plan {
     ConstantForceGains<Gain> response;
     Weight damping;     // C
     Weight compliance;  // G for n
     bool is_resolved;
-    Wide stiff_compliance, force_of_recoil, stored_share;  // G and 1/B for the solver, and a stored energy's unit
+    typename Stiff::Plan stiff;
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
 
@@ -84,35 +86,35 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Format::weight(compliance, 0, unit.penetration),
             true,
             {},
-            {},
-            {},
             decltype(Plan::slowest)::make(terms, unit, 2 * largest_ratio)};
   }
   static constexpr Plan make_stiff_plan(ContactTerms terms, const ConstantForceResponse& answer,
                                         const UnitExponents& unit) {
     using constant::power_of_two;
-    terms.damping_exponent = 0;
     const double compliance = terms.force_unit * power_of_two(-unit.force) * answer.penetration();
+    const double largest = is_per_impact ? 4 * (1 + terms.damping_ratio)
+                                         : terms.damping_time / terms.step * power_of_two(unit.penetration);
+    terms.damping_exponent = Format::exponent_of(constant::smaller(constant::larger(largest, 1), 0x1p20));
     return {answer.gains<Format>(terms.force_unit, unit),
             Weight{damping_gain<Format, ContactLaw>(terms, unit)},
             {},
             false,
-            Format::wide(compliance * power_of_two(-unit.penetration)),
-            Format::wide(power_of_two(unit.penetration) / (terms.force_unit * answer.penetration())),
-            Format::wide(0.4 * terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) / terms.force_unit),
+            Stiff::Plan::make(compliance * power_of_two(-unit.penetration),
+                              Format::gain(1 / (terms.force_unit * answer.penetration()), unit.penetration, 0),
+                              terms.damping_exponent),
             {}};
   }
 
   Value penetration;
   Root root;                                          // at the start of the step, while touching
   Value correction;                                   // of the last step
-  Value recoil, first_difference, second_difference;  // y1, y1 - y2, y1 - 2 y2 + y3
+  Value recoil, first_difference, second_difference;  // y1, y1 - y2, y1 - 2 y2 + y3; of stiff contact V, 0, 0
   Phase phase;
 
   constexpr void start(const Plan& plan, const Units&, Value at, Value) {
     penetration = at;
     root = Format::root(at);
-    recoil = plan.compliance * Format::value(root * without_sign(at));
+    recoil = plan.is_resolved ? plan.compliance * Format::value(root * without_sign(at)) : plan.stiff.rate_at(at);
     first_difference = second_difference = Value{};
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
@@ -170,38 +172,21 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   constexpr Value stored(const Plan& plan, const Units& units) const {
     if (phase != Phase::touching) return Value{};
     if (plan.is_resolved) return ContactLaw::template stored<Format>(units, penetration);
-    const Wide s = Format::wide_value(root), d = s * s;
-    return Format::narrow(plan.stored_share * d * d * s);
+    return plan.stiff.stored(recoil);
   }
 
  private:
-  __attribute__((noinline)) constexpr Impulse<Value> resolve_stiff(const Plan& plan, Value trial, Value before) {
-    correction = Value{};
-    EnergySolver<Format, ContactLaw::is_damped> step{
-        plan.stiff_compliance, Format::wide_gain(damping(plan)), {}, {}, {}};
-    if (phase == Phase::touching) {
-      step.r = Format::wide_value(root);
-      step.d0 = step.r * step.r;
-    } else {
-      step.d0 = -Format::wide_value(without_sign(-before));
-    }
-    step.travel = Format::wide_value(trial - before);
-    const auto end = step.solve();
-    const Value force = Format::narrow(end.recoil * plan.force_of_recoil);
-    const Value last = trial - plan.response.penetration * force;
-    root = Format::narrow_root(end.root);
-    if (is_positive(end.root)) {
-      penetration = Format::narrow(end.root * end.root);
-      correction = last - penetration;
-      phase = Phase::touching;
-    } else {
-      correction = Format::narrow(end.correction);
-      penetration = last - correction;
-      phase = Phase::apart;
-    }
+  [[gnu::always_inline]] constexpr Impulse<Value> resolve_stiff(const Plan& plan, Value trial, Value before) {
+    const Stiff step{plan.stiff, damping(plan), phase == Phase::touching, recoil, penetration, trial - before, trial};
+    const auto end = step.end();
+    const Value force = plan.stiff.force * end.recoil;
+    correction = trial - plan.response.penetration * force - end.penetration;
+    recoil = end.rate;
+    penetration = end.penetration;
+    phase = end.is_inside ? Phase::touching : Phase::apart;
     return {force, force};
   }
-  constexpr auto damping(const Plan& plan) const {
+  constexpr Damping damping(const Plan& plan) const {
     if constexpr (ContactLaw::is_damped_per_impact)
       return this->own_damping;
     else

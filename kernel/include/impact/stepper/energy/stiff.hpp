@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The energy-consistent step of a power law at any stiffness, in closed form. All are lengths: D the displacement
+// without contact, b what the force takes from it, w0 = D and w1 = D - 2 b the displacements per step at its start and
+// end, d0 and d1 the penetrations there, and V what the stored energy is worth as such a rate: V^2 = (2/5) G d^(5/2).
+//
+// Hertz. (w/2)^2 + V^2 is the contact's energy, and b(D - b) what the force's work takes from (w/2)^2, because the
+// response of both masses to it is exact. So whatever b, a step that ends at
+//
+//     V1^2 = V0^2 + b (D - b)        d1 = K V1^(4/5)
+//
+// has neither made nor lost energy; the position correction puts the ball to d1 without changing its rate. A contact
+// moves along half a circle in the plane of w/2 and V, and b only says how far. With the tangent t of half the angle,
+//
+//     b = (t^2 D + 2 t V0)/(1 + t^2)        t = (V1 - V0)/(d1 - d0)
+//
+// is the step whose force is the difference quotient of the potential. t hardly hangs on the end: t^2 = (5/8) G sqrt(d)
+// at the mean d of d0 and d1, or for a ball that enters from d0 < 0, (2/5) G sqrt(d1) times the square of
+// d1/(d1 - d0). d1 is taken for that as the free end d0 + D or, where that is beyond it, K (V0 + D/2)^(4/5), which no
+// step passes. An elastic contact ends late by less than a step, by 0.1 step where it lasts 5
+// (tests/host/energy_test.cpp).
+//
+// Hunt-Crossley has the first integral F(w) = C w - ln(1 + C w) in the place of (C w)^2/2. With the elastic force's
+// part q, u = C q, A = C D and artanh u = u + k u^2, every step keeps it with
+//
+//     b = q (1 + A)/(1 + u) = q + (D - q) u/(1 + u)        V1^2 = V0^2 + q (D - b - k q)
+//
+// and what this takes of the energy, (D - b)(b - q) + k q^2, is positive whatever q: no rounding makes energy. q comes
+// from cos^2 q + sin^2 b = sin^2 D + sin V0 with the sines of half the angle and of the angle, in one step from q = 0;
+// k is
+//
+//     k = (u/3) (1 + n1 u^2 + n2 u^4)/(1 + d1 u^2 + d2 u^4)
+//
+// within 0.36 % up to u = 0.99, and u is held at 0.999. This costs the restitution less than 6e-4 at any number of
+// steps per contact, for restitutions from 0.05 to 1. 1 + A <= 0 says that the ball leaves faster than the law can push
+// it: no force, and d1 = d0 + D. That may still be inside, where a main mass that turns back is pushed again.
+//
+// Leaving, V1 = 0. With Z = sqrt(2 F(w)), which has the sign of w, the first integral is an elastic contact's:
+//
+//     (Z1/2)^2 = (Z0/2)^2 + (C V0)^2        w1 = -Z1/(C g(Z1))
+//     Z0 = A sqrt((1 - a)(1 - (1 - a) k(a)))        a = A/(2 + A)
+//
+// where g(Z) = Z/(1 - y) of y - ln y = 1 + Z^2/2, y <= 1, is a polynomial within 4e-5 of it up to Z = 3.6, and Z
+// beyond. -w1 is at most the elastic one, so that none makes energy here either.
+
+#include <impact/law/impact_damping.hpp>
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/formula.hpp>
+#include <impact/numeric/units.hpp>
+
+namespace impact {
+
+template <class Format, class ContactLaw>
+struct StiffContact {
+  static constexpr bool is_damped = ContactLaw::is_damped, is_per_impact = ContactLaw::is_damped_per_impact;
+  using Damping = typename ImpactDamping<Format, is_per_impact>::Damping;
+  using Value = typename Format::Value;
+  using Gain = typename Format::Gain;
+
+  struct Plan {
+    typename Format::Balance ease;    // (8/5)/G, t^2 being sqrt(d) over it
+    typename Format::HeldGain depth;  // K
+    typename Format::HeldGain rate;   // V over d^(5/4)
+    Gain force;                       // over b
+    int exponent;                     // C x of an x of the unit is below a quarter of 2^exponent
+
+    // G in the unit of penetrations.
+    static constexpr Plan make(double compliance, Gain force, int damping_exponent) {
+      const double share = 0.4 * compliance;
+      return {Format::balance(0.64 / share),
+              {Format::gain(constant::power(share, -0.4), 0, 0)},
+              {Format::gain(constant::square_root(share), 0, 0)},
+              force,
+              damping_exponent + 2};
+    }
+    constexpr Value rate_at(Value d) const {
+      return rate * Format::value(d * Format::root(Format::value(Format::root(d))));
+    }
+    constexpr Value stored(Value v) const { return Format::value(v * (force * v)); }
+  };
+
+  struct End {
+    Value recoil;       // b
+    Value rate;         // V1
+    Value penetration;  // d1
+    bool is_inside;
+  };
+
+  const Plan& plan;
+  Damping damping;      // C
+  bool is_inside;       // at the step's start
+  Value rate, before;   // V0 and d0
+  Value travel, trial;  // D, and the penetration that it leads to
+
+  [[gnu::always_inline]] constexpr End end() const {
+    // In a unit of the step's own, of which lengths are less than a quarter.
+    const int places = Format::spare_places(travel, rate);
+    const int exponent = is_per_impact || places < 0  ? plan.exponent
+                         : plan.exponent - places > 2 ? plan.exponent - places
+                                                      : 2;
+    return Scaled{*this,    Format::moved(travel, -places), Format::moved(rate, -places), places,
+                  exponent, Format::power_of_two(-exponent)}
+        .end();
+  }
+
+ private:
+  struct Scaled {
+    const StiffContact& step;
+    Value d, v;  // D and V0
+    int places, exponent;
+    Value one;
+
+    // C x, in 2^exponent. The gain of a damping that is set per impact holds what would not fit as it is.
+    [[gnu::always_inline]] constexpr Value number(Value x) const {
+      if constexpr (is_per_impact) return Format::moved(step.damping * unscaled(x), 2);
+      return Format::moved(step.damping * x, 2 + places + exponent - step.plan.exponent);
+    }
+    [[gnu::always_inline]] constexpr Value unscaled(Value x) const { return Format::moved(x, places); }
+    [[gnu::always_inline]] constexpr Value depth_of(Value v1) const {
+      return step.plan.depth * Format::template power_four_fifths<true>(v1);
+    }
+
+    [[gnu::always_inline]] constexpr End end() const {
+      const Value damped = is_damped ? number(d) : Value{}, base = one + damped;  // A, 1 + A
+      if (is_damped && !is_positive(base)) return left_behind();
+      End end{};
+      return stays(end, base) ? end : leave(damped, base);
+    }
+
+    constexpr End left_behind() const {
+      if (!is_positive(step.trial)) return {Value{}, Value{}, step.trial, false};
+      const Value v1 = step.plan.rate_at(step.trial);
+      return {Value{}, is_positive(step.rate - v1) ? v1 : step.rate, step.trial, true};
+    }
+    [[gnu::always_inline]] constexpr bool stays(End& end, Value base) const {
+      if (step.is_inside && !is_positive(step.trial)) return false;
+      const Value deepest = depth_of(unscaled(v + Format::value(half(is_positive(d) ? d : Value{}))));
+      const auto sine =
+          Format::share(phase_at(is_positive(step.trial - deepest) ? deepest : step.trial), step.plan.ease);
+      const auto cosine = Format::constant(1) - sine;  // both squared, of half the angle
+      const Value whole = Format::value(d * sine) + Format::value(twice(v * Format::root_of_product(sine * cosine)));
+      if (!is_positive(whole)) return false;
+
+      Value q = whole, back = whole, correction{};
+      if constexpr (is_damped) {
+        q = elastic_part(whole, sine, cosine, base);
+        const Value u = number(q);
+        back = q + Format::value((d - q) * Format::rough_quotient(without_sign(u), without_sign(one + u)));
+        correction = Format::value(twice(twice(q * quarter_correction(Format::moved(u, -exponent)))));
+      }
+      const Value left = square_of(v) + Format::value(q * (d - back - correction));
+      end.recoil = unscaled(back);
+      if (!is_positive(left) || (step.is_inside && is_positive(end.recoil - step.trial))) return false;
+      end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
+      end.penetration = depth_of(end.rate);
+      end.is_inside = is_positive(end.rate);
+      return true;
+    }
+
+    static constexpr Value square_of(Value x) { return Format::value(x * x); }
+
+    // t^2 times the ease.
+    [[gnu::always_inline]] constexpr Value phase_at(Value depth) const {
+      if (step.is_inside)
+        return Format::value(Format::root(Format::value(half(step.before)) + Format::value(half(depth))));
+      const auto share = Format::rough_quotient(without_sign(depth), without_sign(depth - step.before));
+      return Format::value(Format::root(depth) * (square(share) * Format::short_constant(0.64)));
+    }
+
+    // q from cos^2 q + sin^2 h q = whole, at most what leaves u below 0.999. With x = C whole in the place of u, and
+    // k linear: h = ((1 + A)(1 + x) + x/3)/(1 + 2 x).
+    template <class Share>
+    [[gnu::always_inline]] constexpr Value elastic_part(Value whole, Share sine, Share cosine, Value base) const {
+      const Value x = number(whole), least = Format::value(half(one));
+      const auto slower = Format::rough_quotient(without_sign(one + x), without_sign(one + x + x));
+      const Value factor = Format::value(base * slower) +
+                           Format::value(one * (Format::constant(1) - slower) * Format::short_constant(1.0 / 3));
+      const Value sum = Format::value(one * cosine) + Format::value(factor * sine);
+      const auto part =
+          Format::rough_quotient(without_sign(least), without_sign(is_positive(sum - least) ? sum : least));
+      const Value q = Format::value(twice(whole * part));
+      const Value u = number(q), most = Format::value(one * Format::constant(0.999));
+      return is_positive(u - most) ? Format::value(q * Format::quotient(without_sign(most), without_sign(u))) : q;
+    }
+
+    // k(u)/4 = (2/3) u (1 - n1 u^2 + n2 u^4)/(8 - 8 d1 u^2 + 8 d2 u^4)
+    [[gnu::always_inline]] static constexpr Value quarter_correction(Value u) {
+      const auto v = square(u);
+      const auto upper =
+          Format::constant(1.0 / 16) - v * (Format::constant(1.049636 / 16) - Format::constant(0.116728 / 16) * v);
+      const auto lower =
+          Format::constant(0.5) - v * (Format::constant(1.649636 / 2) - Format::constant(0.659117 / 2) * v);
+      return Format::value(u * Format::quotient(upper, lower) * Format::constant(2.0 / 3));
+    }
+
+    [[gnu::always_inline]] constexpr End leave(Value damped, Value base) const {
+      const Value elastic = Format::value(Format::root_of_product(square(half(d)) + square(v)));
+      Value half_rate = elastic;  // -w1/2
+      if constexpr (is_damped) {
+        const Value slowed = slowed_half_rate(damped, base);
+        if (is_positive(elastic - slowed)) half_rate = slowed;
+      }
+      // Outside by no more than it can go in the step.
+      const Value recoil = unscaled(Format::value(half(d)) + half_rate);
+      if (!step.is_inside) return {recoil, Value{}, Value{}, false};
+      const Value end = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
+      return {recoil, Value{}, is_positive(end) ? Value{} : is_positive(end - farthest) ? end : farthest, false};
+    }
+    [[gnu::always_inline]] constexpr Value slowed_half_rate(Value damped, Value base) const {
+      const bool forward = is_positive(damped);
+      const auto a = Format::quotient(without_sign(forward ? damped : -damped), without_sign(one + base));
+      const Value quarter_k = quarter_correction(Format::value(a));
+      const Value half_a = Format::value(half(a)), middle = Format::value(Format::constant(0.5));
+      const Value p = forward ? middle - half_a : middle + half_a;
+      const Value pk = Format::value(p * quarter_k), eighth = Format::value(Format::constant(0.125));
+      const Value zeta = Format::value(p * (forward ? eighth - pk : eighth + pk));  // squared, over 16
+      const auto squares = Format::value(twice(twice(square_of(d) * zeta))) + square_of(v);
+      const Value z = Format::value(Format::root_of_product(without_sign(squares)));  // Z1/(2 C)
+
+      const Value number_z = number(z), last = Format::value(one * Format::constant(0.9));
+      if (is_positive(number_z - last - last))
+        return Format::value(z * Format::quotient(without_sign(one), without_sign(number_z + number_z)));
+      const Value half_z = Format::moved(Format::value(half(number_z)), -exponent);
+      const Value x = Format::value(twice(half_z * Format::constant(1 / 1.8)));  // Z/3.6
+      Value rise = Format::value(Format::constant(0.8771277)) - Format::value(x * Format::constant(0.3270418));
+      rise = Format::value(Format::constant(0.5837475)) - Format::value(x * rise);
+      rise = Format::value(Format::constant(0.0369422)) + Format::value(x * rise);
+      rise = Format::value(Format::constant(0.3197118)) + Format::value(x * rise);
+      rise = Format::value(Format::constant(0.3325318)) + Format::value(x * rise);
+      const Value fourth = Format::value(Format::constant(0.25));
+      const Value g = fourth + Format::value(x * rise * Format::constant(0.9));
+      return Format::value(z * Format::quotient(without_sign(fourth), without_sign(g)));
+    }
+  };
+};
+
+}  // namespace impact

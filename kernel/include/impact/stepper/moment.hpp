@@ -23,7 +23,7 @@
 // the exponential series to fourth order, which grows above z = 2.785. Without damping the map damps, by 1 - (h
 // omega)^6/900 at first, and grows above h omega = 2.69. With both it grows nowhere within z <= 2.7, h omega <= 2.2.
 // The step is taken up to z = 2.5 and h omega = 0.9 (5 steps a contact), where both are well inside.
-// The response of the main mass (moment/response.hpp) leaves out terms of third order in w0 h: up to 0.3 it creates no
+// The response of the main mass (moment/response.hpp) leaves out terms of third order in w0 h: up to 0.2 it creates no
 // more than 1e-5 of the energy in a contact.
 
 #include <impact/law/resolution.hpp>
@@ -37,7 +37,7 @@ namespace impact {
 struct Moment {
   static constexpr uint32_t kind = 1;  // a saved state is of one kind of stepper
   // Radians of the main mass's own vibration in a step.
-  static constexpr double longest_phase = 0.3;
+  static constexpr double longest_phase = 0.2;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
   static constexpr double fewest_steps = 5, precise_steps = 8;  // per Resolution::detail

@@ -71,7 +71,8 @@ scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCross
 scene 1 'Rig::step: too few steps per contact for this stepper' '' HuntCrossley 8e-3
 grep -Eq 'StepsPerContact<[0-9]+, false>' "$folder/errors" || { echo "no longest step is said" && failures=1; }
 # Another law's c1.
-scene 1 'Rig::scene.contact_damping: a hundred times critical for HookeNewton' '' HookeNewton
+scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' '' HookeNewton
+scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' 's.contact_stiffness = 1e5;' HookeNewton
 
 # absorber COUNT MESSAGE ARGUMENTS [STATEMENTS]: of the paper's rig.
 absorber() {

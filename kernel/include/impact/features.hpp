@@ -14,8 +14,8 @@ namespace impact {
 //
 //     work on the contact in a step   = J0 v1 - (v1 - v0) J1 / h     (the rate linear in time; exact for a free pair)
 //                                   = f (d1 - d0) where the force is constant over the step: exact
-//     dissipated                      = work - change of the stored energy; what a spring still holds when it lets go
-//     is lost work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
+//     dissipated                      = work - change of the stored energy; with what a spring still holds as it lets
+//     go work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
 //
 // Contact energies count in force_unit 2^penetration joules, the drive's work in drive units 2^penetration. Products
 // are rounded to nearest, so that their errors do not add up to a drift: each is at most half a last place of these

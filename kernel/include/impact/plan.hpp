@@ -139,6 +139,8 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   if (status == PlanStatus::ok) status = status_of_parts(scene, bounds);
   if (status != PlanStatus::ok) return refused(status);
   if (!damping_ratio_range.holds(damping_ratio<ContactLaw>(scene))) return refused(PlanStatus::restitution);
+  if (ContactLaw::is_linear && scene.contact_damping > largest_linear_damping(scene))
+    return refused(PlanStatus::contact_damping);
   using constant::larger;
   status = status_of(Stepper::steps(resolution_of<ContactLaw>(scene, bounds)), h);
   if (status != PlanStatus::ok) return refused(status);

@@ -21,16 +21,9 @@ template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct StepsPerContact {
   static_assert(is_in_range,
                 "Rig::step: too few steps per contact for this stepper, which takes steps up to the "
-                "longest_step_in_nanoseconds named here; or take impact::Chosen<Rig, Law> as the stepper");
+                "longest_step_in_nanoseconds named here for impacts at twice Bounds::speed; or take the stepper "
+                "impact::Chosen<Rig, Law> of impact/choice.hpp");
 };
-
-// A Hooke-Newton stop of a hundred times its critical damping has another law's c1.
-template <class ContactLaw>
-constexpr bool has_anothers_damping(const Scene& scene) {
-  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), critical_by_2 = scene.contact_stiffness * mu;
-  return ContactLaw::is_linear && scene.contact_damping > 0 &&
-         scene.contact_damping / 200 * (scene.contact_damping / 200) > critical_by_2;
-}
 
 template <class Rig, class PlanType, PlanStatus status>
 constexpr bool explain() {
@@ -45,7 +38,11 @@ constexpr bool explain() {
   static_assert(status != PlanStatus::contact_stiffness || !is_soft,
                 "Rig::scene.contact_stiffness: so soft beside the bounds that Fixed32 has no place for its force: take "
                 "a longer step, tighter Bounds or Float32");
-  static_assert(status != PlanStatus::contact_damping,
+  constexpr bool is_damping = contact_damping_range.holds(Rig::scene.contact_damping);
+  static_assert(status != PlanStatus::contact_damping || !is_damping,
+                "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m: the "
+                "default, 19560, is HuntCrossley's in N s/m^(5/2)");
+  static_assert(status != PlanStatus::contact_damping || is_damping,
                 "Rig::scene.contact_damping: 0 to 1e18, in N s/m for HookeNewton and N s/m^(5/2) for HuntCrossley");
   static_assert(status != PlanStatus::restitution, "Rig::scene.restitution: 0.01 to 1, and within the law's own range");
   static_assert(status != PlanStatus::drive_amplitude, "Rig::scene.drive_amplitude: 0 to 1e9 N");
@@ -54,15 +51,13 @@ constexpr bool explain() {
   static_assert(status != PlanStatus::initial_displacement, "Rig::scene.x1 and x2: -1e3 to 1e3 m");
   static_assert(status != PlanStatus::initial_velocity, "Rig::scene.v1 and v2: -1e3 to 1e3 m/s");
   static_assert(status != PlanStatus::displacement_bound,
-                "Bounds::displacement: 1e-9 to 1e6 m, and no less than the initial displacements, the way of a step at "
-                "Bounds::speed and, in Fixed32, the clearance; there also not so wide beside Bounds::speed that the "
-                "spring's force has no places");
+                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements, and in Fixed32 not so "
+                "wide beside Bounds::speed that the spring's force has no places");
   static_assert(status != PlanStatus::speed_bound,
-                "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, with a step at that speed no "
-                "longer than Bounds::displacement and c1/k1 times it below 2^20");
+                "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, and in Fixed32 with c1/k1 times "
+                "it below 2^20");
   static_assert(status != PlanStatus::penetration_bound,
-                "Bounds::penetration: 1e-9 to 1e6 m, in Fixed32 no more than Bounds::displacement, with a force that "
-                "moves no mass by as much in one step");
+                "Bounds::penetration: 0, which leaves it to the others, or 1e-9 to 1e6 m");
   static_assert(status != PlanStatus::force_bound, "Bounds::force: 0 to 1e9 N");
   static_assert(status != PlanStatus::gravity, "Rig::scene.gravity: -1e6 to 1e6 m/s^2");
   static_assert(status != PlanStatus::base_acceleration_bound, "Bounds::base_acceleration: 0 to 1e6 m/s^2");
@@ -84,7 +79,8 @@ constexpr bool explain() {
                 "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
   static_assert(
       status != PlanStatus::contact_time,
-      "Rig::scene: a contact lasts too long for this stepper, whatever the step: take impact::Chosen<Rig, Law>");
+      "Rig::scene: a contact lasts too long for this stepper, whatever the step: take impact::Chosen<Rig, Law> "
+      "of impact/choice.hpp");
 
   using Stepper = typename PlanType::StepperType;
   using ContactLaw = typename PlanType::LawType;
@@ -93,14 +89,8 @@ constexpr bool explain() {
     (void)sizeof(Step<static_cast<int64_t>(longest * 1e9), false>);
   }
   if constexpr (status == PlanStatus::steps_per_contact) {
-    constexpr bool is_anothers = has_anothers_damping<ContactLaw>(Rig::scene);
-    static_assert(!is_anothers,
-                  "Rig::scene.contact_damping: a hundred times critical for HookeNewton, whose c1 is in N s/m: the "
-                  "default, 19560, is HuntCrossley's in N s/m^(5/2)");
-    if constexpr (!is_anothers) {
-      constexpr double longest = Stepper::steps(resolution_of<ContactLaw>(Rig::scene, Rig::bounds)).most;
-      (void)sizeof(StepsPerContact<static_cast<int64_t>(longest * 1e9), false>);
-    }
+    constexpr double longest = Stepper::steps(resolution_of<ContactLaw>(Rig::scene, Rig::bounds)).most;
+    (void)sizeof(StepsPerContact<static_cast<int64_t>(longest * 1e9), false>);
   }
   return status == PlanStatus::ok;
 }

@@ -47,9 +47,10 @@ struct Scene {
   double ball_friction = 0.0;  // R, N, dry friction between ball and main mass: with DryFriction, motion/friction.hpp
 };
 
-// The largest values that the scene reaches, in SI units. Fixed32 chooses every format from them; beyond them it
-// saturates and raises a fault; the tighter they are, the finer it counts. Floating point does without them, but for
-// the force of a sampled drive. The defaults hold the paper's scene under every law.
+// The largest values that the scene reaches, in SI units. The plan judges the step by them in every format. Fixed32
+// takes its units from them: the tighter they are, the finer it counts, and beyond them it saturates and raises a
+// fault. In floating point of a running state only the force of a sampled drive is held to them. The defaults hold the
+// paper's scene under every law.
 struct Bounds {
   double displacement = 0.1;     // of either mass, m
   double speed = 2.0;            // of either mass, m/s

@@ -66,6 +66,13 @@ constexpr Range drive_pulsation_range{0, 1e6};          // rad/s; above 0 at lea
 // A slower drive turns by less than 2^-24 rad a step, of which an oscillator's curvature keeps fewer than 15 bits.
 constexpr double slowest_drive(double step) { return 0x1p-24 / step; }
 
+// Of a Hooke-Newton stop: ten times the critical 2 sqrt(k1 mu), where the restitution, about 1/400, is less than
+// a scene may state. More is another law's c1.
+constexpr double largest_linear_damping(const Scene& scene) {
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
+  return 20 * constant::square_root(scene.contact_stiffness * mu);
+}
+
 // The longest step, s: 0.1, three radians of the drive, and `phase` radians of the main mass's own vibration, whose
 // damping must not decay faster than in one step either.
 constexpr double longest_step(const Scene& scene, double phase) {

@@ -4,8 +4,10 @@
 // and to be stable at. With V = 2 Bounds::speed the largest rate of approach, mu the reduced mass and W(d) the energy
 // that the law stores, (2/5) k1 d^(5/2) or k1 d^2/2, two balances bound d, and the less of both counts:
 //
-//     of the whole          W <= (M + m) v^2/2 + k x^2/2 + 2 F x       v, x, F: the bounds of speed, displacement,
-//     drive of relative motion    W <= mu V^2/2 + P d                        P = mu (k x + c v + F)/M
+//     of the whole                W <= (M + m) v^2/2 + k x^2/2 + 2 F x
+//     of the relative motion      W <= mu V^2/2 + P d                        P = mu (k x + c v + F)/M
+//
+// where v, x and F are the bounds of speed, displacement and drive.
 //
 // The first is all that both masses, the spring and the drive can give up; the second what the approach brings and what
 // the main spring, its damper and the drive press on the way. A field's acceleration a adds 2 (M + m) a x to the first,

@@ -24,9 +24,16 @@ constexpr Scene changed_scene() {
 #endif
   return scene;
 }
+constexpr Bounds changed_bounds() {
+  Bounds bounds;
+#ifdef BASE_ACCELERATION
+  bounds.base_acceleration = BASE_ACCELERATION;
+#endif
+  return bounds;
+}
 struct Rig {
   static constexpr Scene scene = changed_scene();
-  static constexpr Bounds bounds{};
+  static constexpr Bounds bounds = changed_bounds();
   static constexpr double step = 1e-4;
 };
 
@@ -41,7 +48,7 @@ Absorber<Rig, LAW, NEWMARK, DRIVE, NUMERIC> absorber;
 #endif
 
 [[gnu::noinline]] void step() {
-  if constexpr (DRIVE::is_sampled)
+  if constexpr (DRIVE::is_sampled || decltype(absorber)::Field::is_sampled)
     absorber.step({});
   else
     absorber.step();

@@ -53,8 +53,11 @@ term "main spring k" paper no_main_stiffness
 feature "second stop" paper right_stop $noise 0
 feature "EnergyLedger" ledger paper 1 1
 feature "ImpactLog" log paper 1 1
-feature "ContactForce" contact_force paper 1 1
+feature "ContactForce" contact_force paper $((2 * noise)) 1
 feature "Snapshots" snapshots paper 1 1
+feature "Gravity" gravity paper $noise 0
+feature "BaseAcceleration" base paper 1 1
+feature "DryFriction" friction paper 1 1
 feature "reading() in double" reading paper 1 0 '__(aeabi_[a-z0-9]*d|[a-z]*df)'
 feature "plan AtRunTime" run_time_plan paper 1 200
 

@@ -50,6 +50,8 @@
 //           State<Format>              a base of the absorber's state
 //           start(plan, state), after_contact(plan, state, step), after_step(plan, state), after_correction(state),
 //           is_sound(plan, state)      see features.hpp
+//           A part of the scene (Gravity, BaseAcceleration, DryFriction) is named among them and derives from
+//           ScenePart; the plan and the step ask it for more, which motion/field.hpp and motion/friction.hpp have.
 
 #include <stddef.h>
 #include <stdint.h>

@@ -11,8 +11,8 @@
 // (a0/3 + a1/6) h^2, of which a1's part comes with the sample, as for a sampled drive. The accelerations vanish from
 // the relative motion of two free masses: contact sees the difference of both increments.
 
-#include <impact/features.hpp>
 #include <impact/motion/linear_flow.hpp>
+#include <impact/motion/scene_part.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
 

@@ -30,8 +30,8 @@
 // positive, and a ball at rest stays: it has no rate left, and its load is
 // taken ahead. Second order where the sliding turns or ends within a step.
 
-#include <impact/features.hpp>
 #include <impact/motion/linear_flow.hpp>
+#include <impact/motion/scene_part.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>

@@ -1,41 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Dry friction of the ball in its cavity: a force of Scene::ball_friction
-// newtons, R, between ball and main mass against the sliding y', and at rest
-// whatever holds the ball, up to R.
+// Dry friction of the ball in its cavity: a force of Scene::ball_friction newtons, R, between ball and main mass
+// against the sliding y', and at rest whatever holds the ball, up to R.
 //
-// A constant force over a step is the same as two impulses on the velocities
-// alone, one at the step's start and one at its end, for the main mass as for
-// the ball: with the force's response b in the displacement and c in h v (m/N),
+// A constant force over a step is the same as two impulses on the velocities alone, one at the step's start and one at
+// its end, for the main mass as for the ball: with the force's response b in the displacement and c in h v (m/N),
 //
-//     ahead of the step    u0 = R b/e12        at its end    u1 = R c - (1 +
-//     e22) u0        (linear_flow.hpp)
+//     ahead of the step    u0 = R b/e12        at its end    u1 = R c - (1 + e22) u0        (linear_flow.hpp)
 //
-// The ball's are R h^2/(2 m) both. Positions are never touched, so that contact
-// goes on as it is, and an impulse on the velocities that does not turn the
-// sliding can only take energy. Per step, with q0 and q1 what both do to the
-// rate of sliding, V the rate at the end of the flight, f what was taken ahead
-// and s the rate before that:
+// The ball's are R h^2/(2 m) both. Positions are never touched, so that contact goes on as it is, and an impulse on the
+// velocities that does not turn the sliding can only take energy. Per step, with q0 and q1 what both do to the rate of
+// sliding, V the rate at the end of the flight, f what was taken ahead and s the rate before that:
 //
-//     a = V - s + f              the change of the rate without friction, by
-//     contact as well e = s + a -+ (q0 + q1)     the rate with it, if the
-//     sliding lasts e of the sliding's sign    the rate is e: exact turned, |a|
-//     <= q0 + q1     the ball sticks: the rate is 0 turned, |a| > q0 + q1 it
-//     slides back, from when the rate, linear in time, was 0:
+//     a = V - s + f              the change of the rate without friction, by contact as well
+//     e = s + a -+ (q0 + q1)     the rate with it, if the sliding lasts
+//     e of the sliding's sign    the rate is e: exact
+//     turned, |a| <= q0 + q1     the ball sticks: the rate is 0
+//     turned, |a| > q0 + q1      it slides back, from when the rate, linear in time, was 0:
 //                                e (|a| - q0 - q1)/(|a| + q0 + q1)
 //
-// and ahead of the next step f goes, which for a ball that slides is q0, and no
-// more than leaves the step a displacement by the last a: nothing where it
-// sticks. So friction's work, f times a way of the other sign, is never
-// positive, and a ball at rest stays: it has no rate left, and its load is
-// taken ahead. Second order where the sliding turns or ends within a step.
+// and ahead of the next step f goes, which for a ball that slides is q0, and no more than leaves the step a
+// displacement by the last a: nothing where it sticks. So friction's work, f times a way of the other sign, is never
+// positive, and a ball at rest stays: it has no rate left, and its load is taken ahead. Second order where the sliding
+// turns or ends within a step.
 
 #include <impact/motion/linear_flow.hpp>
+#include <impact/motion/phase.hpp>
 #include <impact/motion/scene_part.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 

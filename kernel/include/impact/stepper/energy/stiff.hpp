@@ -163,6 +163,7 @@ struct StiffContact {
     [[gnu::always_inline]] constexpr Value phase_at(Value depth) const {
       if (step.is_inside)
         return Format::value(Format::root(Format::value(half(step.before)) + Format::value(half(depth))));
+      if (!is_positive(depth)) return Value{};  // a stop so stiff that none of its penetrations has a place
       const auto share = Format::rough_quotient(without_sign(depth), without_sign(depth - step.before));
       return Format::value(Format::root(depth) * (square(share) * Format::short_constant(0.64)));
     }

@@ -68,7 +68,7 @@ scene 1 'Bounds::speed: 1e-9 to 1e6 m/s' 's.v1 = 3;'
 scene 1 'Bounds::force: 0 to 1e9 N' '' HuntCrossley 1e-4 'b.force = -1;'
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCrossley 0.1
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCrossley 0
-scene 1 'Rig::step: too few steps per contact for this stepper' '' HuntCrossley 8e-3
+scene 1 'Rig::step: too few steps per contact for this stepper' '' HuntCrossley 6e-3
 grep -Eq 'StepsPerContact<[0-9]+, false>' "$folder/errors" || { echo "no longest step is said" && failures=1; }
 # Another law's c1.
 scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' '' HookeNewton

@@ -273,7 +273,7 @@ constexpr Fields every_field[] = {{-weight, false}, {0, true}, {-weight, true}};
 TEST(Field, KernelKeepsItsOrderInAField) {
   for (const Fields& fields : every_field) {
     const auto falls = [&](double coarse, double fine, double least) {
-      EXPECT_GT(std::log2(coarse / fine) / 2, least) << fields.gravity << fields.is_shaken;
+      EXPECT_GT(std::log2(coarse / fine) / 2, least) << fields.gravity << fields.is_shaken << ' ' << coarse << ' ' << fine;
     };
     using M = Moment;
     using E = EnergyConsistent;

@@ -59,13 +59,14 @@ TEST(Laws, FormulasOfSmallLossesAreNotExact) {
 }
 
 // By stepper: 20 steps per resolved part of the contact, a step of four, two or a half of a contact, and a contact of a
-// hundredth of a step; and what the stepper promises there, README "Choosing". 32 bits add 2e-5 at e = 0.1 and above.
+// hundredth of a step; and what the stepper promises there, README "Choosing" (at 80 steps the energy step of a
+// strongly damped contact is the stiff one, of which stiff.hpp promises 6e-4). 32 bits add 2e-5 at e = 0.1 and above.
 struct Cell {
   Stepper stepper;
   double steps_per_contact, tolerance;
 };
 constexpr Cell cells[] = {{Stepper::moment, 20, 4e-5},
-                          {Stepper::energy, 80, 1e-4},
+                          {Stepper::energy, 80, 2e-4},
                           {Stepper::energy, 4, 1e-3},
                           {Stepper::energy, 0.5, 2e-3},
                           {Stepper::impulsive, 0.01, 8e-5}};

@@ -118,7 +118,8 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
       for (long i = std::lround(3 / step); i > 0; --i) simulation->step(0);
       EXPECT_EQ(simulation->fault(), nullptr);
       // A ball that grazes its stop may come to it a second time.
-      EXPECT_NEAR(simulation->sample().impacts, reference.sample().impacts, 2);
+      EXPECT_NEAR(static_cast<double>(simulation->sample().impacts), static_cast<double>(reference.sample().impacts),
+                  2);
       EXPECT_NEAR(simulation->sample().energy_dissipated, exact, 0.01 * exact) << step;
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
-// What the images run: the paper's scene under each law, stepper, number format and drive. A configuration whose cost
-// is to be measured is added to Budgeted; budgets.csv says of which the memory and the longest path are.
+// What the images run: the paper's scene under each law, stepper, number format and drive, and some with weight, a base
+// that shakes and dry friction. A configuration whose cost is to be measured is added to Budgeted or to
+// BudgetedWithParts; budgets.csv says of which the memory and the longest path are.
 
 #include <stdint.h>
 
@@ -56,6 +57,12 @@ template <>
 constexpr const char* name<Sine> = "sine";
 template <>
 constexpr const char* name<Sampled> = "sampled";
+template <>
+constexpr const char* name<Gravity> = "gravity";
+template <>
+constexpr const char* name<BaseAcceleration> = "base";
+template <>
+constexpr const char* name<DryFriction> = "friction";
 
 template <class Newmark>
 constexpr bool is_impulsive = false;
@@ -66,7 +73,7 @@ constexpr bool is_stiff = false;
 template <>
 constexpr bool is_stiff<StiffEnergyConsistent> = true;
 
-// The columns law,newmark,numeric,drive as one string.
+// The columns law,newmark,numeric,drive as one string, of which the last is the drive+part+part.
 struct Label {
   char text[64] = {};
 
@@ -76,21 +83,23 @@ struct Label {
     return *own == *other;
   }
 };
-template <class... Parts>
+template <class Law, class Newmark, class Numeric, class Drive, class... Parts>
 constexpr Label make_label() {
-  const char* const columns[] = {name<Parts>...};
+  const char* const words[] = {name<Law>, ",", name<Newmark>, ",", name<Numeric>, ",", name<Drive>};
   Label label;
   char* end = label.text;
-  for (const char* column : columns) {
-    if (end != label.text) *end++ = ',';
-    while (*column != 0) *end++ = *column++;
-  }
+  const auto append = [&end](const char* word) {
+    while (*word != 0) *end++ = *word++;
+  };
+  for (const char* word : words) append(word);
+  ((append("+"), append(name<Parts>)), ...);
   return label;
 }
 
 // The paper's tables 1 and 2, at rest under the paper's sine, and otherwise released from beyond the first impact. The
-// impulsive step has stops of a million times the stiffness, and as much damping as leaves the restitution.
-template <class Law, class Newmark, class Drive>
+// impulsive step has stops of a million times the stiffness, and as much damping as leaves the restitution. With weight
+// it stands upright, on a base that shakes too where the ball rubs: all three parts.
+template <class Law, class Newmark, class Drive, class... Parts>
 constexpr Scene scene_of() {
   Scene scene = paper_scene(Law::law);
   constexpr bool is_linear = Law::is_linear;
@@ -104,10 +113,14 @@ constexpr Scene scene_of() {
   }
   if (Law::is_damped_per_impact) scene.restitution = 0.68;
   if (!Drive::is_sine) scene.x1 = scene.x2 = 0.03;
+  constexpr bool is_shaken = impact::detail::is_one_of<BaseAcceleration, Parts...>;
+  constexpr bool rubs = impact::detail::is_one_of<DryFriction, Parts...>;
+  if (impact::detail::is_one_of<Gravity, Parts...> || (is_shaken && rubs)) scene.gravity = -9.81;
+  if (rubs) scene.ball_friction = is_shaken ? 2 : 0.5;
   return scene;
 }
 
-// Samples of a drive: a triangle of 128 steps between +-Bounds::force.
+// Samples of a drive and of a base: a triangle of 128 steps between +-Bounds::force, and as many m/s^2.
 constexpr int32_t triangle(uint32_t index) {
   const int32_t level = static_cast<int32_t>(index % 128);
   return (level < 64 ? level - 32 : 95 - level) << 26;
@@ -120,30 +133,36 @@ constexpr void set(Signed<bits>& sample, int32_t fraction) {
   sample = {fraction};
 }
 
-template <class Law, class Newmark, class Numeric, class Drive>
+template <class Law, class Newmark, class Numeric, class Drive, class... Parts>
 struct Configuration {
-  static constexpr Label label = make_label<Law, Newmark, Numeric, Drive>();
+  static constexpr Label label = make_label<Law, Newmark, Numeric, Drive, Parts...>();
   static constexpr bool is_linear = Law::is_linear;
   static constexpr bool is_fixed = sizeof(typename Numeric::Gain) > sizeof(typename Numeric::Value);
   template <int microseconds>
   struct Rig {
-    static constexpr Scene scene = scene_of<Law, Newmark, Drive>();
-    static constexpr Bounds bounds{0.1, 2, 0.03, 10};  // the default, with a penetration of its own
+    static constexpr Scene scene = scene_of<Law, Newmark, Drive, Parts...>();
+    // The default, with a penetration of its own.
+    static constexpr Bounds bounds{0.1, 2, 0.03, 10, impact::detail::is_one_of<BaseAcceleration, Parts...> ? 10.0 : 0};
     static constexpr double step = microseconds * 1e-6;
   };
   template <int microseconds>
-  using Absorber = impact::Absorber<Rig<microseconds>, Law, Newmark, Drive, Numeric>;
+  using Absorber = impact::Absorber<Rig<microseconds>, Law, Newmark, Drive, Numeric, Parts...>;
 
   // Makes step `index` of the trajectory.
   template <class Absorber>
   static void advance(Absorber& absorber, uint32_t index) {
-    if constexpr (Drive::is_sampled) {
-      typename Numeric::Value sample;
-      set(sample, triangle(index));
+    constexpr bool is_shaken = impact::detail::is_one_of<BaseAcceleration, Parts...>;
+    typename Numeric::Value sample{}, base{};
+    if constexpr (Drive::is_sampled) set(sample, triangle(index));
+    if constexpr (is_shaken) set(base, triangle(index + 48));
+    if constexpr (Drive::is_sampled && is_shaken)
+      absorber.step(sample, base);
+    else if constexpr (Drive::is_sampled)
       absorber.step(sample);
-    } else {
+    else if constexpr (is_shaken)
+      absorber.step(base);
+    else
       absorber.step();
-    }
   }
 };
 
@@ -186,24 +205,38 @@ constexpr auto with_stiff_stops() {
               Configuration<HuntCrossley, StiffEnergyConsistent, Numeric, Sine>,
               Configuration<Exact, StiffEnergyConsistent, Numeric, Sine>>{};
 }
+// Each part of a scene, and all three by steppers that treat the contact in their own ways.
+template <class Numeric, class Law, class Newmark, class Drive>
+using WithAllParts = Configuration<Law, Newmark, Numeric, Drive, BaseAcceleration, DryFriction>;
+template <class Numeric>
+constexpr auto with_parts() {
+  return List<
+      WithAllParts<Numeric, HookeNewton, Moment, Sampled>, Configuration<HuntCrossley, Moment, Numeric, Sine, Gravity>,
+      Configuration<HuntCrossley, Moment, Numeric, Sine, BaseAcceleration>,
+      Configuration<HuntCrossley, Moment, Numeric, Sine, DryFriction>,
+      WithAllParts<Numeric, HuntCrossley, Moment, Sine>, WithAllParts<Numeric, HuntCrossley, EnergyConsistent, NoDrive>,
+      WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>,
+      WithAllParts<Numeric, HuntCrossley, AverageAcceleration, Sine>>{};
+}
 template <class... Numerics>
 constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
 }
-// Those whose trajectories are kept; of them the linear law's alone (1) or the others' (2) for an image in 256 K.
+// Those whose trajectories are kept; of them the linear law's and those with parts (1) or the others (2) for an image in
+// 256 K.
 #if !defined(IMPACT_GOLDEN_PART)
 #define IMPACT_GOLDEN_PART 0
 #endif
 template <class... Numerics>
 constexpr auto golden_configurations() {
   if constexpr (IMPACT_GOLDEN_PART == 1)
-    return (with_laws<Numerics>(List<HookeNewton>{}) + ...);
+    return (with_laws<Numerics>(List<HookeNewton>{}) + ...) + (with_parts<Numerics>() + ...);
   else if constexpr (IMPACT_GOLDEN_PART == 2)
     return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...) + (with_damping_per_impact<Numerics>() + ...) +
            (with_stiff_stops<Numerics>() + ...);
   else
     return all_configurations<Numerics...>() + (with_damping_per_impact<Numerics>() + ...) +
-           (with_stiff_stops<Numerics>() + ...);
+           (with_stiff_stops<Numerics>() + ...) + (with_parts<Numerics>() + ...);
 }
 
 // Those whose cost is measured and has a budget.
@@ -224,5 +257,16 @@ using Budgeted =
                  Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
                  Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
                  Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>{});
+// In images of their own: what a compiler inlines depends on what else is there.
+using BudgetedWithParts =
+    List<Configuration<HuntCrossley, Moment, Fixed32, Sine, Gravity>,
+         Configuration<HuntCrossley, Moment, Fixed32, Sine, BaseAcceleration>,
+         Configuration<HuntCrossley, Moment, Fixed32, Sine, DryFriction>,
+         WithAllParts<Fixed32, HuntCrossley, Moment, Sine>, WithAllParts<Float32Plain, HuntCrossley, Moment, Sine>>;
+#if defined(IMPACT_WITH_PARTS)
+using Counted = BudgetedWithParts;
+#else
+using Counted = Budgeted;
+#endif
 
 }  // namespace impact::target

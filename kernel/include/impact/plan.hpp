@@ -56,24 +56,16 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
 
   template <class Real>
   constexpr typename Format::Value sample_of(Real newtons) const {
-    constexpr bool is_float = sizeof(Real) == sizeof(float);
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
     static_assert(static_cast<Real>(0.5) > 0, "newtons are a double (a constant) or a float");
-    if constexpr (is_float)
-      return Format::sample_of_float(newtons * drive.per_newton);
-    else
-      return Format::sample(drive_unit > 0 ? static_cast<double>(newtons) / drive_unit : 0);
+    return sample_in(newtons, drive.per_newton, drive_unit);
   }
   // A sample of the base's acceleration, of m/s^2.
   template <class Real>
   constexpr typename Format::Value base_sample_of(Real acceleration) const {
-    constexpr bool is_float = sizeof(Real) == sizeof(float);
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
     static_assert(static_cast<Real>(0.5) > 0, "an acceleration is a double (a constant) or a float");
-    if constexpr (is_float)
-      return Format::sample_of_float(acceleration * this->per_base_unit);
-    else
-      return Format::sample(this->base_unit > 0 ? static_cast<double>(acceleration) / this->base_unit : 0);
+    return sample_in(acceleration, this->per_base_unit, this->base_unit);
   }
   static constexpr Plan refused(PlanStatus why) {
     Plan plan{};
@@ -128,6 +120,15 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     if (!Field::is_sampled && is_stated(bounds.base_acceleration)) return PlanStatus::base_acceleration_not_named;
     if (!Friction::is_friction && is_stated(scene.ball_friction)) return PlanStatus::ball_friction_not_named;
     return PlanStatus::ok;
+  }
+
+ private:
+  // A float while running, without a division; a double as a constant.
+  static constexpr typename Format::Value sample_in(float quantity, float per_unit, double) {
+    return Format::sample_of_float(quantity * per_unit);
+  }
+  static constexpr typename Format::Value sample_in(double quantity, float, double unit) {
+    return Format::sample(unit > 0 ? quantity / unit : 0);
   }
 };
 

@@ -40,8 +40,8 @@ struct NoFriction {
   struct FrictionPlan {};
 };
 
-// Beside an EnergyLedger: the way that has been slid, which times R is what
-// friction has dissipated. It counts like a penetration.
+// Beside an EnergyLedger: the way that has been slid, which times R is what friction has dissipated. It counts like a
+// penetration.
 template <class Format, bool is_counted>
 struct SlidWay {};
 template <class Format>
@@ -58,13 +58,12 @@ struct DryFriction : ScenePart {
   struct FrictionPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
-    Value before, both;  // q0, q0 + q1
-    Gain main_before, main_after, ball_before,
-        ball_after;   // of an impulse, in dx1 and dx2
-    Gain main_share;  // of f, in h v1
-    double friction;  // R, N
-    typename Format::Long main_sliding,
-        ball_sliding;  // what a step of sliding adds to dx1 and takes of dx2
+    using Long = typename Format::Long;
+    Value before, both;                                     // q0, q0 + q1
+    Gain main_before, main_after, ball_before, ball_after;  // of an impulse, in dx1 and dx2
+    Gain main_share;                                        // of f, in h v1
+    double friction;                                        // R, N
+    Long main_sliding, ball_sliding;                        // what a step of sliding adds to dx1 and takes of dx2
   };
   // In metres per step and newton: both impulses on both masses.
   struct Impulses {
@@ -121,17 +120,15 @@ struct DryFriction : ScenePart {
     state.ahead = {};
   }
 
-  // At the end of a step that ends with this rate; `way()` is what the coming
-  // step would add to the way at that rate. Returns what friction does to the
-  // rate.
+  // At the end of a step that ends with this rate; `way()` is what the coming step would add to the way at that rate.
+  // Returns what friction does to the rate.
   template <bool is_counted, class Plan, class State, class Value, class Way>
   [[gnu::always_inline]] static constexpr Value rub(const Plan& plan, State& state, Value rate, const Way& way) {
     const Value unrubbed = rate + state.ahead;  // s + a
     const bool back = is_negative(unrubbed);
     const Value end = mirrored(unrubbed, back) - plan.both;
     const bool was_full = !is_positive(plan.before - mirrored(state.ahead, back));
-    // Far from its end: a ball that the coming step turns has a load that it
-    // slides back under.
+    // Far from its end: a ball that the coming step turns has a load that it slides back under.
     if (was_full && is_positive(end - plan.both)) {
       if constexpr (is_counted) state.slid.add(half_sum(plan, mirrored(state.sliding, back), end));
       state.sliding = mirrored(end, back);
@@ -195,8 +192,8 @@ struct DryFriction : ScenePart {
   static constexpr Value half_sum(const Plan&, Value a, Value b) {
     return Plan::FormatType::value(half(a + b));
   }
-  // From `before` to 0 in a part of the step, and for the rest of it, as
-  // `beyond` is of `before` + `beyond`, to `after`.
+  // From `before` to 0 in a part of the step, and for the rest of it, as `beyond` is of `before` + `beyond`, to
+  // `after`.
   template <class Plan, class Value>
   static constexpr Value slid_to_and_fro(const Plan& plan, Value before, Value beyond, Value after) {
     using Format = typename Plan::FormatType;
@@ -204,8 +201,7 @@ struct DryFriction : ScenePart {
     const auto rest = Format::quotient(positive_part(beyond), positive_part(before + beyond));
     return half_sum(plan, before, Format::value(rest * size) - Format::value(rest * before));
   }
-  // The rate of a ball whose sliding has turned within the step, from that of
-  // one whose friction has not.
+  // The rate of a ball whose sliding has turned within the step, from that of one whose friction has not.
   template <class Plan, class Value>
   static constexpr Value turned(const Plan& plan, Value change, Value end) {
     using Format = typename Plan::FormatType;
@@ -215,8 +211,8 @@ struct DryFriction : ScenePart {
     const bool back = is_negative(end);
     return mirrored(Format::value(share * positive_part(mirrored(end, back))), back);
   }
-  // `way`: of the sliding in the coming step, without friction. Where that
-  // turns, friction takes nothing ahead, unless it is to hold the ball.
+  // `way`: of the sliding in the coming step, without friction. Where that turns, friction takes nothing ahead, unless
+  // it is to hold the ball.
   template <class Plan, class Value>
   static constexpr Value taken_ahead(const Plan& plan, Value rate, Value way) {
     const bool back = is_negative(way);

@@ -15,9 +15,8 @@
 //     x2 -= t h J/m    v2 -= J/m    x1 += p J/M    v1 += g J/M    p = t h (1 - (w0 t h)^2/6)    g = 1 - (w0 t h)^2/2
 //
 // and came at the rate Vi = v2 - (g v1 + w0^2 p x1), in which the drive adds its part, -p F/M, and a field a its own,
-// t h a - p a. The energy of both
-// masses and the main spring gains J^2/2 (1/m + (g^2 + w0^2 p^2)/M) - J Vi by it. Since g^2 + w0^2 p^2 = 1 - (w0 t
-// h)^4/12 + (w0 t h)^6/36 <= 1 for w0 h <= 1, this is
+// t h a - p a. The energy of both masses and the main spring gains J^2/2 (1/m + (g^2 + w0^2 p^2)/M) - J Vi by it. Since
+// g^2 + w0^2 p^2 = 1 - (w0 t h)^4/12 + (w0 t h)^6/36 <= 1 for w0 h <= 1, this is
 //
 //     at most J^2/(2 mu) - J Vi <= 0 for every J from 0 to 2 mu Vi, 1/mu = 1/m + 1/M:
 //

@@ -176,8 +176,8 @@ struct Response {
   Gain x1, dx1, dx1_by_moment, x2, dx2;
   Gain penetration, rate, rate_by_moment;
 
-  template <class Units, class State, class Impulse>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Impulse& main) const {
+  template <class Units, class State, class Felt>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& main) const {
     const auto& ball = felt_by_ball(main);
     units.push(state.x1, x1 * main.j1);
     units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
@@ -194,8 +194,8 @@ struct SharedResponse {
   Gain ball, dx1, dx1_by_moment;
   Gain penetration, rate, rate_by_moment;
 
-  template <class Units, class State, class Impulse>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Impulse& impulse) const {
+  template <class Units, class State, class Felt>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& impulse) const {
     const auto ball_j0 = ball * impulse.j0, ball_j1 = ball * impulse.j1;
     units.recoil(state.x1, impulse.j1 - ball_j1);
     units.recoil(state.dx1, impulse.j0 - ball_j0 + (dx1 * impulse.j0 + dx1_by_moment * impulse.j1));

@@ -16,8 +16,8 @@ struct ConstantForceGains {
   Gain x1, dx1, dx2;
   Gain penetration, rate, rate_by_moment;
 
-  template <class Units, class State, class Impulse>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Impulse& impulse) const {
+  template <class Units, class State, class Felt>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& impulse) const {
     units.push(state.x1, x1 * impulse.j0);
     units.push(state.dx1, dx1 * impulse.j0);
     const auto ball = dx2 * -impulse.j0;

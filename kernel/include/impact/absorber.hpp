@@ -477,14 +477,13 @@ class Absorber
     Value ahead =
         plan.rate_by_dx1 * plan.units.displacement(state_.dx1) + plan.rate_by_x1 * plan.units.position(state_.x1);
     if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state_.drive.rate(plan.drive);
-    if constexpr (Field::is_field) ahead = ahead - Field::main_rate(plan, state_);
-    return ahead;
+    return ahead - Field::main_rate(plan, state_);
   }
 
   [[gnu::noinline]] constexpr void call_touch(Value increment, Long main_travel) { touch(increment, main_travel); }
   [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel) {
     if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
-    const bool left = plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
+    const bool left = at_left();
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
     SeenStep step{};
     if (!is_inside(step, left)) {
@@ -492,10 +491,7 @@ class Absorber
       return;
     }
     step.rate = relative_rate(left);
-    if constexpr (Field::is_field)
-      step.travel = mirrored(plan.units.relative(Field::ball_travel(plan, state_) - main_travel), left);
-    else
-      step.travel = mirrored(plan.units.relative(state_.dx2 - main_travel), left);
+    step.travel = mirrored(plan.units.relative(Field::ball_travel(plan, state_) - main_travel), left);
     step.before = step.penetration - step.travel;
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }
@@ -551,9 +547,7 @@ class Absorber
 
   // Rate of penetration, for the state as it stands.
   constexpr Value relative_rate(bool left) const {
-    Value rate = plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead();
-    if constexpr (Field::is_field) rate = rate - Field::ball_rate(plan, state_);
-    return mirrored(rate, left);
+    return mirrored(plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead() - Field::ball_rate(plan, state_), left);
   }
 
   // What the coming step adds to x2 - x1, as the last sample says.

@@ -33,6 +33,19 @@ struct NoField {
   template <class Format>
   struct FieldPlan {};
   static constexpr double at_start(const LinearFlow&) { return 0; }
+
+  template <class Plan, class State>
+  static constexpr typename Plan::FormatType::Value main_rate(const Plan&, const State&) {
+    return {};
+  }
+  template <class Plan, class State>
+  static constexpr typename Plan::FormatType::Value ball_rate(const Plan&, const State&) {
+    return {};
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_travel(const Plan&, const State& state) {
+    return state.dx2;
+  }
 };
 
 struct Gravity : ScenePart {

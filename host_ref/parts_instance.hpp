@@ -1,39 +1,31 @@
 #pragma once
 // The kernel with weight, a base that accelerates and dry friction behind the run-time interface, as
-// simulation_instance.hpp has it without. Values of 0 make the bits of an absorber that does not name the part, and a
-// sine of no amplitude those of one without drive.
+// simulation_instance.hpp has it without. Values of 0 make the bits of an absorber that does not name the part.
 
 #include "host_ref/simulation_of.hpp"
 
 namespace impact::host {
 
-template <class Format, class ContactLaw, class Stepper, class Drive>
+template <class Format, class ContactLaw, class Stepper>
 Planned plan_in_field(const Request& request, const Bounds& bounds) {
   if (request.is_shaken)
-    return plan_for<Format, ContactLaw, Stepper, Drive, BaseAcceleration, DryFriction, ContactForce>(request, bounds);
-  return plan_for<Format, ContactLaw, Stepper, Drive, Gravity, DryFriction, ContactForce>(request, bounds);
-}
-
-template <class Format, class ContactLaw, class Stepper>
-Planned plan_driven_in_field(Request request, const Bounds& bounds) {
-  if (request.drive == DriveKind::sampled) return plan_in_field<Format, ContactLaw, Stepper, Sampled>(request, bounds);
-  if (request.drive == DriveKind::none) request.scene.drive_amplitude = 0;
-  return plan_in_field<Format, ContactLaw, Stepper, Sine>(request, bounds);
+    return plan_with_drive<Format, ContactLaw, Stepper, BaseAcceleration, DryFriction, ContactForce>(request, bounds);
+  return plan_with_drive<Format, ContactLaw, Stepper, Gravity, DryFriction, ContactForce>(request, bounds);
 }
 
 template <class Format, class ContactLaw>
 Planned plan_with_parts(const Request& request, const Bounds& bounds) {
   switch (request.stepper) {
     case Stepper::moment_4:
-      return plan_driven_in_field<Format, ContactLaw, SubsteppedMoment<4>>(request, bounds);
+      return plan_in_field<Format, ContactLaw, SubsteppedMoment<4>>(request, bounds);
     case Stepper::moment_8:
-      return plan_driven_in_field<Format, ContactLaw, SubsteppedMoment<8>>(request, bounds);
+      return plan_in_field<Format, ContactLaw, SubsteppedMoment<8>>(request, bounds);
     case Stepper::energy:
-      return plan_driven_in_field<Format, ContactLaw, EnergyConsistent>(request, bounds);
+      return plan_in_field<Format, ContactLaw, EnergyConsistent>(request, bounds);
     case Stepper::impulsive:
-      return plan_driven_in_field<Format, ContactLaw, Impulsive>(request, bounds);
+      return plan_in_field<Format, ContactLaw, Impulsive>(request, bounds);
     default:
-      return plan_driven_in_field<Format, ContactLaw, Moment>(request, bounds);
+      return plan_in_field<Format, ContactLaw, Moment>(request, bounds);
   }
 }
 

@@ -55,8 +55,7 @@ Planned plan(const Request& request) {
 
 double natural_pulsation(const Scene& scene) { return std::sqrt(scene.main_stiffness / scene.main_mass); }
 
-// No number where a sample is none: no plan takes that for a bound.
-static double largest_of(const std::vector<double>& samples) {
+double largest_of(const std::vector<double>& samples) {
   double largest = 0;
   for (double sample : samples) largest = larger(largest, std::abs(sample));
   return largest;
@@ -116,9 +115,9 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
   bounds = {1e-6, 1e-6, 1e-6, larger(1e-6, largest_sample(request)), base_bound(request)};
   const auto note = [&bounds, &planned] {
     const Sample now = planned.simulation->sample();
-    bounds.displacement = std::max({bounds.displacement, margin * std::abs(now.x1), margin * std::abs(now.x2)});
-    bounds.speed = std::max({bounds.speed, margin * std::abs(now.v1), margin * std::abs(now.v2)});
-    bounds.penetration = std::max(bounds.penetration, margin * now.penetration);
+    bounds.displacement = larger(bounds.displacement, margin * larger(std::abs(now.x1), std::abs(now.x2)));
+    bounds.speed = larger(bounds.speed, margin * larger(std::abs(now.v1), std::abs(now.v2)));
+    bounds.penetration = larger(bounds.penetration, margin * now.penetration);
   };
   const long steps = std::lround(request.duration / request.step);
   note();

@@ -20,7 +20,9 @@ Resolution resolution(const Request& request);
 Stepper chosen(const Request& request);  // by the plan's rule
 Planned plan(const Request& request);
 
-double natural_pulsation(const Scene& scene);     // rad/s
+double natural_pulsation(const Scene& scene);  // rad/s
+// The largest magnitude; no number where a sample is none, and no plan takes that for a bound.
+double largest_of(const std::vector<double>& samples);
 Bounds estimated_bounds(const Request& request);  // from the start and the drive
 
 // What a float64 run reaches, and half as much again; the status of that run's plan where it cannot be made.

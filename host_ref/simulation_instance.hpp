@@ -6,20 +6,6 @@
 
 namespace impact::host {
 
-template <class Format, class ContactLaw, class Stepper>
-Planned plan_with_drive(const Request& request, const Bounds& bounds) {
-  switch (request.drive) {
-    case DriveKind::none:
-      return plan_for<Format, ContactLaw, Stepper, NoDrive>(request, bounds);
-#if !defined(IMPACT_WITHOUT_SAMPLES)  // the explorer, which knows none
-    case DriveKind::sampled:
-      return plan_for<Format, ContactLaw, Stepper, Sampled>(request, bounds);
-#endif
-    default:
-      return plan_for<Format, ContactLaw, Stepper, Sine>(request, bounds);
-  }
-}
-
 template <class Format, class ContactLaw>
 Planned plan_with_law(const Request& request, const Bounds& bounds) {
   switch (request.stepper) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 #include <host_ref/closed_form.hpp>
+#include <host_ref/settled.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/settings.hpp>
 #include <host_ref/tool/text.hpp>
@@ -95,21 +96,17 @@ void settle(Settings& settings, const Given& given) {
   refuse_unless(!has("sweep"), "rig", "without --sweep");
   refuse_unless(!has("sweep"), "every", "without --sweep");
   // Nothing written may take the place of what is read, or of what is written beside it.
-  const std::pair<const char*, const std::string*> files[] = {
-      {"drive-file", &settings.drive_file},
-      {"base-file", &settings.base_file},
-      {"base-acceleration-file", &settings.base_acceleration_file},
-      {"sweep", &settings.sweep},
-      {"output", &settings.output},
-      {"plot", &settings.plot},
-      {"rig", &settings.rig}};
-  for (const auto& [written, path] : files) {
-    for (const auto& [other, other_path] : files) {
-      if (other == written) break;
-      const bool is_read = written == std::string("base-file") || written == std::string("base-acceleration-file");
-      if (!is_read && has(written) && has(other) && is_same_file(*path, *other_path))
-        throw BadInput(std::string("--") + written, *path, std::string("another file than --") + other);
-    }
+  using File = std::pair<const char*, const std::string*>;
+  std::vector<File> before{{"drive-file", &settings.drive_file},
+                           {"base-file", &settings.base_file},
+                           {"base-acceleration-file", &settings.base_acceleration_file}};
+  for (const File& file : {File{"sweep", &settings.sweep}, File{"output", &settings.output},
+                           File{"plot", &settings.plot}, File{"rig", &settings.rig}}) {
+    const auto& [name, path] = file;
+    for (const auto& [other, other_path] : before)
+      if (has(name) && has(other) && is_same_file(*path, *other_path))
+        throw BadInput(std::string("--") + name, *path, std::string("another file than --") + other);
+    before.push_back(file);
   }
   if (settings.benchmark) {
     for (const auto& [name, value] : given) {
@@ -154,8 +151,7 @@ void settle(Settings& settings, const Given& given) {
     lines = has_samples ? std::min(lines, request.base_samples.size()) : request.base_samples.size();
     // A bound of 0 is that of the samples.
     if (request.bounds && !(request.bounds->base_acceleration > 0))
-      for (const double sample : request.base_samples)
-        request.bounds->base_acceleration = std::max(request.bounds->base_acceleration, std::abs(sample));
+      request.bounds->base_acceleration = largest_of(request.base_samples);
   }
   if (lines > 0 && !has("duration")) request.duration = static_cast<double>(lines) * request.step;
   // Others are not compiled with these parts.

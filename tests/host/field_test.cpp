@@ -6,6 +6,7 @@
 #include <impact/absorber.hpp>
 #include <vector>
 
+#include "against_reference.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
 
@@ -110,15 +111,21 @@ TYPED_TEST(FieldIn, BallBouncesInTheKernelAsInClosedForm) {
   }
 }
 
-// A ball at rest on its stop, the main mass in its equilibrium: the penetration (m g/k1)^(2/3) or m g/k1 stays, for
-// 10 s. What a format rounds in a penetration of 2 mm and its rate is the rest.
-template <class Law, class Stepper, class Format>
-void rest(double tolerance, int lead) {
+// Upright, with 1 mm of way to each side.
+Scene narrow_and_damped() {
   Scene scene;
   scene.gravity = weight;
   scene.drive_amplitude = 0;
   scene.main_damping = 2;
   scene.clearance = 0.002;
+  return scene;
+}
+
+// A ball at rest on its stop, the main mass in its equilibrium: the penetration (m g/k1)^(2/3) or m g/k1 stays, for
+// 10 s. What a format rounds in a penetration of 2 mm and its rate is the rest.
+template <class Law, class Stepper, class Format>
+void rest(double tolerance, int lead) {
+  Scene scene = narrow_and_damped();
   if (Law::is_linear) scene.contact_damping = 5;
   const double ratio = scene.ball_mass * weight / scene.contact_stiffness;
   const double penetration = Law::is_linear ? ratio : std::pow(ratio, 2.0 / 3);
@@ -162,11 +169,7 @@ TEST(Field, BallRestsAtItsStaticPenetration) {
 
 // On a stop whose contact is an instant the ball comes to rest on the stop itself.
 TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
-  Scene scene;
-  scene.gravity = weight;
-  scene.drive_amplitude = 0;
-  scene.main_damping = 2;
-  scene.clearance = 0.002;
+  Scene scene = narrow_and_damped();
   scene.contact_stiffness = 3e9;
   scene.restitution = 0.5;
   scene.x1 = scene.x2 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
@@ -238,33 +241,18 @@ double error(const Fields& fields, double step) {
     run.base_step = sample_step;
     for (int n = 0; n * sample_step < duration + sample_step; ++n) run.base_samples.push_back(shaking(n));
   }
-  host::Reference reference(run);
-  double worst = 0;
-  const auto compare = [&](auto& absorber, const auto& advance) {
-    for (int n = 1; n * step <= duration * (1 + 1e-12); ++n) {
-      advance(absorber, n);
-      if (n % ratio != 0) continue;
-      reference.advance(n * step);
-      const auto now = absorber.reading();
-      const host::Sample right = reference.sample();
-      worst = larger(worst, larger(std::abs(now.x1 - right.x1), std::abs(now.x2 - right.x2)));
-    }
-    EXPECT_EQ(absorber.fault(), Fault::none);
-  };
   if (fields.is_shaken) {
     using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, BaseAcceleration>;
     Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
-    compare(absorber, [ratio](auto& shaken, int n) {
+    return largest_difference(run, absorber, step, ratio, duration, [&](int n) {
       const int before = n / ratio;
       const double part = static_cast<double>(n % ratio) / ratio;
-      shaken.step(shaken.base_sample_of(shaking(before) * (1 - part) + shaking(before + 1) * part));
+      absorber.step(absorber.base_sample_of(shaking(before) * (1 - part) + shaking(before + 1) * part));
     });
-  } else {
-    using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity>;
-    Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
-    compare(absorber, [](auto& upright, int) { upright.step(); });
   }
-  return worst;
+  using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity>;
+  Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
+  return largest_difference(run, absorber, step, ratio, duration, [&](int) { absorber.step(); });
 }
 
 constexpr Fields every_field[] = {{-weight, false}, {0, true}, {-weight, true}};

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "against_reference.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
 
@@ -186,21 +187,10 @@ double error(double gravity, double friction, double step) {
   Bounds bounds;
   bounds.displacement = 0.2;
   bounds.speed = 3;
-  host::Reference reference(run);
   using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity, DryFriction>;
   Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
-  double worst = 0;
   const int ratio = static_cast<int>(std::lround(2e-3 / step));
-  for (int n = 1; n * step <= 0.4 * (1 + 1e-12); ++n) {
-    absorber.step();
-    if (n % ratio != 0) continue;
-    reference.advance(n * step);
-    const auto now = absorber.reading();
-    const host::Sample right = reference.sample();
-    worst = larger(worst, larger(std::abs(now.x1 - right.x1), std::abs(now.x2 - right.x2)));
-  }
-  EXPECT_EQ(absorber.fault(), Fault::none);
-  return worst;
+  return largest_difference(run, absorber, step, ratio, 0.4, [&](int) { absorber.step(); });
 }
 
 // Second order where the sliding turns: over four halvings of the step, within each of which it depends on where the

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
 
 namespace impact::host {
@@ -92,7 +93,7 @@ TEST(Laws, ReboundAsTheirFormulasSayAtAnySpeed) {
                                << " " << cell.steps_per_contact << " " << name_of(numeric);
             EXPECT_FALSE(found->has_fault);
             EXPECT_TRUE(found->is_apart);
-            const double worst = std::max(std::abs(found->least - expected), std::abs(found->largest - expected));
+            const double worst = larger(std::abs(found->least - expected), std::abs(found->largest - expected));
             EXPECT_TRUE(worst <= cell.tolerance)
                 << worst << " " << name_of(law.damping) << " " << e << " " << speed << " " << name_of(cell.stepper)
                 << " " << cell.steps_per_contact << " " << name_of(numeric);

@@ -1,0 +1,32 @@
+#pragma once
+// The kernel beside the reference: the largest difference of a displacement, m.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <impact/fault.hpp>
+
+#include "host_ref/extremes.hpp"
+#include "host_ref/reference.hpp"
+
+namespace impact {
+
+// At every `ratio`-th step up to `duration`; `advance(n)` makes the absorber's n-th.
+template <class Absorber, class Advance>
+double largest_difference(const host::Case& run, const Absorber& absorber, double step, int ratio, double duration,
+                          const Advance& advance) {
+  host::Reference reference(run);
+  double worst = 0;
+  for (int n = 1; n * step <= duration * (1 + 1e-12); ++n) {
+    advance(n);
+    if (n % ratio != 0) continue;
+    reference.advance(n * step);
+    const auto now = absorber.reading();
+    const host::Sample right = reference.sample();
+    worst = host::larger(worst, host::larger(std::abs(now.x1 - right.x1), std::abs(now.x2 - right.x2)));
+  }
+  EXPECT_EQ(absorber.fault(), Fault::none);
+  return worst;
+}
+
+}  // namespace impact

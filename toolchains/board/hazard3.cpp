@@ -1,8 +1,10 @@
-// Start-up code and console of Hazard3's own simulator, the RISC-V core of the RP2350: test/sim/tb_cxxrtl of
+// The console of Hazard3's own simulator, the RISC-V core of the RP2350: test/sim/tb_cxxrtl of
 // github.com/Wren6991/Hazard3. An image is loaded at 0 and starts at 0x40; what is written to 0x80000000 is a
 // character, to 0x80000008 the exit code.
 
-#include <board/start.hpp>
+#include <stdint.h>
+
+#include <board/console.hpp>
 
 namespace impact::board {
 
@@ -21,23 +23,3 @@ void exit(int code) {
 }
 
 }  // namespace impact::board
-
-extern "C" {
-
-[[gnu::naked, gnu::section(".vectors")]] void reset_handler() {
-  asm(".option push\n"
-      ".option arch, +zicsr\n"
-      ".option norelax\n"
-      "la gp, __global_pointer$\n"
-      "la sp, stack_top\n"
-      "la t0, fault_handler\n"
-      "csrw mtvec, t0\n"
-      "csrw mcountinhibit, zero\n"  // its counters stand still after a reset
-      ".option pop\n"
-      "call start\n");
-}
-
-[[gnu::used]] void start() { impact::board::start(); }
-
-[[gnu::used, gnu::aligned(4)]] void fault_handler() { impact::board::exit(3); }
-}

@@ -400,11 +400,16 @@ class Absorber
     plan.units.add(state_.dx1, increment);
     if constexpr (Field::is_field) Field::fly(plan, state_, base);
     [[maybe_unused]] Long apart{};
-    if constexpr (Friction::is_friction) apart = state_.x2 - state_.x1;
+    [[maybe_unused]] Value way{};
+    if constexpr (counts_slid_way) way = flown(main_travel);
 
     if (!judges_contact_once && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
+      if constexpr (Friction::is_friction) {
+        apart = state_.x2 - state_.x1;
+        if (state_.contact.phase == Phase::apart) Friction::recall(plan, state_, flown(main_travel));
+      }
       if constexpr (Format::calls_contact)
         call_touch(increment, main_travel);
       else
@@ -413,7 +418,7 @@ class Absorber
       hold();
     }
     if constexpr (Friction::is_friction)
-      if (rubs()) rub(apart);
+      if (rubs()) rub(apart, way);
     (Features::after_step(plan, state_), ...);
   }
   [[gnu::always_inline]] constexpr bool is_flight_in_range() const {
@@ -491,7 +496,7 @@ class Absorber
       return;
     }
     step.rate = relative_rate(left);
-    step.travel = mirrored(plan.units.relative(Field::ball_travel(plan, state_) - main_travel), left);
+    step.travel = mirrored(flown(main_travel), left);
     step.before = step.penetration - step.travel;
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }
@@ -560,13 +565,25 @@ class Absorber
                                                Field::at_once(plan, state_.downwards));
     return way;
   }
-  // `apart`: x2 - x1 before contact in this step.
-  constexpr void rub(Long apart) {
+  // What a step's flight has added to x2 - x1.
+  constexpr Value flown(Long main_travel) const {
+    return plan.units.relative(Field::ball_travel(plan, state_) - main_travel);
+  }
+  // `apart`: x2 - x1 before contact in this step. `way`: of the flight, for a ledger.
+  [[gnu::always_inline]] constexpr void rub(Long apart, Value way) {
+    if (state_.contact.phase == Phase::apart && Friction::slides_on(plan, state_)) {
+      if constexpr (counts_slid_way) state_.slid.add(mirrored(way, is_positive(-way)));
+    } else {
+      rub_to_the_end(apart, way);
+    }
+  }
+  [[gnu::noinline]] constexpr void rub_to_the_end(Long apart, [[maybe_unused]] Value in_flight) {
     Value rate = relative_rate(false);
     if constexpr (Contact::keeps_force)
       rate = rate +
              mirrored((plan.contact.dx1_share * state_.contact.force) + (plan.contact.dx2_share * state_.contact.force),
                       at_left());
+    if constexpr (counts_slid_way) Friction::recall(plan, state_, in_flight + in_flight - rate);
     const Value change = Friction::template rub<counts_slid_way>(plan, state_, rate, [this, rate, apart] {
       const Value way = way_ahead() - rate;
       return state_.contact.phase == Phase::apart ? way : way + plan.units.relative(state_.x2 - state_.x1 - apart);

@@ -163,6 +163,10 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   // Where the ball crosses the clearance in a step, a treatment that waits for the next finds it beyond the stop by the
   // ways of both.
   terms.crosses = scene.stops == Stops::both && terms.largest_rate * h >= scene.clearance;
+  // One that crosses it more than twice is put back to its stop each time: against a field, and unseen by friction.
+  const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
+  if (has_parts && scene.stops == Stops::both && terms.largest_rate * h > 2 * scene.clearance)
+    return refused(PlanStatus::clearance);
   const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
   largest.penetration = larger(terms.largest_penetration, way);
   if constexpr (Friction::is_friction) {
@@ -191,6 +195,10 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
 
   status = status_of(Format::Units::overflow_of(exponents, largest));
   if (status != PlanStatus::ok) return refused(status);
+
+  // The fastest impact has a way in a step.
+  if (!Format::Units::resolves(terms.largest_rate * h / 2, exponents.penetration))
+    return refused(PlanStatus::speed_bound);
 
   terms.force_unit = Treatment::force_unit(terms, exponents);
   terms.damping_exponent = exponents.force + (terms.is_linear ? exponents.penetration : 0);
@@ -243,7 +251,8 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   if constexpr (Field::is_field)
     static_cast<FieldConstants&>(plan) = Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
   if constexpr (Friction::is_friction)
-    static_cast<FrictionConstants&>(plan) = Friction::template make_plan<Format>(scene, flow, ball, exponents, units);
+    static_cast<FrictionConstants&>(plan) =
+        Friction::template make_plan<Format>(scene, flow, ball, exponents, units, largest.increment);
   if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(PlanStatus::displacement_bound);
   if (!units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return refused(PlanStatus::speed_bound);
   return plan;

@@ -33,6 +33,7 @@ struct NoField {
   template <class Format>
   struct FieldPlan {};
   static constexpr double at_start(const LinearFlow&) { return 0; }
+  static constexpr double largest(const Scene&, const Bounds&) { return 0; }
 
   template <class Plan, class State>
   static constexpr typename Plan::FormatType::Value main_rate(const Plan&, const State&) {
@@ -133,6 +134,7 @@ struct BaseAcceleration : ScenePart {
     struct Shares {
       Gain at_once, before, now, rate, ahead, behind;
     };
+    bool has_gravity;
     Gain by_sample;
     Value gravity, largest_base;
     Shares main, ball;
@@ -155,7 +157,8 @@ struct BaseAcceleration : ScenePart {
                                                 Format::gain(-force * flow.b0 / flow.e12, 0, unit.increment),
                                                 Format::gain(-force * flow.b0, 0, unit.increment)};
     };
-    return {Format::gain(counts > 0 ? base / counts : 0, 0, 0),
+    return {g < 0 || g > 0,
+            Format::gain(counts > 0 ? base / counts : 0, 0, 0),
             Format::sample(counts > 0 ? -g / counts : 0),
             Format::largest_sample(bounds.base_acceleration),
             shares(main, scene.main_mass * counts),
@@ -170,9 +173,8 @@ struct BaseAcceleration : ScenePart {
 
   template <class Format>
   struct State {
-    typename Format::Value downwards;   // the acceleration at the last sample
-    typename Format::Long ball_travel;  // of the last step
-    typename Format::Value ball_increment;
+    typename Format::Value downwards;       // the acceleration at the last sample
+    typename Format::Value ball_increment;  // of dx2 in the last step's flight
   };
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
@@ -194,7 +196,7 @@ struct BaseAcceleration : ScenePart {
   }
   template <class Plan, class Value>
   [[gnu::always_inline]] static constexpr Value at_end(const Plan& plan, Value sample) {
-    return plan.by_sample * sample + plan.gravity;
+    return plan.has_gravity ? plan.by_sample * sample + plan.gravity : sample;
   }
 
   template <class Plan, class State>
@@ -220,16 +222,18 @@ struct BaseAcceleration : ScenePart {
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
-    state.ball_travel = state.dx2;
-    plan.units.add(state.ball_travel, ball_at_once(plan, next));
-    state.x2.advance(state.ball_travel);
+    auto travel = state.dx2;
+    plan.units.add(travel, ball_at_once(plan, next));
+    state.x2.advance(travel);
     state.ball_increment = plan.ball.before * state.downwards + plan.ball.now * next;
     plan.units.add(state.dx2, state.ball_increment);
     state.downwards = next;
   }
   template <class Plan, class State>
-  static constexpr auto ball_travel(const Plan&, const State& state) {
-    return state.ball_travel;
+  static constexpr auto ball_travel(const Plan& plan, const State& state) {
+    auto travel = state.dx2;
+    plan.units.add(travel, ball_at_once(plan, state.downwards) - state.ball_increment);
+    return travel;
   }
   template <class Plan, class State>
   static constexpr auto ball_increment(const Plan&, const State& state) {

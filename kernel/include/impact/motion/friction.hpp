@@ -23,6 +23,10 @@
 // displacement by the last a: nothing where it sticks. So friction's work, f times a way of the other sign, is never
 // positive, and a ball at rest stays: it has no rate left, and its load is taken ahead. Second order where the sliding
 // turns or ends within a step.
+//
+// Far from its end, in flight, none of this is computed: where the way ahead is longer than spring, drive, field and
+// friction could take of it in this step and the next, a step adds two constants. s is not kept then, but marked as f,
+// and is had from the way of a step that meets a stop.
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/phase.hpp>
@@ -60,6 +64,7 @@ struct DryFriction : ScenePart {
     using Gain = typename Format::Gain;
     using Long = typename Format::Long;
     Value before, both;                                     // q0, q0 + q1
+    Value far;                                              // of dx2 - dx1, as positions count
     Gain main_before, main_after, ball_before, ball_after;  // of an impulse, in dx1 and dx2
     Gain main_share;                                        // of f, in h v1
     double friction;                                        // R, N
@@ -79,11 +84,16 @@ struct DryFriction : ScenePart {
   };
   template <class Format, class Units>
   static constexpr FrictionPlan<Format> make_plan(const Scene& scene, const LinearFlow& main, const LinearFlow& ball,
-                                                  const UnitExponents& unit, const Units& units) {
+                                                  const UnitExponents& unit, const Units& units,
+                                                  double largest_increment) {
     const Impulses by(main, ball);
     const double friction = scene.ball_friction, rate = friction * constant::power_of_two(-unit.penetration);
+    // A rate differs from the way ahead by half of what a step adds, and it may lose a whole one more and both impulses
+    // twice; then the last places of two upper words.
+    const double far = 1.6 * largest_increment + 2.1 * friction * (by.before() + by.after());
     return {Format::sample(rate * by.before()),
             Format::sample(rate * (by.before() + by.after())),
+            Format::sample(far * constant::power_of_two(-unit.position) + 0x1p-29),
             Format::gain(main.e12 * by.main_before / by.before(), 0, 0),
             Format::gain(main.e12 * by.main_after / by.after(), 0, 0),
             Format::gain(by.ball_before / by.before(), 0, 0),
@@ -120,8 +130,28 @@ struct DryFriction : ScenePart {
     state.ahead = {};
   }
 
-  // At the end of a step that ends with this rate; `way()` is what the coming step would add to the way at that rate.
-  // Returns what friction does to the rate.
+  // At the end of a step in flight: whether the sliding went on through it, and will through the coming one.
+  template <class Plan, class State>
+  [[gnu::always_inline]] static constexpr bool slides_on(const Plan& plan, State& state) {
+    if (plan.units.is_above(state.dx2, state.dx1, plan.far)) {
+      if (is_positive(plan.before - state.ahead)) return false;
+      slide(plan, state, false);
+    } else {
+      if (!plan.units.is_above(state.dx1, state.dx2, plan.far) || is_positive(plan.before + state.ahead)) return false;
+      slide(plan, state, true);
+    }
+    state.sliding = state.ahead;
+    return true;
+  }
+  // The rate before a step, where it was not kept, from its way in flight.
+  template <class Plan, class State, class Value>
+  static constexpr void recall(const Plan& plan, State& state, Value way) {
+    const bool is_full = !is_positive(plan.before - state.ahead) || !is_positive(plan.before + state.ahead);
+    if (is_full && is_zero(state.sliding - state.ahead)) state.sliding = way + state.ahead;
+  }
+
+  // At the end of any step, which ends with this rate; `way()` is what the coming step would add to the way at that
+  // rate. Returns what friction does to the rate.
   template <bool is_counted, class Plan, class State, class Value, class Way>
   [[gnu::always_inline]] static constexpr Value rub(const Plan& plan, State& state, Value rate, const Way& way) {
     const Value unrubbed = rate + state.ahead;  // s + a
@@ -145,7 +175,7 @@ struct DryFriction : ScenePart {
     state.dx2.advance(mirrored(plan.ball_sliding, !back));
   }
   template <bool is_counted, class Plan, class State, class Value>
-  [[gnu::noinline]] static constexpr Value end_sliding(const Plan& plan, State& state, Value rate, Value way) {
+  [[gnu::always_inline]] static constexpr Value end_sliding(const Plan& plan, State& state, Value rate, Value way) {
     const Value change = rate - state.sliding + state.ahead;
     const bool was_still = is_zero(state.sliding);
     const bool back = is_negative(was_still ? change : state.sliding);
@@ -172,10 +202,6 @@ struct DryFriction : ScenePart {
       act(plan, state, rate - state.sliding, ahead);
     state.ahead = ahead;
     return state.sliding - ahead - rate;
-  }
-  template <class Value>
-  static constexpr bool is_negative(Value x) {
-    return is_positive(-x);
   }
   template <class Value>
   static constexpr bool is_zero(Value x) {

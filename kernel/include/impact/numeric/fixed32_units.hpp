@@ -157,6 +157,8 @@ struct Fixed32Units {
     const int32_t apart = upper_difference(x2, x1);
     return (apart ^ apart >> 31) >= static_cast<int32_t>(gap >> 32) - 1;
   }
+  // Of displacements per step, by more than `least`, on the upper words alone.
+  static constexpr bool is_above(Long w, Long other, Value least) { return upper_difference(w, other) > least.raw; }
   static constexpr int32_t upper_difference(Long x2, Long x1) {
     return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
   }

@@ -38,6 +38,10 @@ constexpr bool is_positive(Real x) {
   return x > 0;
 }
 template <class Real>
+constexpr bool is_negative(Real x) {
+  return x < 0;
+}
+template <class Real>
 constexpr Real positive_part(Real x) {
   return x > 0 ? x : 0;
 }

@@ -170,6 +170,10 @@ constexpr bool is_positive(Signed<bits> x) {
   return x.raw > 0;
 }
 template <int bits>
+constexpr bool is_negative(Signed<bits> x) {
+  return x.raw < 0;
+}
+template <int bits>
 constexpr Unsigned<bits> positive_part(Signed<bits> x) {
   return {static_cast<uint32_t>(opaque(x.raw > 0 ? x.raw : 0))};
 }

@@ -132,6 +132,7 @@ struct RealFormat {
     static constexpr Value relative(Long difference) { return difference.value(); }
     constexpr Value penetration(Long relative_displacement) const { return (relative_displacement - gap).value(); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
+    static constexpr bool is_above(Long w, Long other, Value least) { return w.sum - other.sum > least; }
     static constexpr bool fits(Long) { return true; }
     constexpr bool beyond_stops(Long x2, Long x1) const {
       const Real apart = x2.sum - x1.sum;

@@ -20,6 +20,7 @@ void expect(bool condition, const char* what) {
 }
 
 // The last number drawn decides most about a scene, so that a change of one byte changes one thing.
+template <class Kernel>
 Scene scene_from(Bytes& bytes) {
   Scene scene;
   const uint16_t changed = bytes.bits<uint16_t>();
@@ -40,12 +41,15 @@ Scene scene_from(Bytes& bytes) {
   draw(11, scene.x2, initial_displacement_range);
   draw(12, scene.v2, initial_velocity_range);
   draw(13, scene.restitution, restitution_range);
+  if constexpr (Kernel::Field::is_field) draw(14, scene.gravity, gravity_range);
+  if constexpr (Kernel::Friction::is_friction) draw(15, scene.ball_friction, force_range);
   const uint8_t kinds = bytes.byte();
   scene.stops = static_cast<Stops>(kinds % 3);
   scene.tension = kinds & 128 ? Tension::allow : Tension::clamp;
   return scene;
 }
 
+template <class Kernel>
 Bounds bounds_from(Bytes& bytes) {
   Bounds bounds;
   const uint8_t changed = bytes.byte();
@@ -53,6 +57,8 @@ Bounds bounds_from(Bytes& bytes) {
   if (changed & 2) bounds.speed = bytes.number(bound_range);
   if (changed & 4) bounds.penetration = bytes.number(bound_range);
   if (changed & 8) bounds.force = bytes.number(force_range);
+  if constexpr (Kernel::Field::is_sampled)
+    bounds.base_acceleration = changed & 16 ? bytes.number(base_acceleration_range) : 10;
   return bounds;
 }
 
@@ -69,24 +75,35 @@ void check(const Absorber& absorber) {
   }
 }
 
+using Value = typename Numeric::Value;
+
+template <class Absorber>
+void step(Absorber& absorber, Value force, Value base) {
+  if constexpr (Absorber::Drive::is_sampled && Absorber::Field::is_sampled)
+    absorber.step(force, base);
+  else if constexpr (Absorber::Drive::is_sampled)
+    absorber.step(force);
+  else if constexpr (Absorber::Field::is_sampled)
+    absorber.step(base);
+  else
+    absorber.step();
+}
+
 template <class Absorber>
 void run(Absorber& absorber, Bytes& bytes, int steps) {
   Fault first = absorber.fault();
-  typename Numeric::Value sample{};
+  Value sample{}, base{};
   for (int n = 0; n < steps; ++n) {
     if (!bytes.is_empty()) {
       const uint8_t kind = bytes.byte();
+      Value& drawn = Absorber::Field::is_sampled && kind % 2 == 1 ? base : sample;
       if (kind < 64)
-        sample = bytes.bits<typename Numeric::Value>();
+        drawn = bytes.bits<Value>();
       else
-        sample = Numeric::sample(kind - 160);
-      if (kind >= 64 && kind < 80)
-        absorber.correct(bytes.bits<typename Numeric::Value>(), bytes.bits<typename Numeric::Value>());
+        drawn = Numeric::sample(kind - 160);
+      if (kind >= 64 && kind < 80) absorber.correct(bytes.bits<Value>(), bytes.bits<Value>());
     }
-    if constexpr (Absorber::PlanType::DriveType::is_sampled)
-      absorber.step(sample);
-    else
-      absorber.step();
+    step(absorber, sample, base);
     check(absorber);
     if (first != Fault::none) expect(absorber.fault() == first, "the first fault sticks");
     first = absorber.fault();
@@ -97,10 +114,10 @@ template <class Law, class Stepper, class Drive, class... Features>
 void kernel(Bytes& bytes) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, Drive, Numeric, Features...>;
   using Plan = typename Kernel::PlanType;
-  const Scene scene = scene_from(bytes);
-  const Bounds bounds = bounds_from(bytes);
-  const double step = bytes.number({1e-7, 0.1});
-  const Plan plan = Plan::make(scene, bounds, step);
+  const Scene scene = scene_from<Kernel>(bytes);
+  const Bounds bounds = bounds_from<Kernel>(bytes);
+  const double h = bytes.number({1e-7, 0.1});
+  const Plan plan = Plan::make(scene, bounds, h);
   if (plan.status != PlanStatus::ok) return;
   Kernel absorber(plan);
   check(absorber);
@@ -111,15 +128,12 @@ void kernel(Bytes& bytes) {
     if (absorber.restore(saved)) check(absorber);
   }
   if (what & 2) {
-    Scene other = scene_from(bytes);
+    Scene other = scene_from<Kernel>(bytes);
     other.clearance = scene.clearance;
     other.stops = scene.stops;
-    const Plan next = Plan::make(other, bounds, step);
+    const Plan next = Plan::make(other, bounds, h);
     for (int n = 0; n < 20; ++n) {
-      if constexpr (Drive::is_sampled)
-        absorber.step({});
-      else
-        absorber.step();
+      step(absorber, {}, {});
       absorber.retune(n % 2 == 0 ? next : plan);
       check(absorber);
     }
@@ -132,9 +146,28 @@ void kernel(Bytes& bytes) {
   check(absorber);
 }
 
+// Weight, a base that shakes, friction.
+template <class Law>
+void with_parts(Bytes& bytes, int kind) {
+  switch (kind) {
+    case 0:
+      return kernel<Law, Moment, Sampled, BaseAcceleration, DryFriction>(bytes);
+    case 1:
+      return kernel<Law, Moment, Sine, Gravity, DryFriction, EnergyLedger, ImpactLog, ContactForce, Snapshots>(bytes);
+    case 2:
+      return kernel<Law, EnergyConsistent, Sine, BaseAcceleration, DryFriction>(bytes);
+    case 3:
+      return kernel<Law, Impulsive, NoDrive, BaseAcceleration, DryFriction, EnergyLedger>(bytes);
+    default:
+      return kernel<Law, AverageAcceleration, Sine, Gravity, DryFriction>(bytes);
+  }
+}
+
 template <class Law>
 void with_law(Bytes& bytes) {
-  switch (bytes.below(4)) {
+  const uint8_t kind = bytes.byte();
+  if (kind >= 128) return with_parts<Law>(bytes, kind % 5);
+  switch (kind % 4) {
     case 0:
       return kernel<Law, Moment, Sampled>(bytes);
     case 1:

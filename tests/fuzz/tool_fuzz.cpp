@@ -1,4 +1,4 @@
-// The tool's command line, sweep files and drive files from any bytes: parsed or refused with BadInput, and where
+// The tool's command line, sweep files and files of samples from any bytes: parsed or refused with BadInput, and where
 // parsed run for a few steps.
 
 #include <unistd.h>
@@ -39,7 +39,8 @@ void run_quietly(const Request& request) {
 
 // One argument a line. Files it may name, some without end, are read elsewhere.
 void command_line(const std::string& text) {
-  if (text.find("drive-file") != std::string::npos) return;
+  for (const char* file : {"drive-file", "base-file", "base-acceleration-file"})
+    if (text.find(file) != std::string::npos) return;
   std::vector<std::string> lines = {"impact-sim"};
   for (size_t start = 0; start < text.size();) {
     const size_t end = std::min(text.find('\n', start), text.size());
@@ -53,8 +54,9 @@ void command_line(const std::string& text) {
   run_quietly(settings.request);
 }
 
-void drive_file(const std::string& text) {
-  const Settings settings = settings_from({{"drive-file", file_of("drive", text)}, {"step", "1e-3"}});
+// A drive's, or a base's displacements or accelerations.
+void sample_file(const char* option, const std::string& text) {
+  const Settings settings = settings_from({{option, file_of("samples", text)}, {"step", "1e-3"}});
   run_quietly(settings.request);
 }
 
@@ -75,10 +77,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char*>(data + 1), size - 1);
   try {
-    if (data[0] % 3 == 0)
+    if (data[0] >= 192)
+      sample_file(data[0] % 2 == 0 ? "base-file" : "base-acceleration-file", text);
+    else if (data[0] % 3 == 0)
       command_line(text);
     else if (data[0] % 3 == 1)
-      drive_file(text);
+      sample_file("drive-file", text);
     else
       sweep_file(text);
   } catch (const BadInput&) {

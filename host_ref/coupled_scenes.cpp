@@ -52,15 +52,29 @@ struct Force {
     result.at_end = to;
     return result;
   }
+
+  Force times(double factor) const {
+    Force result;
+    for (int n = 0; n <= order; ++n) result.f[n] = factor * f[n];
+    result.spread = factor * spread;
+    result.at_end = factor * at_end;
+    return result;
+  }
+  Force& operator+=(const Force& other) {
+    for (int n = 0; n <= order; ++n) f[n] += other.f[n];
+    spread += other.spread;
+    at_end += other.at_end;
+    return *this;
+  }
 };
 
-// The main mass's flight through a step, x(s) = sum of a[n] s^n, from M x'' = F - k x, and the force's work on it.
+// A mass's flight through a step, x(s) = sum of a[n] s^n, from M x'' = F - k x, and the force's work on it.
 struct Flight {
   double end, work;
 
-  Flight(const Scene& scene, const Force& force, const Sample& now, double h) : end(0), work(0) {
-    double a[order + 1] = {now.x1, now.v1 * h};
-    const double turn = scene.main_stiffness * h * h / scene.main_mass, share = h * h / scene.main_mass;
+  Flight(double mass, double stiffness, const Force& force, double x, double u, double h) : end(0), work(0) {
+    double a[order + 1] = {x, u};
+    const double turn = stiffness * h * h / mass, share = h * h / mass;
     for (int n = 0; n + 2 <= order; ++n) a[n + 2] = (share * force.f[n] - turn * a[n]) / ((n + 1) * (n + 2));
     // The work by Gauss's method on 8 points: of degree 15.
     constexpr double points[][2] = {
@@ -80,11 +94,28 @@ struct Flight {
     }
     for (int n = order; n >= 0; --n) end += a[n];
   }
+
+  // With that of what else has moved the mass to x.
+  double work_to(double x, const Force& force) const {
+    return work + (x - end) * (force.f[0] + force.at_end) / 2 + std::abs(x - end) * force.spread / 2;
+  }
 };
+
+double share_of(Samples samples, const Scene& scene, const Sample& now, double t, long i) {
+  switch (samples) {
+    case Samples::noise:
+      return noise(i);
+    case Samples::square_wave:
+      return std::sin(scene.drive_pulsation * t) < 0 ? -1 : 1;
+    case Samples::along:
+      break;
+  }
+  return now.v1 < 0 ? -1 : 1;
+}
 
 }  // namespace
 
-CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, const Place& at) {
+CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, Parts parts, const Place& at) {
   CoupledScene result;
   result.steps = drive == DriveKind::none ? 2000 : 1000;
   Request& request = result.request;
@@ -126,7 +157,21 @@ CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, const Place& at)
     result.samples = at[13] < 0.33 ? Samples::noise : at[13] < 0.66 ? Samples::square_wave : Samples::along;
   }
 
-  const double energy = (at_start + by_drive) * (at_start + by_drive) / 2;
+  double field = 0;  // m/s^2
+  if (parts == Parts::some) {
+    const int which = 1 + std::min(6, static_cast<int>(7 * at[15]));
+    const double both = std::sqrt(scene.main_mass + scene.ball_mass), mu = impact.reduced_mass;
+    const double size = at_start * decade(at[16], 0.01, 30) / both / time;
+    if (which & 1) scene.gravity = at[13] < 0.5 ? -size : size;
+    request.is_shaken = which & 2;
+    if (which & 4) scene.ball_friction = at_start * std::sqrt(mu) * decade(at[17], 0.03, 100) / time;
+    field = (which & 1 ? size : 0) + (which & 2 ? size : 0);
+    if (request.is_shaken) result.base = size;
+    if (drive != DriveKind::sampled) result.samples = at[14] < 0.5 ? Samples::noise : Samples::along;
+  }
+  const double by_field = field * std::sqrt(scene.main_mass + scene.ball_mass) * time;
+
+  const double most = at_start + by_drive + by_field, energy = most * most / 2;
   const double depth = law == Law::hooke_newton ? std::sqrt(2 * energy / scene.contact_stiffness)
                                                 : std::pow(2.5 * energy / scene.contact_stiffness, 0.4);
   constexpr double margin = 1.01;
@@ -135,16 +180,17 @@ CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, const Place& at)
   bounds.displacement =
       margin * (std::sqrt(2 * energy / scene.main_stiffness) + scene.clearance / 2 + depth) + bounds.speed * h;
   bounds.force = drive == DriveKind::sampled ? force : 0;
+  bounds.base_acceleration = result.base;
   request.bounds = bounds;
   return result;
 }
 
-CoupledScene coupled_scene(Law law, Edge edge, unsigned index) {
+CoupledScene coupled_scene(Law law, Edge edge, unsigned index, Parts parts) {
   constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::none, DriveKind::sampled};
   std::mt19937_64 engine(index * 8UL + static_cast<unsigned long>(edge));
   Place place;
   for (double& coordinate : place) coordinate = static_cast<double>(engine() >> 11) * 0x1p-53;
-  return coupled_scene(law, edge, drives[index % 4], place);
+  return coupled_scene(law, edge, drives[index % 4], parts, place);
 }
 
 double energy_of(const Scene& scene, const Sample& sample) {
@@ -162,7 +208,8 @@ std::string text_of(const Request& request) {
       "impact-sim --law %s --newmark %s --numeric %s --main-mass %.17g --ball-mass %.17g --main-stiffness %.17g "
       "--main-damping 0 --clearance %.17g --contact-stiffness %.17g --contact-damping %.17g --drive %s "
       "--drive-amplitude %.17g --drive-pulsation %.17g --step %.17g --v1 %.17g --x2 %.17g --v2 %.17g "
-      "--bound-displacement %.17g --bound-speed %.17g --bound-force %.17g",
+      "--bound-displacement %.17g --bound-speed %.17g --bound-force %.17g --gravity %.17g --ball-friction %.17g "
+      "--bound-base-acceleration %.17g",
       std::string(name_of(request.law)).c_str(), std::string(name_of(request.stepper)).c_str(),
       std::string(name_of(request.numeric)).c_str(), scene.main_mass, scene.ball_mass, scene.main_stiffness,
       scene.clearance, scene.contact_stiffness, scene.contact_damping,
@@ -170,7 +217,7 @@ std::string text_of(const Request& request) {
       : request.drive == DriveKind::sine ? "sine"
                                          : "samples",
       scene.drive_amplitude, scene.drive_pulsation, request.step, scene.v1, scene.x2, scene.v2, bounds.displacement,
-      bounds.speed, bounds.force);
+      bounds.speed, bounds.force, scene.gravity, scene.ball_friction, bounds.base_acceleration);
   return text;
 }
 
@@ -180,39 +227,46 @@ CoupledRun run_coupled(const CoupledScene& found) {
   if (!outcome.simulation) return result;
   result.is_accepted = true;
   const Scene& scene = found.request.scene;
-  const double h = found.request.step, size = found.request.bounds->force;
+  const double h = found.request.step, size = found.request.bounds->force, largest_base = found.base;
   const DriveKind drive = found.request.drive;
-  double dissipated = 0, work = 0, most_work = 0, force = 0;
+  const bool is_in_field = largest_base > 0 || scene.gravity < 0 || scene.gravity > 0;
+  double dissipated = 0, rubbed = 0, work = 0, most_work = 0, force = 0, base = 0;
   Sample now = outcome.simulation->sample();
   for (long i = 0; i < found.steps; ++i) {
     const double t = static_cast<double>(i) * h;
-    Force over_step;
-    if (drive == DriveKind::sine) over_step = Force::sine(scene, t, h);
-    if (drive == DriveKind::sampled) {
-      const double share = found.samples == Samples::noise         ? noise(i)
-                           : found.samples == Samples::square_wave ? (std::sin(scene.drive_pulsation * t) < 0 ? -1 : 1)
-                                                                   : (now.v1 < 0 ? -1 : 1);
-      over_step = Force::line(force, share * size);
-    }
-    outcome.simulation->step(over_step.at_end);
+    Force on_main;
+    if (drive == DriveKind::sine) on_main = Force::sine(scene, t, h);
+    if (drive == DriveKind::sampled) on_main = Force::line(force, share_of(found.samples, scene, now, t, i) * size);
+    force = on_main.at_end;
+    // Another number of the noise's, and against the main mass's way.
+    const double next_base = -share_of(found.samples, scene, now, t, i + found.steps) * largest_base;
+    outcome.simulation->step(force, next_base);
     const Sample before = now;
     now = outcome.simulation->sample();
-    if (drive != DriveKind::none) {
-      const Flight flight(scene, over_step, before, h);
-      const double pushed = now.x1 - flight.end;
-      work += flight.work + pushed * (force + over_step.at_end) / 2 + std::abs(pushed) * over_step.spread / 2;
-      most_work = larger(most_work, work);
-      force = over_step.at_end;
+    const double mass = scene.main_mass, ball = scene.ball_mass;
+    if (is_in_field) {
+      const Force field = Force::line(scene.gravity - base, scene.gravity - next_base), on_ball = field.times(ball);
+      on_main += field.times(mass);
+      work += Flight(ball, 0, on_ball, before.x2, before.v2 * h, h).work_to(now.x2, on_ball);
+      base = next_base;
     }
+    if (is_in_field || drive != DriveKind::none)
+      work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_to(now.x1, on_main);
+    most_work = larger(most_work, work);
     const double scale = found.energy + most_work, energy = energy_of(scene, now);
     // While touching some of it is in the contact; no number is a gain without end.
     if (now.penetration < 0 || !(energy < 2 * scale)) {
       const double gain = (energy - found.energy - work) / scale;
       if (!(gain <= result.gain)) result.gain = gain;
+      const double with_friction = gain + now.friction_dissipated / scale;
+      if (!(with_friction <= result.rubbed)) result.rubbed = with_friction;
     }
     const double back = (dissipated - now.energy_dissipated) / scale;
     if (!(back <= result.returned)) result.returned = back;
     if (!(now.energy_dissipated <= dissipated)) dissipated = now.energy_dissipated;
+    const double rubbed_back = (rubbed - now.friction_dissipated) / scale;
+    if (!(rubbed_back <= result.rubbed)) result.rubbed = rubbed_back;
+    rubbed = now.friction_dissipated;
     if (outcome.simulation->fault()) {
       result.has_fault = true;
       break;

@@ -6,7 +6,8 @@
 // or by samples: noise, a square wave, or a force that always pushes where the main mass goes.
 //
 // The bounds are what the energy at the start and the drive allow, no tighter and no wider: with E the energy of all,
-// E' <= F |v1| and |v1| <= (2 E/M)^(1/2), so that (2 E)^(1/2) grows by no more than F t/M^(1/2).
+// E' <= F |v1| and |v1| <= (2 E/M)^(1/2), so that (2 E)^(1/2) grows by no more than F t/M^(1/2), and in a field of a by
+// no more than a t (M + m)^(1/2).
 
 #include <array>
 #include <string>
@@ -21,31 +22,35 @@ enum class Samples { noise, square_wave, along };
 struct CoupledScene {
   Request request;
   long steps = 0;
-  double energy = 0;  // at the start, J
-  Samples samples = Samples::noise;
+  double energy = 0;                 // at the start, J
+  Samples samples = Samples::noise;  // of drive and base
+  double base = 0;                   // the base's largest acceleration, m/s^2
 };
 
-// What a scene is drawn by: each coordinate from 0 to 1.
-constexpr size_t coordinates = 15;
+// What a scene is drawn by: each coordinate from 0 to 1. The last three are of its parts.
+constexpr size_t coordinates = 18;
 using Place = std::array<double, coordinates>;
-CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, const Place& place);
+enum class Parts { none, some };
+CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, Parts parts, const Place& place);
 
 // One at random, the same for the same index on every machine: every other one is driven.
-CoupledScene coupled_scene(Law law, Edge edge, unsigned index);
+CoupledScene coupled_scene(Law law, Edge edge, unsigned index, Parts parts = Parts::none);
 
 double energy_of(const Scene& scene, const Sample& sample);  // of masses and main spring, J
 
-// The command that runs it, but for a drive by samples.
+// The command that runs it, but for samples of a drive or a base.
 std::string text_of(const Request& request);
 
 // Steps the scene. The energy that contact has made is that of both masses and the main spring, less the energy at the
-// start and the drive's work; counted while the ball is apart, over the energy at the start and the most work until
-// then. The work is that of the exact flight, and in a step with contact that on the displacement by the contact's
-// impulse x as well: it lies between x times the least and the largest force in the step, and the most is taken.
+// start and the work of drive and field; counted while the ball is apart, over the energy at the start and the most
+// work until then. The work is that of the exact flight, and in a step with contact or friction that on the
+// displacement x by them as well: it lies between x times the least and the largest force in the step, and the most is
+// taken.
 struct CoupledRun {
   bool is_accepted = false, has_fault = false;
   double gain = 0;
   double returned = 0;  // what the ledger ever went back by, over the same
+  double rubbed = 0;    // the same gain with what friction's ledger has taken, and what that ever went back by
 };
 CoupledRun run_coupled(const CoupledScene& scene);
 

@@ -1,5 +1,6 @@
 // What a plan promises of the coupled machine: whatever it accepts, and whatever the rule takes, raises no fault within
-// true bounds, creates no energy and dissipates what the law asks for. Half of the scenes are driven.
+// true bounds, creates no energy and dissipates what the law asks for. Half of the scenes are driven; some have weight,
+// a base that shakes and dry friction.
 // IMPACT_COUPLED_SCENES=20000 runs the full number a format.
 
 #include "host_ref/coupled_scenes.hpp"
@@ -42,8 +43,8 @@ std::vector<Suite> suites() {
 
 class CoupledScenes : public testing::TestWithParam<Suite> {
  protected:
-  static CoupledScene scene(Edge edge, unsigned index) {
-    CoupledScene result = coupled_scene(GetParam().law, edge, index);
+  static CoupledScene scene(Edge edge, unsigned index, Parts parts = Parts::none) {
+    CoupledScene result = coupled_scene(GetParam().law, edge, index, parts);
     result.request.numeric = GetParam().numeric;
     if (GetParam().is_damped_per_impact) result.request.damping = Damping::hunt_crossley;
     return result;
@@ -83,6 +84,34 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
     }
   }
 }
+
+// With weight, a base that shakes and friction, one or more of them.
+TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
+  if (GetParam().numeric == Numeric::float32_plain) GTEST_SKIP() << "parts are not compiled into the tool in it";
+  for (const Stepper stepper : {Stepper::automatic, Stepper::moment, Stepper::moment_4, Stepper::moment_8,
+                                Stepper::energy, Stepper::impulsive}) {
+    unsigned made = 0, accepted = 0;
+    double worst = 0, worst_rubbed = 0;
+    for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball}) {
+      for (unsigned index = 0; index < scenes() / 2; ++index, ++made) {
+        CoupledScene found = scene(edge, index, Parts::some);
+        found.request.stepper = stepper;
+        const CoupledRun run = run_coupled(found);
+        if (!run.is_accepted) continue;
+        ++accepted;
+        EXPECT_FALSE(run.has_fault) << text_of(found.request);
+        EXPECT_LE(run.gain, most_energy_made(found)) << text_of(found.request);
+        EXPECT_LE(run.rubbed, most_energy_made(found)) << text_of(found.request);
+        if (!(run.gain <= worst)) worst = run.gain;
+        if (!(run.rubbed <= worst_rubbed)) worst_rubbed = run.rubbed;
+      }
+    }
+    std::printf("  %-10s %5u of %5u scenes accepted, largest gain %.2g, with friction's ledger %.2g\n",
+                std::string(name_of(stepper)).c_str(), accepted, made, worst, worst_rubbed);
+    EXPECT_GE(accepted, stepper == Stepper::automatic ? made / 3 : made / 20) << name_of(stepper);
+  }
+}
+
 // The first contact of a scene by the rule, against the reference: what it dissipates, as a share of what the impact
 // brought. A moment-fitted contact is within 1e-3 (8 steps a contact); the impulsive one takes the main mass to stand
 // still for the 0.05 rad of its vibration that a contact lasts, and the energy step is of second order: where it is

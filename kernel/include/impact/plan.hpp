@@ -163,10 +163,9 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   // Where the ball crosses the clearance in a step, a treatment that waits for the next finds it beyond the stop by the
   // ways of both.
   terms.crosses = scene.stops == Stops::both && terms.largest_rate * h >= scene.clearance;
-  // One that crosses it more than twice is put back to its stop each time: against a field, and unseen by friction.
+  // There it is put back to its stop, against a field, and friction does not see the way of it.
   const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
-  if (has_parts && scene.stops == Stops::both && terms.largest_rate * h > 2 * scene.clearance)
-    return refused(PlanStatus::clearance);
+  if (terms.crosses && has_parts) return refused(PlanStatus::clearance);
   const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
   largest.penetration = larger(terms.largest_penetration, way);
   if constexpr (Friction::is_friction) {

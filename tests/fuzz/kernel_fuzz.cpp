@@ -70,7 +70,9 @@ void check(const Absorber& absorber) {
   typename Numeric::Value read[] = {absorber.velocity(), absorber.ball_velocity(), absorber.displacement()};
   asm volatile("" : : "r"(read) : "memory");  // for the sanitizers: they compute within their ranges
   if (absorber.fault() == Fault::none && std::is_same_v<Numeric, Fixed32>) {
-    const auto& state = absorber.state();
+    auto state = absorber.state();
+    // What friction has done at the step's end is judged in the next one.
+    if constexpr (Absorber::Friction::is_friction) state.dx1 = state.dx2 = {};
     expect(absorber.plan.units.in_range(state.x1, state.x2, state.dx1, state.dx2), "the state is in range");
   }
 }

@@ -421,8 +421,9 @@ class Absorber
       if (rubs()) rub(apart, way);
     (Features::after_step(plan, state_), ...);
   }
+  // Friction at a step's end is looked at here, in the next one: it only brings both rates nearer to each other.
   [[gnu::always_inline]] constexpr bool is_flight_in_range() const {
-    if constexpr (Field::is_field)
+    if constexpr (Field::is_field || Friction::is_friction)
       return plan.units.in_range_in_field(state_.x1, state_.x2, state_.dx1, state_.dx2);
     else
       return plan.units.in_range(state_.x1, state_.x2, state_.dx1);

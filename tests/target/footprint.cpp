@@ -15,7 +15,7 @@ constexpr auto labelled(List<First, Others...>) {
   else
     return labelled(List<Others...>{});
 }
-using Measured = decltype(labelled(Budgeted{}));
+using Measured = decltype(labelled(Budgeted{} + BudgetedWithParts{}));
 
 }  // namespace impact::target
 

@@ -119,7 +119,7 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
     bounds.speed = larger(bounds.speed, margin * larger(std::abs(now.v1), std::abs(now.v2)));
     bounds.penetration = larger(bounds.penetration, margin * now.penetration);
   };
-  const long steps = std::lround(request.duration / request.step);
+  const long steps = step_count(request);
   note();
   for (long i = 0; i < steps; ++i) {
     const auto n = static_cast<size_t>(i);

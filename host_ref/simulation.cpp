@@ -102,6 +102,15 @@ Refusal refusal_of_restitution(const Request& request) {
           short_text(least) + " to " + short_text(restitution_range.most)};
 }
 
+Refusal refusal_of_parts(const Request& request) {
+  if (!has_parts(request) || !is_pointwise(request.stepper)) return {};
+  const char* part = request.is_shaken                 ? "base-acceleration-file"
+                     : request.scene.ball_friction > 0 ? "ball-friction"
+                                                       : "gravity";
+  return {"newmark", std::string(name_of(request.stepper)),
+          std::string("auto, moment, moment-4, moment-8, energy, impulsive: the classical schemes take no --") + part};
+}
+
 }  // namespace
 
 std::optional<Law> law_named(std::string_view name) { return find(laws, name); }
@@ -112,10 +121,11 @@ std::string_view name_of(Damping damping) { return name_in(dampings, damping); }
 std::string_view name_of(Stepper stepper) { return name_in(steppers, stepper); }
 std::string_view name_of(Numeric numeric) { return name_in(numerics, numeric); }
 
+long step_count(const Request& request) { return std::lround(request.duration / request.step); }
+
 bool has_parts(const Request& request) {
   const Scene& scene = request.scene;
-  const bool is_stated = scene.gravity < 0 || scene.gravity > 0 || scene.ball_friction > 0 || request.is_shaken;
-  return is_stated && request.numeric != Numeric::float32_plain && !is_pointwise(request.stepper);
+  return scene.gravity < 0 || scene.gravity > 0 || scene.ball_friction > 0 || request.is_shaken;
 }
 
 long Simulation::run(long steps, const double* forces, double* x1, const double* base) {
@@ -128,6 +138,7 @@ long Simulation::run(long steps, const double* forces, double* x1, const double*
 }
 
 Outcome make_simulation(const Request& request) {
+  if (Refusal refusal = refusal_of_parts(request); !refusal.field.empty()) return {nullptr, refusal, {}, {}};
   Request asked = request;
   if (!state_true_restitution(asked)) return {nullptr, refusal_of_restitution(request), {}, {}};
   Settled made = settled(asked);
@@ -136,6 +147,7 @@ Outcome make_simulation(const Request& request) {
 }
 
 Refusal refusal_before_a_run(const Request& asked) {
+  if (Refusal refusal = refusal_of_parts(asked); !refusal.field.empty()) return refusal;
   Request request = asked;
   if (!state_true_restitution(request)) return refusal_of_restitution(asked);
   if (!request.bounds) request.numeric = Numeric::float64;

@@ -31,8 +31,10 @@ struct Request {
   bool is_shaken = false;              // the base accelerates:
   std::vector<double> base_samples{};  // m/s^2, used only to find bounds
 };
-// Gravity, friction or a base that accelerates: with Moment, its sub-steps, EnergyConsistent and Impulsive, in any
-// format but Float32Plain. Others refuse it by name.
+long step_count(const Request& request);  // duration / step to the nearest whole number
+
+// Gravity, friction or a base that accelerates: with Moment, its sub-steps, EnergyConsistent and Impulsive. The others
+// refuse it by name.
 bool has_parts(const Request& request);
 
 // One row of output, SI units.

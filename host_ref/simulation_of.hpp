@@ -188,17 +188,14 @@ Planned plan_for(const Request& request, const Bounds& bounds) {
 template <class Format, class ContactLaw, class Stepper, class... Parts>
 Planned plan_with_drive(Request request, const Bounds& bounds) {
   if (request.drive == DriveKind::none) request.scene.drive_amplitude = 0;
-#if !defined(IMPACT_WITHOUT_SAMPLES)  // the explorer, which knows none
   if (request.drive == DriveKind::sampled)
     return plan_for<Format, ContactLaw, Stepper, Sampled, Parts...>(request, bounds);
-#endif
   return plan_for<Format, ContactLaw, Stepper, Sine, Parts...>(request, bounds);
 }
 
 template <class Format, class ContactLaw>
 Planned plan_any(const Request& request, const Bounds& bounds) {
-  if constexpr (!std::is_same_v<Format, Float32Plain>)
-    if (has_parts(request)) return plan_with_parts<Format, ContactLaw>(request, bounds);
+  if (has_parts(request)) return plan_with_parts<Format, ContactLaw>(request, bounds);
   return plan_with_law<Format, ContactLaw>(request, bounds);
 }
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <fstream>
 #include <host_ref/closed_form.hpp>
-#include <host_ref/settled.hpp>
 #include <host_ref/tool/output.hpp>
+#include <host_ref/tool/samples.hpp>
 #include <host_ref/tool/settings.hpp>
 #include <host_ref/tool/text.hpp>
 #include <utility>
@@ -13,44 +13,21 @@ namespace {
 
 constexpr double most_steps = 1e9;
 
-// A file of samples, as an option names it.
-struct SampleFile {
-  const char* option;
-  double largest;
-  const char* allowed;
-};
-constexpr SampleFile drive_samples{"--drive-file", 1e9, "a number from -1e+09 to 1e+09 N"};
-constexpr SampleFile base_displacements{"--base-file", 1e3, "a number from -1000 to 1000 m"};
-constexpr SampleFile base_accelerations{"--base-acceleration-file", 1e6, "a number from -1e+06 to 1e+06 m/s^2"};
-
-std::vector<double> samples_from(const SampleFile& kind, const std::string& file) {
+std::vector<double> samples_from(const SampleKind& kind, const std::string& file) {
+  const std::string option = std::string("--") + kind.option;
   std::ifstream input(file);
-  if (!input) throw BadInput(kind.option, file, "a file that can be read");
-  std::vector<double> samples;
-  for (char number[64]; input.getline(number, sizeof number);) {
-    const std::string line(number,
-                           static_cast<size_t>(input.gcount()) - (input.eof() ? 0 : 1));  // a NUL does not end it
-    const auto force = number_from(trimmed(line));
-    if (!force || std::abs(*force) > kind.largest)
-      throw BadInput(kind.option, file + " line " + std::to_string(samples.size() + 1) + ": '" + line + "'",
-                     kind.allowed);
-    samples.push_back(*force);
+  if (!input) throw BadInput(option, file, "a file that can be read");
+  Column column;
+  for (char line[64]; input.getline(line, sizeof line);) {
+    const size_t size = static_cast<size_t>(input.gcount()) - (input.eof() ? 0 : 1);  // a NUL does not end it
+    if (!take_line(column, kind, file, {line, size})) throw BadInput(column.refusal);
   }
   if (!input.eof())
-    throw BadInput(kind.option, file + " line " + std::to_string(samples.size() + 1),
+    throw BadInput(option, file + " line " + std::to_string(column.samples.size() + 1),
                    "a line that can be read, of up to 63 characters");
-  if (samples.empty()) throw BadInput(kind.option, file + " without a line", "a line for each step");
-  return samples;
-}
-
-// What a base that moves by z puts on the main mass: k z + c z', z' from the samples beside.
-std::vector<double> forces_of(const std::vector<double>& z, const Scene& scene, double step) {
-  std::vector<double> forces(z.size());
-  for (size_t n = 0; n < z.size(); ++n) {
-    const double before = n > 0 ? z[n - 1] : 0, after = n + 1 < z.size() ? z[n + 1] : 2 * z[n] - before;
-    forces[n] = scene.main_stiffness * z[n] + scene.main_damping * (after - before) / (2 * step);
-  }
-  return forces;
+  refuse_if_empty(column, kind, file);
+  if (!column.refusal.field.empty()) throw BadInput(column.refusal);
+  return column.samples;
 }
 
 // The damping coefficient with which the law has the stated restitution.
@@ -80,8 +57,6 @@ double default_damping(Law law) {
 }
 
 }  // namespace
-
-long step_count(const Request& request) { return std::lround(request.duration / request.step); }
 
 void settle(Settings& settings, const Given& given) {
   Request& request = settings.request;
@@ -137,32 +112,14 @@ void settle(Settings& settings, const Given& given) {
   for (const char* name : {"drive-amplitude", "drive-pulsation"})
     refuse_unless(!has_samples && request.drive == DriveKind::sine, name, "with --drive sine");
   refuse_unless(has("base-acceleration-file"), "bound-base-acceleration", "with --base-acceleration-file");
+  if (has("drive-file")) drive_by(request, drive_samples, samples_from(drive_samples, settings.drive_file));
+  if (has("base-file")) drive_by(request, base_displacements, samples_from(base_displacements, settings.base_file));
+  if (has("base-acceleration-file"))
+    shake_by(request, samples_from(base_accelerations, settings.base_acceleration_file));
   size_t lines = 0;
-  if (has("drive-file")) request.samples = samples_from(drive_samples, settings.drive_file);
-  if (has("base-file"))
-    request.samples = forces_of(samples_from(base_displacements, settings.base_file), scene, request.step);
-  if (has_samples) {
-    request.drive = DriveKind::sampled;
-    lines = request.samples.size();
-  }
-  if (has("base-acceleration-file")) {
-    request.is_shaken = true;
-    request.base_samples = samples_from(base_accelerations, settings.base_acceleration_file);
-    lines = has_samples ? std::min(lines, request.base_samples.size()) : request.base_samples.size();
-    // A bound of 0 is that of the samples.
-    if (request.bounds && !(request.bounds->base_acceleration > 0))
-      request.bounds->base_acceleration = largest_of(request.base_samples);
-  }
+  for (const auto* samples : {&request.samples, &request.base_samples})
+    if (!samples->empty()) lines = lines > 0 ? std::min(lines, samples->size()) : samples->size();
   if (lines > 0 && !has("duration")) request.duration = static_cast<double>(lines) * request.step;
-  // Others are not compiled with these parts.
-  for (const char* part : {"gravity", "ball-friction", "base-acceleration-file"}) {
-    if (!has(part) || has_parts(request) ||
-        (part != std::string("base-acceleration-file") && number_in(given.at(part)) == 0))
-      continue;
-    refuse_unless(false, "newmark",
-                  "auto, moment, moment-4, moment-8, energy, impulsive with gravity, friction or a shaken base");
-    refuse_unless(false, "numeric", "float64, float32, fixed32 with gravity, friction or a shaken base");
-  }
   // A file of samples and a stepper that was named are for a step that the user knows.
   settings.is_step_automatic = !has("step") && lines == 0 && request.stepper == Stepper::automatic;
   if (settings.is_step_automatic) request.step = automatic_step(request);
@@ -170,16 +127,13 @@ void settle(Settings& settings, const Given& given) {
     throw BadInput("--duration", has("duration") ? given.at("duration") : short_text(request.duration),
                    "a number from 0 to " + texts_within(0, most_steps * request.step).second + " s, 1e9 steps of " +
                        shortest_text(request.step) + " s");
-  const auto cut = [&](const char* option, const std::string& file, std::vector<double>& samples) {
-    const auto steps = static_cast<size_t>(step_count(request));
-    if (samples.size() < steps)
-      throw BadInput(option, file + " with " + std::to_string(samples.size()) + " lines",
-                     "a line for each of the " + std::to_string(steps) + " steps");
-    samples.resize(steps);
+  const auto cut_to_steps = [&](const SampleKind& kind, const std::string& file, std::vector<double>& samples) {
+    const Refusal refusal = cut(samples, request, kind, file);
+    if (!refusal.field.empty()) throw BadInput(refusal);
   };
-  if (has("drive-file")) cut("--drive-file", settings.drive_file, request.samples);
-  if (has("base-file")) cut("--base-file", settings.base_file, request.samples);
-  if (request.is_shaken) cut("--base-acceleration-file", settings.base_acceleration_file, request.base_samples);
+  if (has("drive-file")) cut_to_steps(drive_samples, settings.drive_file, request.samples);
+  if (has("base-file")) cut_to_steps(base_displacements, settings.base_file, request.samples);
+  if (request.is_shaken) cut_to_steps(base_accelerations, settings.base_acceleration_file, request.base_samples);
 }
 
 }  // namespace impact::host

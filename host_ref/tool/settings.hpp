@@ -36,6 +36,4 @@ using Given = std::map<std::string, std::string>;  // the options as they were g
 // --restitution, or the law's default), the drive's samples, the duration that a drive file implies.
 void settle(Settings& settings, const Given& given);
 
-long step_count(const Request& request);  // duration / step to the nearest whole number
-
 }  // namespace impact::host

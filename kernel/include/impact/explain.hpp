@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Why a plan was refused, and what would do. Where a value is out of its own range, that range (status.hpp). Where it
-// is only the values together that leave no room, the first of
+// Why a plan was refused, and what would do. Where a value is out of its own range, that range (status.hpp); a dry
+// friction that is too much for the step, the friction. Where it is only the values together that leave no room, the
+// first of
 //
 //     step, displacement_bound, speed_bound, penetration_bound, contact_stiffness, contact_damping, main_stiffness,
 //     main_damping, clearance
@@ -264,6 +265,8 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
       if (step < refused.step && would_do(first.parameter, step, true)) return found;
     return first;
   }
+  // Friction that takes the ball too far in a step: less of it, not another step.
+  if (first.parameter == Parameter::ball_friction && would_do(first.parameter, refused.step, true)) return found;
   // With this value alone the plan is to be made; or else another value is at fault by itself then; or else it is made
   // with a shorter step.
   for (const bool alone : detail::orders) {

@@ -59,9 +59,11 @@ TEST_F(ImpactSim, PartsAreRefusedByName) {
     const char *options, *refused;
   } cases[] = {{"--gravity nan", "--gravity nan: allowed: a number from -1e+06 to 1e+06 m/s^2"},
                {"--ball-friction -1", "--ball-friction -1: allowed: a number from 0"},
-               {"--ball-friction 1e6 --step 1e-4", "--step 0.0001: allowed: "},
-               {"--gravity 1 --newmark average", "--newmark average: allowed: auto, moment"},
-               {"--ball-friction 1 --numeric float32-plain", "--numeric float32-plain: allowed: float64"},
+               {"--ball-friction 1e6", "--ball-friction 1e+06: allowed: 0 to "},
+               {"--ball-friction 1e6 --step 1e-4", "--ball-friction 1e+06: allowed: 0 to "},
+               {"--gravity 1 --newmark average",
+                "--newmark average: allowed: auto, moment, moment-4, moment-8, energy, impulsive: the classical "
+                "schemes take no --gravity"},
                {"--base-acceleration-file bad", "--base-acceleration-file bad line 2: 'x': allowed: a number from"},
                {"--base-acceleration-file a --duration 1", "--base-acceleration-file a with 2 lines"},
                {"--base-file none", "--base-file none: allowed: a file that can be read"},
@@ -71,6 +73,29 @@ TEST_F(ImpactSim, PartsAreRefusedByName) {
     const Result result = run(options);
     EXPECT_EQ(result.code, 2) << options;
     EXPECT_THAT(result.err, HasSubstr(refused)) << options;
+  }
+}
+
+// What an FPU without compensation makes of the same scene: within its rounding over a second of impacts.
+TEST_F(ImpactSim, EveryFormatTakesParts) {
+  const std::string scene = "--gravity -9.81 --ball-friction 0.5 --x1 -0.01 --x2 -0.01 --duration 0.4 --step 1e-4 ";
+  const Result exact = run(scene + "--numeric float64");
+  for (const auto& [numeric, error] : {std::pair("fixed32", 1e-8), {"float32", 1e-7}, {"float32-plain", 1e-5}}) {
+    const Result result = run(scene + "--numeric " + numeric);
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_NEAR(last_row(result.out).at(1), last_row(exact.out).at(1), error) << numeric;
+    EXPECT_NEAR(last_row(result.out).at(3), last_row(exact.out).at(3), error) << numeric;
+  }
+}
+
+// Typed back, a limit of the friction is accepted.
+TEST_F(ImpactSim, TooMuchFrictionNamesTheMost) {
+  for (const std::string scene : {"", "--step 1e-4 ", "--numeric fixed32 ", "--step 5e-4 --newmark energy "}) {
+    const Result refused = run(scene + "--ball-friction 1e6 --duration 0.1");
+    const size_t at = refused.err.find("0 to ");
+    ASSERT_NE(at, std::string::npos) << refused.err;
+    const Result taken = run(scene + "--duration 0.1 --ball-friction " + lines_of(refused.err.substr(at + 5)).front());
+    EXPECT_EQ(taken.code, 0) << taken.err;
   }
 }
 

@@ -1,0 +1,61 @@
+#include <cmath>
+#include <host_ref/settled.hpp>
+#include <host_ref/tool/samples.hpp>
+#include <host_ref/tool/text.hpp>
+
+namespace impact::host {
+namespace {
+
+// What a base that moves by z puts on the main mass: k z + c z', z' from the samples beside.
+std::vector<double> forces_of(const std::vector<double>& z, const Scene& scene, double step) {
+  std::vector<double> forces(z.size());
+  for (size_t n = 0; n < z.size(); ++n) {
+    const double before = n > 0 ? z[n - 1] : 0, after = n + 1 < z.size() ? z[n + 1] : 2 * z[n] - before;
+    forces[n] = scene.main_stiffness * z[n] + scene.main_damping * (after - before) / (2 * step);
+  }
+  return forces;
+}
+
+}  // namespace
+
+bool take_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line) {
+  const auto sample = number_from(trimmed(line));
+  if (sample && std::abs(*sample) <= kind.largest) {
+    column.samples.push_back(*sample);
+    return true;
+  }
+  const std::string largest = short_text(kind.largest);
+  column.refusal = {kind.option,
+                    file + " line " + std::to_string(column.samples.size() + 1) + ": '" + std::string(line) + "'",
+                    "a number from -" + largest + " to " + largest + " " + kind.unit};
+  return false;
+}
+
+void refuse_if_empty(Column& column, const SampleKind& kind, const std::string& file) {
+  if (column.samples.empty()) column.refusal = {kind.option, file + " without a line", "a line for each step"};
+}
+
+void drive_by(Request& request, const SampleKind& kind, const std::vector<double>& samples) {
+  const bool is_force = &kind == &drive_samples;
+  request.samples = is_force ? samples : forces_of(samples, request.scene, request.step);
+  request.drive = DriveKind::sampled;
+}
+
+void shake_by(Request& request, const std::vector<double>& accelerations) {
+  request.is_shaken = true;
+  request.base_samples = accelerations;
+  // A bound of 0 is that of the samples.
+  if (request.bounds && !(request.bounds->base_acceleration > 0))
+    request.bounds->base_acceleration = largest_of(accelerations);
+}
+
+Refusal cut(std::vector<double>& samples, const Request& request, const SampleKind& kind, const std::string& file) {
+  const auto steps = static_cast<size_t>(step_count(request));
+  if (samples.size() < steps)
+    return {kind.option, file + " with " + std::to_string(samples.size()) + " lines",
+            "a line for each of the " + std::to_string(steps) + " steps"};
+  samples.resize(steps);
+  return {};
+}
+
+}  // namespace impact::host

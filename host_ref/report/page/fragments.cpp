@@ -25,6 +25,7 @@ void write_fragments(const std::vector<std::string>& arguments) {
   write("budget", budget_table(budget, parts_folder + "/worst_steps.csv"));
   write("stability", stability_table(stability));
   write("coupled", coupled_section(folder));
+  write("parts_accuracy", parts_table(read_table(folder + "/parts_accuracy.csv")));
   write_paper_sentences(parts_folder, read_table(folder + "/figures.csv"));
 }
 

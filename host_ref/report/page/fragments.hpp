@@ -47,6 +47,7 @@ std::string advantage(const Table& points);
 void write_frontiers(const std::string& folder, const Table& points);
 std::string budget_table(const Table& budget, const std::string& worst_steps);
 std::string stability_table(const Table& stability);
+std::string parts_table(const Table& parts_accuracy);
 std::string coupled_section(const std::string& folder);
 std::string choices(const Table& budget, const Table& stability);
 std::string choice_table(const Table& budget, const Table& stability);

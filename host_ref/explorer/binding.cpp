@@ -16,6 +16,7 @@ namespace {
 constexpr size_t slots = 16;
 std::optional<RecordedRun> runs[slots];
 Request made[slots];  // as they were planned
+SampleFiles files;
 char text[1 << 16];
 std::string long_text;
 
@@ -41,12 +42,19 @@ EXPORT(text) char* text_buffer() { return text; }
 
 EXPORT(default_scene) void write_default_scene() { reply(default_scene()); }
 
+// A file of samples: room for its text, then its name in the buffer.
+EXPORT(room) char* room(size_t size) {
+  long_text.resize(size);
+  return long_text.data();
+}
+EXPORT(write_file) void write_file() { files.write(text, long_text); }
+
 // The scene in the buffer. The answer there: "planned", the stepper taken, why, the contact damping that a restitution
 // led to; or "refused", the option, its value, what is allowed.
 EXPORT(plan) bool plan(int slot, bool with_absorber) {
   auto& run = runs[slot];
   run.reset();
-  auto [request, refusal] = scene_from(text);
+  auto [request, refusal] = scene_from(text, files);
   if (!refusal.field.empty()) return refuse(refusal);
   if (!with_absorber) request = without_absorber(request);
   Outcome outcome = make_simulation(request);

@@ -24,6 +24,7 @@ export function costOf(table, part, scene, stepper) {
     ['In contact', `${short(Number(contact.instructions_mean), 4)} instructions, at most ${contact.instructions_max}`],
     ...(iterating ? [['Stiff stops', `at most ${iterating.instructions_max} instructions, at a stop 10^4 times as stiff`]] : []),
     ['Worst step', `about ${Math.round(cycles)} cycles (${part.cycles} an instruction, assumed), ${short(1e6 * cycles / part.clock)} us, ${short(100 * cycles / part.clock / scene.step)} % of the period`],
+    ...(scene.gravity !== 0 || scene['ball-friction'] > 0 || scene.base !== 'still' ? [['Parts', 'weight, base and friction add to this: tests/README.md, What a step costs']] : []),
     ...memory.map((kind) => [{ flash: 'Flash', ram: 'RAM', stack: 'Stack' }[kind], `${contact[`${kind}_bytes`]} bytes`]),
   ];
 }

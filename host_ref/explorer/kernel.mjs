@@ -1,10 +1,12 @@
 // The kernel in WebAssembly (binding.cpp): scenes go in as text, numbers come out where they lie in its memory. All
 // physics is on that side.
 
-export const rowWidth = 12;
+import { SampleFiles } from './samples.mjs';
+
+export const rowWidth = 13;
 export const column = {
   t: 0, x1: 1, v1: 2, x2: 3, v2: 4, penetration: 5, force: 6,
-  dissipated: 7, lost: 8, found: 9, supplied: 10, side: 11,
+  dissipated: 7, rubbed: 8, lost: 9, found: 10, supplied: 11, side: 12,
 };
 export const contactWidth = 3;  // t, penetration, force
 export const impactWidth = 3;   // t, speed, restitution
@@ -27,11 +29,19 @@ export class Kernel {
 
   constructor(calls) {
     this.calls = calls;
+    this.files = new SampleFiles(this);
   }
 
   defaultScene() {
     this.calls.default_scene();
     return Object.fromEntries(this.#textAt(this.calls.text()).trim().split('\n').map((line) => line.split(' ')));
+  }
+
+  // What a scene's file options name.
+  writeFile(name, text) {
+    this.#put((size) => this.calls.room(size), text);
+    this.#put(() => this.calls.text(), `${name}\0`);
+    this.calls.write_file();
   }
 
   // { stepper, why, contactDamping }, or { refusal: { option, value, allowed } }.
@@ -68,9 +78,9 @@ export class Kernel {
     return this.calls.row_every(slot);
   }
   totals(slot) {
-    const [steps, largest, rms, dissipated, impacts, peakForce, energyError] =
-      new Float64Array(this.calls.memory.buffer, this.calls.totals(slot), 7);
-    return { steps, largest, rms, dissipated, impacts, peakForce, energyError };
+    const [steps, largest, rms, dissipated, impacts, peakForce, energyError, rubbed, leastX1, mostX1, mostSupplied, mostFound, leastDissipated] =
+      new Float64Array(this.calls.memory.buffer, this.calls.totals(slot), 13);
+    return { steps, largest, rms, dissipated, impacts, peakForce, energyError, rubbed, leastX1, mostX1, mostSupplied, mostFound, leastDissipated };
   }
   attenuation(slot, bareSlot) {
     return this.calls.attenuation(slot, bareSlot);
@@ -87,8 +97,11 @@ export class Kernel {
   }
 
   #say(options) {
-    const text = new TextEncoder().encode(options.map(([name, value]) => `${name} ${value}\n`).join('') + '\0');
-    new Uint8Array(this.calls.memory.buffer, this.calls.text(), text.length).set(text);
+    this.#put(() => this.calls.text(), options.map(([name, value]) => `${name} ${value}\n`).join('') + '\0');
+  }
+  #put(address, text) {
+    const bytes = new TextEncoder().encode(text), at = address(bytes.length);
+    new Uint8Array(this.calls.memory.buffer, at, bytes.length).set(bytes);
   }
   #table(address, count, width) {
     return { data: new Float64Array(this.calls.memory.buffer, address, count * width), count, width };

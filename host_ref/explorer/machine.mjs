@@ -12,8 +12,8 @@ export class Machine {
   }
 
   // For a scene, and the largest displacement and force that its run has come to.
-  fit({ clearance }, largest, peakForce) {
-    const key = [clearance, largest, peakForce].join();
+  fit({ clearance, gravity, base }, largest, peakForce) {
+    const key = [clearance, gravity, base, largest, peakForce].join();
     if (key === this.key) return;
     this.key = key;
     const longest = Math.max(largest, 1e-9);
@@ -22,7 +22,11 @@ export class Machine {
     this.peakForce = peakForce;
     const half = this.gap / 2 + ballRadius + stopWidth;
     this.half = half + 26;
-    const { mass, left, right, scale } = this.parts;
+    const { mass, left, right, scale, weight, base: label } = this.parts;
+    weight.setAttribute('d', gravity === 0 ? '' : `M${rest} 14h${70 * Math.sign(gravity)}m${-10 * Math.sign(gravity)} -6l${10 * Math.sign(gravity)} 6l${-10 * Math.sign(gravity)} 6`);
+    label.textContent = [gravity !== 0 && 'weight', base !== 'still' && 'seen from the shaken base'].filter((word) => word).join(', ');
+    label.setAttribute('text-anchor', gravity < 0 ? 'start' : 'end');
+    label.setAttribute('x', rest + (gravity < 0 ? 8 : -8));
     mass.setAttribute('d', `M${-this.half} -62h${2 * this.half}v124h${-2 * this.half}zM${-half} -34v68h${2 * half}v-68z`);
     left.setAttribute('x', -half);
     right.setAttribute('x', half - stopWidth);
@@ -75,6 +79,7 @@ export const machineDrawing = `
     <rect class="stop" data-part="right" y="-34" width="${stopWidth}" height="68"/>
     <circle class="ball" data-part="ball" cy="${34 - ballRadius}" r="${ballRadius}"/>
   </g>
+  <path class="thin" data-part="weight"/><text data-part="base" y="19"></text>
   <path class="rest" d="M${rest} ${floor + 3}v8"/>
   <g data-part="scale" transform="translate(640 ${floor + 14})"><path class="thin"/><text x="-8" y="4" text-anchor="end"></text></g>
 </svg>`;

@@ -10,13 +10,14 @@ import { readTheme } from './plot.mjs';
 import { DisplacementPlot, EnergyPlot, LoopPlot, RestitutionPlot, SweepPlot } from './plots.mjs';
 import { presets } from './presets.mjs';
 import { Run } from './run.mjs';
-import { argumentsOf, commandOf, initialScene, usualDamping } from './scene.mjs';
+import { argumentsOf, commandOf, filesOf, initialScene, usualDamping, valueNamed } from './scene.mjs';
 import { runTrajectories, verdictOf } from './self_test.mjs';
 import { Sweep } from './sweep.mjs';
 import { numbersRow, sentenceOf } from './words.mjs';
 
 const find = (id) => document.getElementById(id);
-const slice = 5, sweepSlice = 4, drawSlice = 11;  // ms of a frame, from its start
+const slice = 6, sweepSlice = 4, drawSlice = 12;  // ms of a frame, from its start
+const calm = 120;  // ms without a change, before words, link and sweep follow
 
 class Page {
   constructor(kernel, costs, parts) {
@@ -42,7 +43,7 @@ class Page {
     this.due = new Set();  // runs to start anew
     this.time = 0;
     this.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.controls = new Controls(find('controls'), (name, value) => this.change(name, value));
+    this.controls = new Controls(find('controls'), kernel.files, (name, value) => this.change(name, value));
     for (const { target, name } of parts) find('part').append(new Option(`${name}, ${target}`, target));
     this.#listen();
     this.restore();
@@ -61,7 +62,7 @@ class Page {
 
   // From the address, as a link states it.
   restore() {
-    const state = stateFrom(location.hash, this.initial);
+    const state = stateFrom(location.hash, this.initial, this.kernel.files);
     Object.assign(this, { a: state.a, b: state.b });
     if (!this.compares) this.edited = 'a';
     if (this.parts.some(({ target }) => target === state.part)) find('part').value = state.part;
@@ -79,6 +80,8 @@ class Page {
     if (value === null) delete scene[name];
     else scene[name] = value;
     if (name === 'law' && value !== null) scene['contact-damping'] = usualDamping[value];
+    // As long as the file lasts, as impact-sim takes it.
+    if (valueNamed(name).samples && value !== null) scene.duration = Number((this.kernel.files.lines(value) * this.sceneOf(this.edited).step).toPrecision(12)) || scene.duration;
     this.start(this.edited === 'a' ? ['a', 'b'] : ['b']);
   }
   compare(wanted) {
@@ -92,6 +95,7 @@ class Page {
     for (const letter of letters) this.due.add(letter);
     this.sweepIsDue = true;
     this.hasSpoken = false;
+    this.changedAt = performance.now();
     this.time = Math.min(this.time, this.a.duration);
   }
   #startDue() {
@@ -173,8 +177,9 @@ class Page {
     requestAnimationFrame((next) => this.#frame(next));
   }
   #afterRuns(begin) {
+    if (begin < this.changedAt + calm) return;
     if (!this.hasSpoken) {
-      history.replaceState(null, '', hashOf({ a: this.a, b: this.b, part: find('part').value }, this.initial));
+      history.replaceState(null, '', hashOf({ a: this.a, b: this.b, part: find('part').value }, this.initial, this.kernel.files));
       this.#showWords();
       this.hasSpoken = true;
       return;
@@ -249,8 +254,11 @@ class Page {
     find('numbers').tBodies[0].replaceChildren(...this.ready.map((run) => numbersRow(run)));
     find('summary').textContent = this.ready.map((run) => sentenceOf(run, this.compares)).join(' ') || `No run: ${this.runs.a.refusal.option} ${this.runs.a.refusal.value} is refused.`;
     find('link').textContent = location.href;
+    const tooLong = ['a', 'b'].flatMap((letter) => filesOf(Object.entries(this.sceneOf(letter)))).filter((name) => name && this.kernel.files.inLink(name) === null);
+    find('link-note').textContent = tooLong.length ? `Too long for a link: ${[...new Set(tooLong)].join(', ')}. Keep the file, and choose it again there.` : '';
     for (const [letter, run] of Object.entries(this.runs)) {
-      const options = run.isReady ? argumentsOf(run.scene, this.initial, run.every) : [];
+      const options = run.isReady ? argumentsOf(run.scene, this.initial, run.every, this.kernel.files) : [];
+      find(`files-${letter}`).replaceChildren(...filesOf(options).map((name) => this.#fileButton(name)));
       find(`command-${letter}`).textContent = run.isReady ? commandOf(options) : '';
       find(`rig-${letter}`).textContent = run.isReady ? this.kernel.rig(run.slot, options) : '';
       const costs = run.isReady ? costOf(this.costs, this.parts.find(({ target }) => target === find('part').value), run.scene, run.plan.stepper) : [];
@@ -261,15 +269,24 @@ class Page {
   #save(letter) {
     const run = this.runs[letter];
     if (!run.isReady) return;
-    const file = URL.createObjectURL(new Blob([this.kernel.csv(run.slot)], { type: 'text/csv' }));
-    element('a', { href: file, download: `impact_${letter}.csv` }).click();
-    URL.revokeObjectURL(file);
+    saveFile(`impact_${letter}.csv`, this.kernel.csv(run.slot));
+  }
+  #fileButton(name) {
+    const button = element('button', { type: 'button', textContent: `Save ${name}` });
+    button.addEventListener('click', () => saveFile(name, this.kernel.files.text(name)));
+    return button;
   }
   #machine(letter) {
     const figure = find(`machine-${letter}`);
     figure.querySelector('.drawing').innerHTML = machineDrawing;
     return new Machine(figure);
   }
+}
+
+function saveFile(name, text) {
+  const file = URL.createObjectURL(new Blob([text], { type: 'text/plain' }));
+  element('a', { href: file, download: name }).click();
+  URL.revokeObjectURL(file);
 }
 
 async function selfTest() {

@@ -3,7 +3,7 @@
 # STEP_BUDGET may be absent.
 
 set(script "")
-foreach(module kernel numbers scene run plot plots machine sweep cost link self_test controls words presets main)
+foreach(module numbers samples kernel scene run plot plots machine sweep cost link self_test controls words presets main)
   file(READ ${FOLDER}/${module}.mjs text)
   string(REGEX REPLACE "(^|\n)import [^\n]*" "\\1" text "${text}")
   string(REGEX REPLACE "(^|\n)export (async |class |const |function )" "\\1\\2" text "${text}")

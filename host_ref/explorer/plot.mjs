@@ -3,6 +3,7 @@
 
 import { short, ticksBetween } from './numbers.mjs';
 
+const font = '11px system-ui, sans-serif';
 const margin = { left: 60, right: 10, top: 8, bottom: 34 };
 
 export class Plot {
@@ -40,8 +41,11 @@ export class Plot {
     this.range = range;
     this.ratio = ratio;
     this.frame = { left: margin.left, top: margin.top, width: width - margin.left - margin.right, height: height - margin.top - margin.bottom };
+    const { frame } = this, xs = frame.width / (range.right - range.left), ys = frame.height / (range.bottom - range.top);
+    this.scales = { xs, x0: frame.left - xs * range.left, ys, y0: frame.top - ys * range.top };
+    this.pen.setTransform(1, 0, 0, 1, 0, 0);
+    this.pen.drawImage(this.#backdrop(width, height), 0, 0);
     this.pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.#drawFrame(width, height);
     this.pen.save();
     this.pen.beginPath();
     this.pen.rect(this.frame.left, this.frame.top, this.frame.width, this.frame.height);
@@ -52,47 +56,52 @@ export class Plot {
     this.pen.restore();
   }
 
+  // Of many points within a pixel's column the least and the most.
   line({ data, count, width }, x, y, style) {
     this.#style(style);
-    const { pen, ratio } = this, [first, last] = this.#visible(data, count, width, x);
+    const { pen, ratio, scales: { x0, xs, y0, ys } } = this, [first, last] = this.#visible(data, count, width, x);
+    const column = 1 / (ratio * xs), isDense = last - first > 2 * ratio * this.frame.width;
     pen.beginPath();
-    let pixel = null, least = 0, most = 0, next = 0;
-    for (let i = first; i < last; ++i) {
-      const at = Math.round(ratio * this.px(data[i * width + x])) / ratio, value = this.py(data[i * width + y]);
-      if (at !== pixel) {
-        if (pixel === null) pen.moveTo(at, value);
-        else if (least !== most) pen.lineTo(pixel, least), pen.lineTo(pixel, most), pen.lineTo(pixel, next);
-        pen.lineTo(at, value);
-        pixel = at;
-        least = most = value;
+    for (let i = first, before = 0; i < last;) {
+      const at = data[i * width + x], end = isDense ? (Math.floor(at / column) + 1) * column : at;
+      let least = data[i * width + y], most = least;
+      for (++i; i < last && data[i * width + x] < end; ++i) {
+        const value = data[i * width + y];
+        if (value < least) least = value;
+        if (value > most) most = value;
       }
-      least = Math.min(least, value);
-      most = Math.max(most, value);
-      next = value;
+      const across = x0 + xs * (isDense ? end - column / 2 : at);
+      if ((least - most) * ys < 1) {
+        pen.lineTo(across, y0 + ys * (before = (least + most) / 2));
+      } else {
+        const isNearLeast = Math.abs(before - least) < Math.abs(before - most);
+        pen.lineTo(across, y0 + ys * (isNearLeast ? least : most));
+        pen.lineTo(across, y0 + ys * (before = isNearLeast ? most : least));
+      }
     }
-    if (least !== most) pen.lineTo(pixel, least), pen.lineTo(pixel, most);
     pen.stroke();
   }
 
-  // Every point joined to the one before it.
+  // Every point joined to the one before it, but for those within a pixel of that.
   path({ data, count, width }, from, to, x, y, style) {
     this.#style(style);
-    this.pen.beginPath();
-    for (let i = from; i < Math.min(to, count); ++i) {
-      const at = this.px(data[i * width + x]), value = this.py(data[i * width + y]);
-      if (i === from) this.pen.moveTo(at, value);
-      else this.pen.lineTo(at, value);
+    const { pen, scales: { x0, xs, y0, ys } } = this, end = Math.min(to, count);
+    pen.beginPath();
+    for (let i = from, beforeX = Infinity, beforeY = 0; i < end; ++i) {
+      const across = x0 + xs * data[i * width + x], up = y0 + ys * data[i * width + y];
+      if (Math.abs(across - beforeX) + Math.abs(up - beforeY) < 1.2 && i < end - 1) continue;
+      pen.lineTo(beforeX = across, beforeY = up);
     }
-    this.pen.stroke();
+    pen.stroke();
   }
 
   area({ data, count, width }, x, low, high, style) {
-    const { pen } = this, [first, last] = this.#visible(data, count, width, x);
-    const stride = Math.max(1, Math.floor((last - first) / (2 * this.frame.width)));
+    const { pen, scales: { x0, xs, y0, ys } } = this, [first, last] = this.#visible(data, count, width, x);
+    const stride = Math.max(1, Math.floor((last - first) / this.frame.width));
     pen.fillStyle = style.colour;
     pen.beginPath();
-    for (let i = first; i < last; i += stride) pen.lineTo(this.px(data[i * width + x]), this.py(data[i * width + high]));
-    for (let i = last - 1; i >= first; i -= stride) pen.lineTo(this.px(data[i * width + x]), this.py(low === null ? 0 : data[i * width + low]));
+    for (let i = first; i < last; i += stride) pen.lineTo(x0 + xs * data[i * width + x], y0 + ys * data[i * width + high]);
+    for (let i = last - 1; i >= first; i -= stride) pen.lineTo(x0 + xs * data[i * width + x], low === null ? y0 : y0 + ys * data[i * width + low]);
     pen.fill();
   }
 
@@ -117,7 +126,9 @@ export class Plot {
 
   note(text) {
     this.pen.fillStyle = theme.quiet;
+    this.pen.font = font;
     this.pen.textAlign = 'center';
+    this.pen.textBaseline = 'middle';
     this.pen.fillText(text, this.frame.left + this.frame.width / 2, this.frame.top + this.frame.height / 2);
   }
 
@@ -128,10 +139,10 @@ export class Plot {
   }
 
   px(x) {
-    return this.frame.left + (x - this.range.left) / (this.range.right - this.range.left) * this.frame.width;
+    return this.scales.x0 + this.scales.xs * x;
   }
   py(y) {
-    return this.frame.top + (this.range.top - y) / (this.range.top - this.range.bottom) * this.frame.height;
+    return this.scales.y0 + this.scales.ys * y;
   }
   xAt(clientX) {
     const share = (clientX - this.canvas.getBoundingClientRect().left - this.frame.left) / this.frame.width;
@@ -155,15 +166,28 @@ export class Plot {
   #style({ colour, dash = [], thickness = 1.5 }) {
     this.pen.strokeStyle = colour;
     this.pen.lineWidth = thickness;
-    this.pen.lineJoin = 'round';
+    this.pen.lineJoin = 'bevel';
     this.pen.setLineDash(dash);
   }
 
-  #drawFrame(width, height) {
-    const { pen, frame, range, axes } = this;
+  // Ground, grid and numbers, which stay the same from most pictures to the next.
+  #backdrop(width, height) {
+    const { ratio, range } = this, { width: across, height: up } = this.canvas;
+    const key = [across, up, ratio, theme.name, ...Object.values(range)].join();
+    if (key === this.backdropKey) return this.backdrop;
+    this.backdropKey = key;
+    this.backdrop ??= document.createElement('canvas');
+    Object.assign(this.backdrop, { width: across, height: up });
+    const pen = this.backdrop.getContext('2d');
+    pen.scale(ratio, ratio);
+    this.#drawFrame(pen, width, height);
+    return this.backdrop;
+  }
+  #drawFrame(pen, width, height) {
+    const { frame, range, axes } = this;
     pen.fillStyle = theme.panel;
     pen.fillRect(0, 0, width, height);
-    pen.font = '11px system-ui, sans-serif';
+    pen.font = font;
     pen.strokeStyle = theme.grid;
     pen.lineWidth = 1;
     const ends = (low, high, { scale }, count) => ticksBetween(low * scale, high * scale, count).map((tick) => [tick / scale, short(tick)]);
@@ -196,7 +220,7 @@ export class Plot {
 export const theme = { name: '' };
 export function readTheme() {
   const style = getComputedStyle(document.documentElement);
-  for (const colour of ['ink', 'quiet', 'grid', 'panel', 'a', 'b', 'bare', 'lost', 'damped', 'moving'])
+  for (const colour of ['ink', 'quiet', 'grid', 'panel', 'a', 'b', 'bare', 'lost', 'rubbed', 'damped', 'moving'])
     theme[colour] = style.getPropertyValue(`--${colour}`).trim();
   theme.name = theme.panel + theme.ink;
 }

@@ -18,10 +18,11 @@ function extremes({ data, count, width }, columnIndex) {
   }
   return [least, most];
 }
-// With some room, and never empty.
+// With some room, never empty, and round, so that the frame does not change with every picture.
 function roomy(least, most) {
-  const room = 0.06 * (most - least) || 1e-6;
-  return { bottom: least < 0 ? least - room : 0, top: most + room };
+  const room = 0.04 * (most - least) || 1e-6, unit = 10 ** Math.floor(Math.log10(most - least + room)) / 5;
+  const up = (value) => unit * Math.ceil(value / unit);
+  return { bottom: least < 0 ? -up(room - least) : 0, top: up(most + room) };
 }
 
 export class DisplacementPlot extends Plot {
@@ -29,7 +30,7 @@ export class DisplacementPlot extends Plot {
     super(figure, { x: { label: 't, s' }, y: { label: 'x1, mm', scale: 1e3 } });
   }
   draw(runs, window, cursor) {
-    const range = { ...window, ...this.remember(versionOf(runs), () => this.#heights(runs)) };
+    const range = { ...window, ...this.#heights(runs) };
     if (this.begin(versionOf(runs), range)) {
       if (runs[0].hasBare) this.line(runs[0].bareRows(), column.t, column.x1, bareStyle());
       runs.forEach((run, i) => this.line(run.rows(), column.t, column.x1, { colour: theme[run.letter], dash: dashes[i], thickness: 1.6 }));
@@ -38,30 +39,27 @@ export class DisplacementPlot extends Plot {
     this.mark(cursor);
   }
   #heights(runs) {
-    const ends = runs.map((run) => extremes(run.rows(), column.x1));
-    if (runs[0].hasBare) ends.push(extremes(runs[0].bareRows(), column.x1));
-    return roomy(Math.min(...ends.map(([least]) => least)), Math.max(...ends.map(([, most]) => most)));
+    const totals = runs.map((run) => run.totals());
+    if (runs[0].hasBare) totals.push(runs[0].bareTotals());
+    return roomy(Math.min(0, ...totals.map(({ leastX1 }) => leastX1)), Math.max(0, ...totals.map(({ mostX1 }) => mostX1)));
   }
 }
 
-// What has been lost, to contact and to the main damper, and what is in motion and springs; above them, as a line, what
-// the start and the drive have supplied: where that is not their sum, the step has made or lost energy.
+// What has been lost, to contact, dry friction and the main damper, and what is in motion and springs; above them, as a
+// line, what the start, the drive, the weight and the base have supplied: where that is not their sum, the step has made or lost energy.
 export class EnergyPlot extends Plot {
   constructor(figure) {
     super(figure, { x: { label: 't, s' }, y: { label: 'energy, J' } });
   }
   draw(run, window, cursor) {
-    const rows = run.rows();
-    const heights = this.remember(run.version, () => {
-      // A stop that is far too stiff for the step takes and gives more than all the rest: that is cut off.
-      const [supplied, found] = [column.supplied, column.found].map((index) => extremes(rows, index)[1]);
-      const [least] = extremes(rows, column.dissipated);
-      return roomy(Math.max(least, -supplied), Math.max(supplied, Math.min(found, 2 * supplied)));
-    });
+    // A stop that is far too stiff for the step takes and gives more than all the rest: that is cut off.
+    const rows = run.rows(), { mostSupplied, mostFound, leastDissipated } = run.totals();
+    const heights = roomy(Math.max(leastDissipated, -mostSupplied), Math.max(mostSupplied, Math.min(mostFound, 2 * mostSupplied)));
     const range = { ...window, ...heights };
     if (this.begin(run.version, range)) {
       this.area(rows, column.t, null, column.dissipated, { colour: theme.lost });
-      this.area(rows, column.t, column.dissipated, column.lost, { colour: theme.damped });
+      this.area(rows, column.t, column.dissipated, column.rubbed, { colour: theme.rubbed });
+      this.area(rows, column.t, column.rubbed, column.lost, { colour: theme.damped });
       this.area(rows, column.t, column.lost, column.found, { colour: theme.moving });
       this.line(rows, column.t, column.supplied, { colour: theme.ink, dash: [5, 3] });
       this.end();
@@ -82,7 +80,8 @@ export class LoopPlot extends Plot {
       const deepest = Math.max(1e-9, ...tables.map((table) => extremes(table, 1)[1]));
       const forces = tables.map((table) => extremes(table, 2));
       const heights = roomy(Math.min(...forces.map(([least]) => least)), Math.max(1e-9, ...forces.map(([, most]) => most)));
-      return { range: { left: -0.08 * deepest, right: 1.05 * deepest, ...heights }, loops: tables.map((table, i) => runs[i].plan.stepper === 'impulsive' ? [] : loopsOf(table)) };
+      const right = roomy(0, deepest).top;
+      return { range: { left: -0.08 * right, right, ...heights }, loops: tables.map((table, i) => runs[i].plan.stepper === 'impulsive' ? [] : loopsOf(table)) };
     });
     const shown = loops.map((list, i) => lastBefore(list, tables[i], time));
     if (this.begin(`${versionOf(runs)} ${shown}`, range)) {
@@ -128,9 +127,9 @@ export class RestitutionPlot extends Plot {
     const tables = runs.map((run) => run.kernel.impacts(run.slot));
     const fastest = Math.max(0.1, ...tables.map((table) => extremes(table, 1)[1]));
     const highest = Math.max(1, ...tables.map((table) => extremes(table, 2)[1]));
-    const range = { left: 0, right: 1.05 * fastest, bottom: 0, top: Math.min(3, 1.08 * highest) };
+    const range = { left: 0, right: roomy(0, fastest).top, bottom: 0, top: Math.min(3, roomy(0, highest).top) };
     if (this.begin(versionOf(runs), range)) {
-      runs.forEach((run, i) => this.line(this.#lawOf(run, fastest), 0, 1, { colour: theme[run.letter], dash: dashes[i], thickness: 1 }));
+      runs.forEach((run, i) => this.line(this.#lawOf(run, range.right), 0, 1, { colour: theme[run.letter], dash: dashes[i], thickness: 1 }));
       runs.forEach((run, i) => this.points(tables[i], 1, 2, { colour: theme[run.letter], shape: marks[i] }));
       this.end();
     }
@@ -138,7 +137,7 @@ export class RestitutionPlot extends Plot {
   #lawOf(run, fastest) {
     const count = 60, data = new Float64Array(2 * count);
     for (let i = 0; i < count; ++i) {
-      const speed = 1.05 * fastest * (i + 0.5) / count;
+      const speed = fastest * (i + 0.5) / count;
       data[2 * i] = speed;
       data[2 * i + 1] = run.kernel.lawRestitution(run.slot, speed);
     }
@@ -156,7 +155,7 @@ export class SweepPlot extends Plot {
     const highest = Math.max(1e-6, ...sweep.curves.flatMap(({ own, bare }) => [extremes(own, 1)[1], extremes(bare, 1)[1]]));
     // Near resonance the bare mass goes through the roof: the runs are to fill the picture.
     const own = Math.max(1e-6, ...sweep.curves.map((curve) => extremes(curve.own, 1)[1]));
-    const range = { left: least, right: most, bottom: 0, top: 1.06 * Math.min(highest, 3 * own) };
+    const range = { left: least, right: most, bottom: 0, top: roomy(0, Math.min(highest, 3 * own)).top };
     if (this.begin(sweep.version, range)) {
       sweep.curves.forEach(({ own, bare }, i) => {
         if (i === 0) this.line(bare, 0, 1, bareStyle());

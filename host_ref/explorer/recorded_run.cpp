@@ -9,6 +9,7 @@ namespace {
 constexpr long most_rows = 40000, most_contact_steps = 400000;
 
 double half_square(double factor, double x) { return factor * x * x / 2; }
+double half_sum(double a, double b) { return (a + b) / 2; }
 
 bool is_in_contact(const Sample& sample) { return sample.contact_force != 0 || sample.penetration > 0; }
 
@@ -17,9 +18,10 @@ bool is_in_contact(const Sample& sample) { return sample.contact_force != 0 || s
 RecordedRun::RecordedRun(const Request& request, std::unique_ptr<Simulation> simulation)
     : request_(request),
       simulation_(std::move(simulation)),
-      steps_(std::lround(request.duration / request.step)),
+      steps_(step_count(request)),
       every_(steps_ / most_rows + 1),
       contact_every_(steps_ / most_contact_steps + 1) {
+  rows_.reserve(static_cast<size_t>(steps_ / every_ + 1));
   before_ = simulation_->sample();
   initial_energy_ = motion_energy(before_);
   note(before_);
@@ -29,10 +31,13 @@ bool RecordedRun::is_done() const { return done_ >= steps_ || simulation_->fault
 
 void RecordedRun::advance(long steps) {
   for (; steps > 0 && !is_done(); --steps) {
-    simulation_->step(0);
+    const auto n = static_cast<size_t>(done_);
+    simulation_->step(request_.samples.empty() ? 0 : request_.samples[n],
+                      request_.base_samples.empty() ? 0 : request_.base_samples[n]);
     if (simulation_->fault()) return;
     ++done_;
     const Sample now = simulation_->sample();
+    field_work_ += field_work(now);
     damper_loss_ += request_.step * (half_square(request_.scene.main_damping, before_.v1) +
                                      half_square(request_.scene.main_damping, now.v1));
     note_impact(now);
@@ -43,15 +48,21 @@ void RecordedRun::advance(long steps) {
 }
 
 void RecordedRun::note(const Sample& now) {
-  largest_x1_ = std::max(largest_x1_, std::abs(now.x1));
+  totals_.largest_x1 = std::max(totals_.largest_x1, std::abs(now.x1));
   squares_ += now.x1 * now.x1;
-  const double lost = now.energy_dissipated + damper_loss_, found = lost + motion_energy(now);
-  const double supplied = initial_energy_ + now.drive_work;
-  energy_error_ = std::max(energy_error_, std::abs(found - supplied));
+  const double rubbed = now.energy_dissipated + now.friction_dissipated;
+  const double lost = rubbed + damper_loss_, found = lost + motion_energy(now);
+  const double supplied = initial_energy_ + now.drive_work + field_work_;
+  totals_.energy_error = std::max(totals_.energy_error, std::abs(found - supplied));
+  totals_.least_x1 = std::min(totals_.least_x1, now.x1);
+  totals_.most_x1 = std::max(totals_.most_x1, now.x1);
+  totals_.most_supplied = std::max(totals_.most_supplied, supplied);
+  totals_.most_found = std::max(totals_.most_found, found);
+  totals_.least_dissipated = std::min(totals_.least_dissipated, now.energy_dissipated);
   if (done_ % every_ != 0) return;
   const double side = !is_in_contact(now) ? 0 : now.x2 < now.x1 ? -1 : 1;
   rows_.push_back({now.t, now.x1, now.v1, now.x2, now.v2, now.penetration, now.contact_force, now.energy_dissipated,
-                   lost, found, supplied, side});
+                   rubbed, lost, found, supplied, side});
 }
 
 // With the step before a contact and the one after it, so that a loop is seen to close.
@@ -86,15 +97,26 @@ double RecordedRun::motion_energy(const Sample& now) const {
          half_square(scene.ball_mass, now.v2) + now.energy_stored;
 }
 
+// Of weight and of the base's acceleration, linear between samples, by the trapezoidal rule.
+double RecordedRun::field_work(const Sample& now) const {
+  const Scene& scene = request_.scene;
+  double acceleration = scene.gravity;
+  if (!request_.base_samples.empty()) {
+    const auto n = static_cast<size_t>(done_);
+    acceleration -= half_sum(n > 1 ? request_.base_samples[n - 2] : 0, request_.base_samples[n - 1]);
+  }
+  return acceleration * (scene.main_mass * (now.x1 - before_.x1) + scene.ball_mass * (now.x2 - before_.x2));
+}
+
 Totals RecordedRun::totals() const {
-  const double samples = static_cast<double>(done_) + 1;
-  return {static_cast<double>(done_),
-          largest_x1_,
-          std::sqrt(squares_ / samples),
-          before_.energy_dissipated,
-          static_cast<double>(before_.impacts),
-          before_.peak_force,
-          energy_error_};
+  Totals totals = totals_;
+  totals.steps = static_cast<double>(done_);
+  totals.rms_x1 = std::sqrt(squares_ / (totals.steps + 1));
+  totals.energy_dissipated = before_.energy_dissipated;
+  totals.impacts = static_cast<double>(before_.impacts);
+  totals.peak_force = before_.peak_force;
+  totals.friction_dissipated = before_.friction_dissipated;
+  return totals;
 }
 
 }  // namespace impact::host

@@ -10,9 +10,10 @@ namespace impact::host {
 // The columns of a motion's row.
 struct Row {
   double t, x1, v1, x2, v2, penetration, contact_force, energy_dissipated;
-  double energy_lost;      // J: to contact and, c v1^2 by the trapezoidal rule, to the main damper
+  double energy_rubbed;    // J: lost to contact and to dry friction
+  double energy_lost;      // J: and, c v1^2 by the trapezoidal rule, to the main damper
   double energy_found;     // J: lost, kinetic of both masses, in the main spring and in the contact
-  double energy_supplied;  // J: at the start, and by the drive since then; what was supplied must be found
+  double energy_supplied;  // J: at the start, and since then by drive, weight and base; what was supplied must be found
   double side;             // of the contact under way: -1 left, 1 right, 0 apart
 };
 struct ContactPoint {
@@ -24,7 +25,10 @@ struct ImpactPoint {
   double t, speed, restitution;
 };
 struct Totals {
-  double steps, largest_x1, rms_x1, energy_dissipated, impacts, peak_force, energy_error;  // J, of the ledger's balance
+  double steps = 0, largest_x1 = 0, rms_x1 = 0, energy_dissipated = 0, impacts = 0, peak_force = 0;
+  double energy_error = 0;  // J, of the ledger's balance
+  double friction_dissipated = 0;
+  double least_x1 = 0, most_x1 = 0, most_supplied = 0, most_found = 0, least_dissipated = 0;
 };
 
 class RecordedRun {
@@ -48,13 +52,14 @@ class RecordedRun {
   void note_impact(const Sample& sample);
   void end_impact(const Sample& sample);
   double motion_energy(const Sample& sample) const;
+  double field_work(const Sample& sample) const;  // in the step that ended with it
 
   Request request_;
   std::unique_ptr<Simulation> simulation_;
   long steps_, every_, contact_every_, done_ = 0;
   Sample before_{};
-  double initial_energy_ = 0, damper_loss_ = 0, dissipated_at_impact_ = 0, largest_x1_ = 0, squares_ = 0;
-  double energy_error_ = 0;
+  double initial_energy_ = 0, damper_loss_ = 0, field_work_ = 0, dissipated_at_impact_ = 0, squares_ = 0;
+  Totals totals_;
   bool in_impact_ = false;
   std::vector<Row> rows_;
   std::vector<ContactPoint> contacts_;

@@ -1,6 +1,6 @@
 // A run of the machine and the same main mass without absorber, computed a slice at a time so that the page stays awake.
 
-import { optionsOf } from './scene.mjs';
+import { missingFile, optionsOf } from './scene.mjs';
 
 // The page's own limit: beyond, impact-sim is the place.
 const mostSteps = 2e6;
@@ -21,7 +21,7 @@ export class Run {
     this.kernel.forget(this.slot);
     this.refusal = this.#pageRefusal(scene);
     if (this.refusal) return;
-    const options = optionsOf(scene);
+    const options = optionsOf(scene, this.kernel.files);
     this.plan = this.kernel.plan(this.slot, options, true);
     this.refusal = this.plan.refusal;
     if (this.refusal) return;
@@ -60,8 +60,11 @@ export class Run {
   totals() {
     return this.kernel.totals(this.slot);
   }
+  bareTotals() {
+    return this.kernel.totals(this.bareSlot);
+  }
   bareLargest() {
-    return this.hasBare ? this.kernel.totals(this.bareSlot).largest : NaN;
+    return this.hasBare ? this.bareTotals().largest : NaN;
   }
   attenuation() {
     return this.hasBare ? this.kernel.attenuation(this.slot, this.bareSlot) : NaN;
@@ -70,7 +73,9 @@ export class Run {
     return this.kernel.fault(this.slot);
   }
 
-  #pageRefusal({ step, duration }) {
+  #pageRefusal(scene) {
+    const { step, duration } = scene, missing = missingFile(scene);
+    if (missing) return { option: missing.name, value: 'no file', allowed: 'a file, or a column of numbers' };
     if (duration / step <= mostSteps) return null;
     return { option: 'duration', value: String(duration), allowed: `${step} to ${mostSteps * step}`, why: `this page takes up to ${mostSteps} steps, impact-sim up to 1e9` };
   }

@@ -1,6 +1,6 @@
 // The values of a scene, by the names of impact-sim's options: what the controls show, what the kernel is asked, the
 // command and the link are all made from this one list. A slider's range is what is of use; the kernel's own is wider,
-// and it says so itself.
+// and it says so itself. `zero`: a logarithmic slider ends in 0. `samples`: the name of a file of them, in this unit.
 
 export const groups = [
   { title: 'Contact', values: [
@@ -21,9 +21,17 @@ export const groups = [
     { name: 'clearance', label: 'Clearance, d', unit: () => 'm', least: 1e-4, most: 0.2, log: true },
   ] },
   { title: 'Drive', values: [
-    { name: 'drive', label: 'Drive', choices: { sine: 'sine', none: 'none' } },
+    { name: 'drive', label: 'Drive', choices: { 'sine': 'a sine', 'none': 'none', 'drive-file': 'samples of the force', 'base-file': "samples of the base's displacement" } },
     { name: 'drive-amplitude', label: 'Amplitude', unit: () => 'N', least: 0.1, most: 1000, log: true, shown: (scene) => scene.drive === 'sine' },
     { name: 'drive-pulsation', label: 'Pulsation', unit: () => 'rad/s', least: 1, most: 1000, log: true, shown: (scene) => scene.drive === 'sine' },
+    { name: 'drive-file', label: 'Force, a sample a step', samples: 'N', shown: (scene) => scene.drive === 'drive-file' },
+    { name: 'base-file', label: 'Displacement of the base, a sample a step', samples: 'm', shown: (scene) => scene.drive === 'base-file' },
+  ] },
+  { title: 'Weight, base, friction', values: [
+    { name: 'gravity', label: 'Weight along x: -9.81 stands upright', unit: () => 'm/s\u00b2', least: -20, most: 20 },
+    { name: 'ball-friction', label: 'Dry friction of the ball', unit: () => 'N', least: 1e-3, most: 100, log: true, zero: true },
+    { name: 'base', label: 'The base accelerates', choices: { still: 'no', example: 'as a machine that runs up to 60 rad/s', samples: 'as samples say; all is seen from it' } },
+    { name: 'base-acceleration-file', label: 'Acceleration of the base, a sample a step', samples: 'm/s\u00b2', shown: (scene) => scene.base === 'samples' },
   ] },
   { title: 'Start', values: [
     { name: 'x1', label: 'Main mass at x1', unit: () => 'm', least: -0.1, most: 0.1 },
@@ -40,37 +48,43 @@ export const groups = [
     { name: 'bound-displacement', label: 'Largest displacement', unit: () => 'm', least: 1e-3, most: 10, log: true, shown: statesBounds },
     { name: 'bound-speed', label: 'Largest speed', unit: () => 'm/s', least: 1e-2, most: 100, log: true, shown: statesBounds },
     { name: 'bound-penetration', label: 'Largest penetration', unit: () => 'm', least: 1e-6, most: 1, log: true, shown: statesBounds },
+    { name: 'bound-force', label: 'Largest sample of the force', unit: () => 'N', least: 1e-3, most: 1e4, log: true, shown: (scene) => statesBounds(scene) && isSampled(scene) },
   ] },
 ];
 export const values = groups.flatMap((group) => group.values);
+const fileValues = values.filter(({ samples }) => samples);
 export const valueNamed = (name) => values.find((value) => value.name === name);
 
 function statesBounds(scene) {
   return scene.numeric === 'fixed32' && scene.bounds === 'stated';
 }
+export const isSampled = ({ drive }) => drive === 'drive-file' || drive === 'base-file';
 export const isShown = (value, scene) => !value.shown || value.shown(scene);
 
 // The kernel's defaults, and what only the page has.
 export function initialScene(kernel) {
-  const pageOnly = {
+  const ofThePage = {
     'damping-by': 'c1', 'impact-speed': 0.8, 'tension': 'clamp', 'stops': 'both', 'drive': 'sine', 'duration': 2,
-    'bounds': 'found', 'bound-displacement': 0.1, 'bound-speed': 2, 'bound-penetration': 0.03,
+    'bounds': 'found', 'bound-displacement': 0.1, 'bound-speed': 2, 'bound-penetration': 0.03, 'bound-force': 10,
+    'base': 'still', 'drive-file': '', 'base-file': '', 'base-acceleration-file': '',
   };
-  const scene = { ...pageOnly, ...kernel.defaultScene(), restitution: 0.68 };
-  for (const { name, choices } of values) if (!choices) scene[name] = Number(scene[name]);
+  const scene = { ...ofThePage, ...kernel.defaultScene(), restitution: 0.68 };
+  for (const { name, choices, samples } of values) if (!choices && !samples) scene[name] = Number(scene[name]);
   return scene;
 }
 
 // The paper's, tables 1 and 2.
 export const usualDamping = { 'hooke-newton': 20.81, 'hertz': 0, 'hunt-crossley': 19560 };
 
-// As [option, value] pairs, those that the scene depends on.
-export function optionsOf(scene) {
+// As [option, value] pairs, those that the scene depends on; `files` makes the example's.
+const pageOnly = ['damping-by', 'bounds', 'base'];
+export function optionsOf(scene, files) {
   const options = [];
   for (const value of values) {
-    if (!isShown(value, scene) || value.name === 'damping-by' || value.name === 'bounds') continue;
+    if (!isShown(value, scene) || pageOnly.includes(value.name) || (value.name === 'drive' && isSampled(scene))) continue;
     options.push([value.name, String(scene[value.name])]);
   }
+  if (scene.base === 'example') options.push(['base-acceleration-file', files.example(scene.step, Math.round(scene.duration / scene.step))]);
   if (scene.law === 'hertz') options.push(['contact-damping', '0']);
   else if (scene['damping-by'] === 'paper') options.push(['paper-damping', 'yes']);
   else if (!['c1', 'restitution'].includes(scene['damping-by'])) options.push(['damping', scene['damping-by']]);
@@ -78,12 +92,17 @@ export function optionsOf(scene) {
 }
 
 // The options of the command: impact-sim's own defaults are left out, but for the damping, which depends on the law, and
-// the step, which it would choose.
+// the step, which it would choose; and but for the duration beside a file, which would last as long.
 const toolDefaults = { duration: '1', tension: 'clamp', stops: 'both', drive: 'sine' };
 const alwaysStated = ['contact-damping', 'restitution', 'step'];
-export function argumentsOf(scene, initial, every) {
-  const isDefault = (name, text) => !alwaysStated.includes(name) && text === (toolDefaults[name] ?? String(initial[name]));
-  const options = optionsOf(scene).filter(([name, text]) => !isDefault(name, text));
+export function argumentsOf(scene, initial, every, files) {
+  const all = optionsOf(scene, files), stated = filesOf(all).length > 0 ? [...alwaysStated, 'duration'] : alwaysStated;
+  const isDefault = (name, text) => !stated.includes(name) && text === (toolDefaults[name] ?? String(initial[name]));
+  const options = all.filter(([name, text]) => !isDefault(name, text));
   return every > 1 ? [...options, ['every', String(every)]] : options;
 }
+// The files that options name.
+export const filesOf = (options) => options.filter(([name]) => fileValues.some((value) => value.name === name)).map(([, file]) => file);
+// The value of a file that is asked for and not there yet.
+export const missingFile = (scene) => fileValues.find((value) => isShown(value, scene) && scene[value.name] === '');
 export const commandOf = (options) => ['impact-sim', ...options.map(([name, text]) => `--${name}=${text}`)].join(' ');

@@ -20,6 +20,8 @@ constexpr SceneValue scene_values[] = {{"main-mass", &Scene::main_mass},
                                        {"restitution", &Scene::restitution},
                                        {"drive-amplitude", &Scene::drive_amplitude},
                                        {"drive-pulsation", &Scene::drive_pulsation},
+                                       {"gravity", &Scene::gravity},
+                                       {"ball-friction", &Scene::ball_friction},
                                        {"x1", &Scene::x1},
                                        {"v1", &Scene::v1},
                                        {"x2", &Scene::x2},
@@ -30,7 +32,8 @@ struct BoundValue {
 };
 constexpr BoundValue bound_values[] = {{"bound-displacement", &Bounds::displacement},
                                        {"bound-speed", &Bounds::speed},
-                                       {"bound-penetration", &Bounds::penetration}};
+                                       {"bound-penetration", &Bounds::penetration},
+                                       {"bound-force", &Bounds::force}};
 
 constexpr Damping dampings[] = {Damping::constant,
                                 Damping::hunt_crossley,
@@ -41,10 +44,11 @@ constexpr Damping dampings[] = {Damping::constant,
                                 Damping::hu_guo,
                                 Damping::exact};
 
-// How the contact damping is stated: by c1 itself, or by a restitution.
+// How the contact damping is stated, by c1 itself or by a restitution; and the files of samples.
 struct Stated {
   bool restitution = false, by_paper = false;
   double impact_speed = 0.8;  // m/s
+  std::string drive_file, base_file, base_acceleration_file;
 };
 
 // False where the value is none of the option's.
@@ -72,6 +76,9 @@ bool store(Request& request, Stated& stated, std::string_view option, std::strin
     return false;
   }
   if (option == "paper-damping") return stated.by_paper = text == "yes", true;
+  if (option == drive_samples.option) return stated.drive_file = text, true;
+  if (option == base_displacements.option) return stated.base_file = text, true;
+  if (option == base_accelerations.option) return stated.base_acceleration_file = text, true;
 
   const auto number = number_from(text);
   if (!number) return false;
@@ -100,9 +107,31 @@ std::optional<double> damping_of(const Request& request, const Stated& stated) {
                          : contact_damping(impact, scene.restitution);
 }
 
+// As impact-sim reads them.
+Refusal take_samples(Request& request, const Stated& stated, SampleFiles& files) {
+  const struct {
+    const SampleKind& kind;
+    const std::string& file;
+    std::vector<double>& samples;
+  } columns[] = {{drive_samples, stated.drive_file, request.samples},
+                 {base_displacements, stated.base_file, request.samples},
+                 {base_accelerations, stated.base_acceleration_file, request.base_samples}};
+  for (const auto& [kind, file, samples] : columns) {
+    if (file.empty()) continue;
+    const Column& column = files.column(kind, file);
+    if (!column.refusal.field.empty()) return column.refusal;
+    if (&kind == &base_accelerations)
+      shake_by(request, column.samples);
+    else
+      drive_by(request, kind, column.samples);
+    if (Refusal refusal = cut(samples, request, kind, file); !refusal.field.empty()) return refusal;
+  }
+  return {};
+}
+
 }  // namespace
 
-ScenePlan scene_from(std::string_view text) {
+ScenePlan scene_from(std::string_view text, SampleFiles& files) {
   ScenePlan plan;
   Stated stated;
   for_each_line(text, [&](std::string_view option, std::string_view value) {
@@ -122,6 +151,7 @@ ScenePlan scene_from(std::string_view text) {
       plan.refusal = {"restitution", shortest_text(scene.restitution),
                       plan.request.law == Law::hertz ? "1 to 1" : "0.001 to 1"};
   }
+  if (plan.refusal.field.empty()) plan.refusal = take_samples(plan.request, stated, files);
   return plan;
 }
 

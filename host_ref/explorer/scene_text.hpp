@@ -2,6 +2,7 @@
 // A scene as text, one "option value" a line: the options are impact-sim's, so that the page's state, its link and the
 // command that it shows are one list.
 
+#include <host_ref/explorer/sample_files.hpp>
 #include <host_ref/simulation.hpp>
 #include <string>
 #include <string_view>
@@ -22,7 +23,7 @@ struct ScenePlan {
   Request request;
   Refusal refusal;  // without a field when there is none
 };
-ScenePlan scene_from(std::string_view text);
+ScenePlan scene_from(std::string_view text, SampleFiles& files);
 
 std::string default_scene();  // in the same form, what --contact-damping depends on left out
 

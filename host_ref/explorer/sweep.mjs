@@ -60,7 +60,7 @@ export class Sweep {
   }
 
   #begin() {
-    const point = this.waiting.shift(), options = optionsOf({ ...point.scene, 'drive-pulsation': point.pulsation });
+    const point = this.waiting.shift(), options = optionsOf({ ...point.scene, 'drive-pulsation': point.pulsation }, this.kernel.files);
     const isPlanned = !this.kernel.plan(this.slot, options, true).refusal && !this.kernel.plan(this.bareSlot, options, false).refusal;
     if (isPlanned) this.running = point;
     return isPlanned;

@@ -11,8 +11,8 @@ export function sentenceOf(run, isCompared) {
 }
 
 export function numbersRow(run) {
-  const { largest, impacts, peakForce, dissipated, energyError } = run.totals();
-  const numbers = [1e3 * largest, 1e3 * run.bareLargest(), 100 * run.attenuation(), impacts, peakForce, dissipated, energyError];
+  const { largest, impacts, peakForce, dissipated, rubbed, energyError } = run.totals();
+  const numbers = [1e3 * largest, 1e3 * run.bareLargest(), 100 * run.attenuation(), impacts, peakForce, dissipated, rubbed, energyError];
   const row = element('tr', {});
   row.append(element('th', { scope: 'row', textContent: run.letter.toUpperCase() }), element('td', { textContent: run.plan.stepper }),
     ...numbers.map((number) => element('td', { textContent: Number.isFinite(number) ? short(number, 4) : '-' })));

@@ -4,12 +4,12 @@
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
 
-const [chromium, file, tool, golden] = process.argv.slice(2);
-const url = pathToFileURL(file).href;
+const [chromium, file, toolFile, golden] = process.argv.slice(2);
+const url = pathToFileURL(file).href, tool = resolve(toolFile);
 let failures = 0;
 function check(holds, what) {
   console.log(`${holds ? 'ok    ' : 'FAILED'} ${what}`);
@@ -20,15 +20,22 @@ const runsAreDone = "explorer.due.size === 0 && Object.values(explorer.runs).eve
 const text = (page, id) => page.value(`document.getElementById('${id}').textContent`);
 const settled = (page) => page.until(runsAreDone);
 
-// The tool at the command that the page shows.
+// The tool at the command that the page shows, in a folder with the files of samples that it names.
+const folder = mkdtempSync(join(tmpdir(), 'page-'));
 function toolAt(command) {
-  const { status, stdout, stderr } = spawnSync(tool, command.split(' ').slice(1), { encoding: 'utf8', maxBuffer: 1 << 28 });
+  const { status, stdout, stderr } = spawnSync(tool, command.split(' ').slice(1), { cwd: folder, encoding: 'utf8', maxBuffer: 1 << 28 });
   return { status, stdout, stderr };
+}
+async function keepFiles(page, command) {
+  for (const [, name] of command.matchAll(/-file=(\S+)/g))
+    writeFileSync(join(folder, name), await page.value(`explorer.kernel.files.text('${name}')`));
 }
 async function checkAgainstTool(page, letter, what) {
   await settled(page);
   const slot = letter === 'a' ? 0 : 2, csv = await page.value(`explorer.kernel.csv(${slot})`);
-  const command = await text(page, `command-${letter}`), { status, stdout } = toolAt(command);
+  const command = await text(page, `command-${letter}`);
+  await keepFiles(page, command);
+  const { status, stdout } = toolAt(command);
   check(status === 0 && csv.length > 1000 && csv === stdout, `${what}: the ${csv.split('\n').length} lines of ${command}`);
 }
 
@@ -44,7 +51,7 @@ const inkOf = (page, id) => page.value(`(() => {
     for (let i = 0; i < data.length; i += 4) if (isNear(data[i], red) && isNear(data[i + 1], green) && isNear(data[i + 2], blue)) ++pixels;
     return pixels;
   };
-  for (const name of ['a', 'b', 'lost', 'moving']) ink[name] = count(name);
+  for (const name of ['a', 'b', 'lost', 'rubbed', 'moving']) ink[name] = count(name);
   return { ink, picture: canvas.toDataURL() };
 })()`);
 // `wanted`: the least number of pixels of a colour, by plot.
@@ -124,18 +131,93 @@ async function refusals(page) {
   check(status === 2 && allowed !== undefined && words.includes(allowed), `the tool says the same: ${stderr.trim()}`);
 }
 
+// Weight, friction, and samples of a force, of a base's displacement and of its acceleration.
+async function parts(page) {
+  await page.click('[data-preset="upright"]');
+  await checkAgainstTool(page, 'a', 'upright');
+  await checkAgainstTool(page, 'b', 'upright, friction');
+  await checkDrawn(page, { 'plot-displacement': { a: 300, b: 300 }, 'plot-energy-b': { rubbed: 1000, lost: 1000 } }, 'upright');
+  await page.click('[data-preset="paper"]');
+  for (const [name, key] of [['gravity', 'ArrowLeft'], ['ball-friction', 'ArrowRight']]) {
+    await page.value(`document.getElementById('value-${name}').closest('details').open = true; document.getElementById('value-${name}').focus()`);
+    for (let i = 0; i < 30; ++i) await page.press(key);
+    await settled(page);
+    check((await text(page, 'command-a')).includes(`--${name}=`), `${key} on ${name}`);
+    await checkAgainstTool(page, 'a', `after ${name}`);
+  }
+  await typeInto(page, 'value-ball-friction-number', '0.5');
+  await settled(page);
+  // A ledger that closes: to a thousandth of what was lost.
+  const { energyError, dissipated, rubbed } = await page.value('explorer.runs.a.totals()');
+  check(rubbed > 0 && energyError < 1e-3 * (dissipated + rubbed), `the ledger is open by ${energyError} J, ${rubbed} J lost to friction`);
+  await checkDrawn(page, { 'plot-energy-a': { rubbed: 1000 } }, 'friction');
+
+  const choose = (name, choice) => page.value(`(() => { const it = document.getElementById('value-${name}'); it.value = '${choice}'; it.dispatchEvent(new Event('change')); })()`);
+  const paste = async (name, column) => {
+    await page.value(`(() => { const it = document.getElementById('value-${name}-pasted'); it.value = ${JSON.stringify(column)}; it.dispatchEvent(new Event('change')); })()`);
+    await page.until('explorer.due.size === 0');
+  };
+  const column = (scale, count = 3000) => Array.from({ length: count }, (_, n) => (scale * Math.sin(0.004 * n)).toFixed(8)).join('\n');
+  for (const numeric of ['float64', 'fixed32']) {
+    await page.click('[data-preset="paper"]');
+    await choose('numeric', numeric);
+    await choose('drive', 'base-file');
+    await page.until("document.getElementById('value-base-file-refusal').textContent.includes('no file')");
+    await paste('base-file', column(0.01));
+    await checkAgainstTool(page, 'a', 'a base that is displaced');
+    await choose('drive', 'drive-file');
+    const file = join(folder, 'my force.txt');
+    writeFileSync(file, column(8).replaceAll('\n', '\r\n'));
+    const { root } = await page.call('DOM.getDocument'), { nodeId } = await page.call('DOM.querySelector', { nodeId: root.nodeId, selector: '#value-drive-file' });
+    await page.call('DOM.setFileInputFiles', { nodeId, files: [file] });
+    await page.until("explorer.a['drive-file'] === 'my_force.txt'");
+    await checkAgainstTool(page, 'a', 'a file of a force');
+    await choose('base', 'samples');
+    await paste('base-acceleration-file', column(6));
+    await checkAgainstTool(page, 'a', 'and a base that accelerates');
+    check((await text(page, 'files-a')).includes('my_force.txt'), 'the page saves what its command names');
+  }
+  await settled(page);
+  const second = await Browser.open(chromium, await text(page, 'link'));
+  await second.until('!!window.explorer');
+  await checkAgainstTool(second, 'a', 'the link with its samples');
+  await second.close();
+
+  const refused = async (name, words) => {
+    await page.until(`document.querySelector('#value-${name}-refusal').textContent.includes(${JSON.stringify(words)})`, 20);
+    check(true, `${name}: ${await text(page, `value-${name}-refusal`)}`);
+  };
+  await paste('base-acceleration-file', '1\n2\nthree\n4');
+  await refused('base-acceleration-file', "line 3: 'three'");
+  await choose('drive', 'none');
+  await paste('base-acceleration-file', column(6, 500));
+  await page.value("explorer.change('duration', 1)");
+  await refused('base-acceleration-file', 'a line for each of the 10000 steps');
+  await page.click('#value-base-acceleration-file-refusal button');
+  await page.until('explorer.due.size === 0 && explorer.runs.a.isReady');
+  await checkAgainstTool(page, 'a', 'as long as the file');
+  await page.click('[data-preset="upright"]');
+  await typeInto(page, 'value-ball-friction-number', '1e6');
+  await refused('ball-friction', 'Allowed: 0 to');
+  await page.click('#value-ball-friction-refusal button');
+  await choose('newmark', 'average');
+  await refused('newmark', 'the classical schemes take no --base-acceleration-file');
+  await page.click('#value-newmark-refusal button');
+  await page.until('explorer.due.size === 0 && explorer.runs.a.isReady');
+}
+
 // But for the command in its comment, the header that the tool writes.
 async function rigs(page) {
-  const folder = mkdtempSync(join(tmpdir(), 'rig-')), file = join(folder, 'rig.hpp'), code = (rig) => rig.replace(/^\/\/ {5}impact-sim.*$/m, '');
-  for (const preset of ['paper', 'stiff', 'laws', 'fixed']) {
+  const file = join(folder, 'rig.hpp'), code = (rig) => rig.replace(/^\/\/ {5}impact-sim.*$/m, '');
+  for (const preset of ['paper', 'stiff', 'laws', 'upright', 'fixed']) {
     await page.click(`[data-preset="${preset}"]`);
     await settled(page);
     for (const letter of await page.value("explorer.compares ? ['a', 'b'] : ['a']")) {
+      await keepFiles(page, await text(page, `command-${letter}`));
       const { status, stderr } = toolAt(`${await text(page, `command-${letter}`)} --rig ${file}`), shown = await text(page, `rig-${letter}`);
       check(status === 0 && shown.includes('using Absorber') && code(shown) === code(readFileSync(file, 'utf8')), `preset ${preset}: the rig of ${letter} ${status === 0 ? '' : stderr}`);
     }
   }
-  rmSync(folder, { recursive: true });
 }
 
 async function sweep(page) {
@@ -144,10 +226,9 @@ async function sweep(page) {
   await page.until('!explorer.sweepIsDue && explorer.sweep.isDone', 120);
   await checkDrawn(page, { 'plot-sweep': { a: 100 } }, 'sweep');
   const points = await page.value(`(() => { const { own } = explorer.sweep.curves[0]; return Array.from({ length: own.count }, (_, i) => [own.data[2 * i], own.data[2 * i + 1]]); })()`);
-  const folder = mkdtempSync(join(tmpdir(), 'sweep-')), scenes = join(folder, 'scenes.csv');
+  const scenes = join(folder, 'scenes.csv');
   writeFileSync(scenes, `duration,step,drive-pulsation\n${points.map(([pulsation]) => `0.5,1e-4,${pulsation}`).join('\n')}\n`);
   const rows = toolAt(`impact-sim --sweep ${scenes}`).stdout.trim().split('\n').map((line) => line.split(','));
-  rmSync(folder, { recursive: true });
   const at = rows[0].indexOf('max_x1'), byScene = rows.slice(1).sort((a, b) => a[0] - b[0]);
   check(points.length === 65 && byScene.length === 65 && byScene.every((row, i) => Number(row[at]) === points[i][1]), `sweep: ${points.length} points are those of impact-sim --sweep`);
 }
@@ -211,11 +292,12 @@ async function selfTest() {
 const page = await Browser.open(chromium, url, { height: 1600 });
 try {
   await page.until('!!window.explorer');
-  for (const part of [sliders, choices, refusals, rigs, sweep, playing, link]) await part(page);
+  for (const part of [sliders, choices, refusals, parts, rigs, sweep, playing, link]) await part(page);
   check(page.complaints.length === 0, `the page has no complaint ${page.complaints}`);
   await selfTest();
 } finally {
   await page.close();
+  rmSync(folder, { recursive: true });
 }
 console.log(failures === 0 ? 'all is well' : `${failures} failures`);
 process.exit(failures === 0 ? 0 : 1);

@@ -13,13 +13,14 @@ export function tableFrom(csv) {
 // Lines of [what, value], or one that says what is missing.
 export function costOf(table, part, scene, stepper) {
   if (table.length === 0) return [['Not measured', 'build/report/step_budget.csv was not there when this page was made; sh toolchains/bootstrap.sh report makes it']];
-  if (scene.numeric === 'float64') return [['Not measured', 'Float64 is for hosts']];
-  const rows = table.filter((row) => row.target === part.target && row.law === scene.law && row.newmark === stepper && row.numeric === scene.numeric);
+  const numeric = scene.numeric === 'float64' ? 'fixed32' : scene.numeric;
+  const rows = table.filter((row) => row.target === part.target && row.law === scene.law && row.newmark === stepper && row.numeric === numeric);
   const [free, contact, iterating] = ['free', 'contact', 'iterating'].map((name) => rows.find(({ phase }) => phase === name));
-  if (!free || !contact) return [['Not measured', `${scene.law}, ${stepper}, ${scene.numeric} on ${part.target}`]];
+  if (!free || !contact) return [['Not measured', `${scene.law}, ${stepper}, ${numeric} on ${part.target}`]];
   const cycles = part.cycles * Math.max(...[free, contact, iterating].map((row) => row?.instructions_max ?? 0));
   const memory = ['flash', 'ram', 'stack'].filter((kind) => contact[`${kind}_bytes`]);
   return [
+    ...(numeric !== scene.numeric ? [['Format', 'Fixed32, Float64 being for hosts']] : []),
     ['Free flight', `${short(Number(free.instructions_mean), 4)} instructions, at most ${free.instructions_max}`],
     ['In contact', `${short(Number(contact.instructions_mean), 4)} instructions, at most ${contact.instructions_max}`],
     ...(iterating ? [['Stiff stops', `at most ${iterating.instructions_max} instructions, at a stop 10^4 times as stiff`]] : []),

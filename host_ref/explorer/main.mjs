@@ -259,7 +259,7 @@ class Page {
     for (const [letter, run] of Object.entries(this.runs)) {
       const options = run.isReady ? argumentsOf(run.scene, this.initial, run.every, this.kernel.files) : [];
       find(`files-${letter}`).replaceChildren(...filesOf(options).map((name) => this.#fileButton(name)));
-      find(`command-${letter}`).textContent = run.isReady ? commandOf(options) : '';
+      find(`command-${letter}`).replaceChildren(...(run.isReady ? wordsOf(commandOf(options)) : []));
       find(`rig-${letter}`).textContent = run.isReady ? this.kernel.rig(run.slot, options) : '';
       const costs = run.isReady ? costOf(this.costs, this.parts.find(({ target }) => target === find('part').value), run.scene, run.plan.stepper) : [];
       find(`cost-${letter}`).replaceChildren(...costs.flatMap(([what, value]) => [element('dt', { textContent: what }), element('dd', { textContent: value })]));
@@ -283,6 +283,8 @@ class Page {
   }
 }
 
+// A command breaks between its options only.
+const wordsOf = (command) => command.split(/(?<= )/).map((word) => element('span', { textContent: word }));
 function saveFile(name, text) {
   const file = URL.createObjectURL(new Blob([text], { type: 'text/plain' }));
   element('a', { href: file, download: name }).click();

@@ -16,7 +16,7 @@ export class Plot {
     stage.className = 'stage';
     this.canvas.replaceWith(stage);
     stage.append(this.canvas, this.cursor);
-    this.pen = this.canvas.getContext('2d');
+    this.pen = this.canvas.getContext('2d', { alpha: false });
     this.drawn = '';
     // Asked at each frame, the size would have the page laid out anew.
     this.size = [0, 0];

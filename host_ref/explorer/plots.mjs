@@ -135,7 +135,7 @@ export class RestitutionPlot extends Plot {
     }
   }
   #lawOf(run, fastest) {
-    const count = 60, data = new Float64Array(2 * count);
+    const count = 30, data = new Float64Array(2 * count);
     for (let i = 0; i < count; ++i) {
       const speed = fastest * (i + 0.5) / count;
       data[2 * i] = speed;

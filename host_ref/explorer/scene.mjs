@@ -28,9 +28,9 @@ export const groups = [
     { name: 'base-file', label: 'Displacement of the base, a sample a step', samples: 'm', shown: (scene) => scene.drive === 'base-file' },
   ] },
   { title: 'Weight, base, friction', values: [
-    { name: 'gravity', label: 'Weight along x: -9.81 stands upright', unit: () => 'm/s\u00b2', least: -20, most: 20 },
+    { name: 'gravity', label: 'Weight (upright: -9.81)', unit: () => 'm/s\u00b2', least: -20, most: 20 },
     { name: 'ball-friction', label: 'Dry friction of the ball', unit: () => 'N', least: 1e-3, most: 100, log: true, zero: true },
-    { name: 'base', label: 'The base accelerates', choices: { still: 'no', example: 'as a machine that runs up to 60 rad/s', samples: 'as samples say; all is seen from it' } },
+    { name: 'base', label: 'The base accelerates', choices: { still: 'no', example: 'as on a machine that runs up', samples: 'as samples say' } },
     { name: 'base-acceleration-file', label: 'Acceleration of the base, a sample a step', samples: 'm/s\u00b2', shown: (scene) => scene.base === 'samples' },
   ] },
   { title: 'Start', values: [

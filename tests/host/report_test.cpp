@@ -167,6 +167,32 @@ TEST(Page, WhatToChooseFitsIntoHalfOfThePeriodAndIsAccepted) {
   EXPECT_THAT(choices({}, stability), HasSubstr("shorter than these steps resolve"));
 }
 
+// The plan of a free pair takes Impulsive however long a contact lasts; the machine's does not.
+TEST(Page, ImpulsiveIsNotChosenForALongContact) {
+  const Table stability = {impact("moment", "fixed32", "0", "1"), impact("impulsive", "fixed32", "0", "1")};
+  const Table budget = {step("moment", "free", "10"), step("moment", "contact", "20"), step("impulsive", "free", "1"),
+                        step("impulsive", "contact", "1")};
+  const std::string chosen = choices(budget, stability);
+  EXPECT_THAT(chosen, HasSubstr("\"Moment\""));
+  EXPECT_THAT(chosen, Not(HasSubstr("Impulsive")));
+}
+
+TEST(Page, AnOrderIsTheMeanOverFourHalvings) {
+  Table errors;
+  const char* const steps[] = {"0.001", "0.0005", "0.00025", "0.000125", "6.25e-05"};
+  for (int i = 0; i < 5; ++i)
+    errors.push_back({{"part", "weight"},
+                      {"newmark", "energy"},
+                      {"numeric", "float64"},
+                      {"step_s", steps[i]},
+                      {"error_m", std::to_string(std::pow(0.25, i))},
+                      {"order", ""},
+                      {"ledger_open_J", "0.125"}});
+  EXPECT_THAT(parts_table(errors), HasSubstr("<td>0.0039</td><td>2</td><td>0.12</td>"));
+  errors.pop_back();
+  EXPECT_THAT(parts_table(errors), HasSubstr("<td>0.016</td><td></td><td></td><td>0.12</td>"));
+}
+
 TEST(Page, AnErrorThatIsNoNumberIsNeverChosen) {
   Table stability = {impact("moment", "fixed32", "0", "1")};
   stability[0]["restitution_min"] = "nan";

@@ -1,5 +1,5 @@
 // What to choose: of the configurations that the plan accepts for a stop and whose worst step fits into half of the
-// period the one with the smallest restitution error, at most 1e-3, and the cheapest of those within 1e-5. Not the
+// period the one with the smallest restitution error, at most 2e-3, and the cheapest of those within 1e-5. Not the
 // energy-consistent step, whose motion is of second order: that is for whom passivity counts more. And Impulsive only
 // where the kernel's rule takes it for the paper's main mass: the restitution of free masses says nothing of a contact
 // that lasts.
@@ -50,7 +50,7 @@ class Chooser {
     for (const Row& row : stability) {
       if (row.at("accepted") != "1" || row.at("newmark") == "energy") continue;
       const double error = host::larger(1e-5, restitution_error(row));
-      if (!(error <= 1e-3)) continue;
+      if (!(error <= 2e-3)) continue;
       if (row.at("newmark") == "impulsive" &&
           !rule_takes_impulsive(row.at("law"), number(row, "step_s"), number(row, "contact_stiffness")))
         continue;

@@ -110,7 +110,7 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
 
   Kernel absorber;
   auto before = absorber.reading();
-  const auto energy_of = [&scene](const typename Kernel::Reading& now) {
+  const auto energy_of = [](const typename Kernel::Reading& now) {
     return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
             scene.main_stiffness * now.x1 * now.x1) /
            2;

@@ -222,8 +222,8 @@ template <class... Numerics>
 constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
 }
-// Those whose trajectories are kept; of them the linear law's and those with parts (1) or the others (2) for an image in
-// 256 K.
+// Those whose trajectories are kept; of them the linear law's and those with parts (1) or the others (2) for an image
+// in 256 K.
 #if !defined(IMPACT_GOLDEN_PART)
 #define IMPACT_GOLDEN_PART 0
 #endif

@@ -23,8 +23,8 @@ export class Machine {
     const half = this.gap / 2 + ballRadius + stopWidth;
     this.half = half + 26;
     const { mass, left, right, scale, weight, base: label } = this.parts;
-    weight.setAttribute('d', gravity === 0 ? '' : `M${rest} 14h${70 * Math.sign(gravity)}m${-10 * Math.sign(gravity)} -6l${10 * Math.sign(gravity)} 6l${-10 * Math.sign(gravity)} 6`);
-    label.textContent = [gravity !== 0 && 'weight', base !== 'still' && 'seen from the shaken base'].filter((word) => word).join(', ');
+    weight.setAttribute('d', gravity === 0 ? '' : `M${rest} 16h${70 * Math.sign(gravity)}m${-10 * Math.sign(gravity)} -6l${10 * Math.sign(gravity)} 6l${-10 * Math.sign(gravity)} 6`);
+    label.textContent = [gravity !== 0 && 'weight', base !== 'still' && 'shaken base'].filter((word) => word).join(', ');
     label.setAttribute('text-anchor', gravity < 0 ? 'start' : 'end');
     label.setAttribute('x', rest + (gravity < 0 ? 8 : -8));
     mass.setAttribute('d', `M${-this.half} -62h${2 * this.half}v124h${-2 * this.half}zM${-half} -34v68h${2 * half}v-68z`);
@@ -69,7 +69,7 @@ function roundBelow(length) {
 
 // The machine's drawing, for as many figures as there are runs.
 export const machineDrawing = `
-<svg viewBox="0 0 800 200" aria-hidden="true" focusable="false">
+<svg viewBox="0 0 800 212" aria-hidden="true" focusable="false">
   <path class="ground" d="M${wall} 20V${floor}H790"/><path class="hatch" d="M${wall - 12} 20h12v${floor - 20}h-12z"/>
   <path class="thin" data-part="spring"/><path class="thin" data-part="damper"/>
   <g data-part="moving">
@@ -79,7 +79,7 @@ export const machineDrawing = `
     <rect class="stop" data-part="right" y="-34" width="${stopWidth}" height="68"/>
     <circle class="ball" data-part="ball" cy="${34 - ballRadius}" r="${ballRadius}"/>
   </g>
-  <path class="thin" data-part="weight"/><text data-part="base" y="19"></text>
+  <path class="thin" data-part="weight"/><text data-part="base" y="24"></text>
   <path class="rest" d="M${rest} ${floor + 3}v8"/>
-  <g data-part="scale" transform="translate(640 ${floor + 14})"><path class="thin"/><text x="-8" y="4" text-anchor="end"></text></g>
+  <g data-part="scale" transform="translate(640 ${floor + 26})"><path class="thin"/><text x="-8" y="4" text-anchor="end"></text></g>
 </svg>`;

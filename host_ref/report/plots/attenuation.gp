@@ -2,9 +2,9 @@
 output = ARG1; file = ARG2
 load 'style.gp'
 set terminal svg size 720,430 dynamic font 'sans-serif,14' noenhanced
-set xlabel 'pulsation of the drive, rad/s'
+set xlabel 'pulsation of the drive, rad/s' offset 0,0.4
 set ylabel 'attenuation, %'
-set key below center maxrows 2 samplen 3
+set key below center maxrows 2 samplen 3 height 0.5
 set yrange [-100:100]  # what is beyond stands at the edge
 set arrow from graph 0, first 0 to graph 1, first 0 nohead linecolor rgb 'black' linewidth 0.8
 of(rig, rubs) = strcol(1) eq rig && ($2 > 0) == rubs ? (column(6) > -1 ? 100*column(6) : -100) : NaN

@@ -9,16 +9,18 @@ command -v clang++ >/dev/null || { echo "skipped: clang++ is not installed" && e
 mkdir -p "$folder/corpus"
 cd "$folder"
 echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' > none.cpp
-sanitize=-fsanitize=fuzzer,address,undefined
-clang++ $sanitize none.cpp -o none 2>none.log || { echo "skipped: clang++ has no libFuzzer (libclang-rt-*-dev)" && exit 77; }
+clang++ -fsanitize=fuzzer,address,undefined none.cpp -o none 2>none.log ||
+  { echo "skipped: clang++ has no libFuzzer (libclang-rt-*-dev)" && exit 77; }
 case $kind in
-  kernel) sources="" flags="-DIMPACT_NUMERIC=impact::$1" libraries="" ;;
+  kernel) # which has no heap; the bounds of its arrays are `undefined`'s
+    sanitize=undefined sources="" flags="-DIMPACT_NUMERIC=impact::$1" libraries="" ;;
   tool)
-    sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) flags="" libraries="$* -lpthread" ;;
+    sanitize=address,undefined flags="" libraries="$* -lpthread"
+    sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) ;;
 esac
 # $sources and $libraries are lists.
-clang++ -std=c++17 -O1 -g -ffp-contract=off $sanitize -fno-sanitize-recover=all $flags -I "$project" \
-  -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
+clang++ -std=c++17 -O1 -gline-tables-only -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize-recover=all \
+  $flags -I "$project" -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
 ./fuzzer "$project/tests/fuzz/found/$kind"/* >found.log 2>&1 || { cat found.log && exit 1; }
 ./fuzzer -max_total_time="${IMPACT_FUZZ_SECONDS:-15}" -seed=1 -timeout=10 -max_len=300 -len_control=0 -print_funcs=0 \
   -dict="$project/tests/fuzz/options.dict" corpus >run.log 2>&1 || { tail -50 run.log && exit 1; }

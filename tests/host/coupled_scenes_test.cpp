@@ -85,8 +85,8 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
   }
 }
 
-// With weight, a base that shakes and friction, one or more of them. A plan refuses them where a step can cross the
-// clearance.
+// With weight, a base that shakes and friction, one or more of them. A plan refuses them where a step can cross half
+// the clearance.
 TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
   if (GetParam().numeric == Numeric::float32_plain) GTEST_SKIP() << "parts are not compiled into the tool in it";
   for (const Stepper stepper : {Stepper::automatic, Stepper::moment, Stepper::moment_4, Stepper::moment_8,
@@ -102,14 +102,14 @@ TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
         ++accepted;
         EXPECT_FALSE(run.has_fault) << text_of(found.request);
         EXPECT_LE(run.gain, most_energy_made(found)) << text_of(found.request);
-        EXPECT_LE(run.rubbed, most_energy_made(found)) << text_of(found.request);
+        EXPECT_LE(run.rubbed, most_made_with_friction(found)) << text_of(found.request);
         if (!(run.gain <= worst)) worst = run.gain;
         if (!(run.rubbed <= worst_rubbed)) worst_rubbed = run.rubbed;
       }
     }
     std::printf("  %-10s %5u of %5u scenes accepted, largest gain %.2g, with friction's ledger %.2g\n",
                 std::string(name_of(stepper)).c_str(), accepted, made, worst, worst_rubbed);
-    EXPECT_GE(accepted, stepper == Stepper::automatic ? made / 3 : made / 20) << name_of(stepper);
+    EXPECT_GE(accepted, stepper == Stepper::automatic ? made / 4 : made / 30) << name_of(stepper);
   }
 }
 

@@ -163,9 +163,10 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   // Where the ball crosses the clearance in a step, a treatment that waits for the next finds it beyond the stop by the
   // ways of both.
   terms.crosses = scene.stops == Stops::both && terms.largest_rate * h >= scene.clearance;
-  // There it is put back to its stop, against a field, and friction does not see the way of it.
+  // There, and near it, it is put back to its stop, against a field, and friction does not see the way of it.
   const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
-  if (terms.crosses && has_parts) return refused(PlanStatus::clearance);
+  if (has_parts && scene.stops == Stops::both && 2 * terms.largest_rate * h >= scene.clearance)
+    return refused(PlanStatus::clearance);
   const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
   largest.penetration = larger(terms.largest_penetration, way);
   if constexpr (Friction::is_friction) {

@@ -33,7 +33,7 @@ constexpr bool explain() {
   static_assert(status != PlanStatus::ball_mass, "Rig::scene.ball_mass: 1e-9 to 1e9 kg");
   static_assert(status != PlanStatus::clearance,
                 "Rig::scene.clearance: 0 to 1e12 m, with weight, a shaken base or friction more than "
-                "2 * Bounds::speed * step");
+                "4 * Bounds::speed * step");
   constexpr bool is_soft = contact_stiffness_range.holds(Rig::scene.contact_stiffness);
   static_assert(status != PlanStatus::contact_stiffness || is_soft,
                 "Rig::scene.contact_stiffness: 1e-3 to 1e18, in N/m for HookeNewton and N/m^(3/2) for the other laws");

@@ -1,7 +1,7 @@
 # attenuation.gp OUTPUT FILE: what the ball takes of the vibration, by rig and friction, over the drive's pulsation.
 output = ARG1; file = ARG2
 load 'style.gp'
-set terminal svg size 720,430 dynamic font 'sans-serif,14' noenhanced
+set terminal svg size 540,430 dynamic font 'sans-serif,14' noenhanced
 set xlabel 'pulsation of the drive, rad/s' offset 0,0.4
 set ylabel 'attenuation, %'
 set key below center maxrows 2 samplen 3 height 0.5

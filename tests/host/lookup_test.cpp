@@ -35,7 +35,7 @@ int64_t floor_of_ratio_to_two_32(__int128 numerator) {
   return static_cast<int64_t>((numerator - ((numerator % unit) + unit) % unit) / unit);
 }
 
-void expect_high_products_agree(uint32_t a, uint32_t b) {
+void expect_products_agree(uint32_t a, uint32_t b) {
   const auto half = static_cast<__int128>(two_32 / 2);
   const auto unsigned_product = static_cast<__int128>(a) * b;
   ASSERT_EQ(instruction::high_product(a, b), floor_of_ratio_to_two_32(unsigned_product)) << a << " " << b;
@@ -49,15 +49,21 @@ void expect_high_products_agree(uint32_t a, uint32_t b) {
   ASSERT_EQ(composed::high_product(c, d), floor_of_ratio_to_two_32(product)) << c << " " << d;
   ASSERT_EQ(instruction::rounded_high_product(c, d), floor_of_ratio_to_two_32(product + half)) << c << " " << d;
   ASSERT_EQ(composed::rounded_high_product(c, d), floor_of_ratio_to_two_32(product + half)) << c << " " << d;
+  ASSERT_EQ(composed::high_square(a), instruction::high_square(a)) << a;
+  ASSERT_EQ(composed::high_square(c), instruction::high_square(c)) << c;
+  const uint32_t unsigned_half = b >> 16;
+  const int32_t signed_half = d >> 16;
+  ASSERT_EQ(composed::short_product(a, unsigned_half), instruction::short_product(a, unsigned_half)) << a << " " << b;
+  ASSERT_EQ(composed::short_product(c, signed_half), instruction::short_product(c, signed_half)) << c << " " << d;
 }
 
-TEST(Lookup, HighProductIsExactInBothForms) {
+TEST(Lookup, ProductsAreExactInBothForms) {
   for (uint32_t a : edges())
-    for (uint32_t b : edges()) expect_high_products_agree(a, b);
+    for (uint32_t b : edges()) expect_products_agree(a, b);
   std::mt19937 random(1);
   for (int i = 0; i < 3000000 && !HasFatalFailure(); ++i) {
     const auto a = static_cast<uint32_t>(random()), b = static_cast<uint32_t>(random());
-    expect_high_products_agree(a, b);
+    expect_products_agree(a, b);
   }
 }
 

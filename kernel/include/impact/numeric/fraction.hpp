@@ -121,7 +121,7 @@ constexpr Unsigned<a + b - 16> operator*(Unsigned<a> x, Short<b> y) {
 }
 template <int a, int b>
 constexpr Signed<a + b - 16> operator*(Signed<a> x, Short<b> y) {
-  return {short_product(x.raw, y.raw)};
+  return {short_product(x.raw, static_cast<int32_t>(y.raw))};
 }
 
 // Powers of two cost nothing: they move the point.
@@ -156,11 +156,11 @@ constexpr Unsigned<bits - 1> twice(Unsigned<bits> x) {
 
 template <int bits>
 constexpr Unsigned<2 * bits - 32> square(Unsigned<bits> x) {
-  return x * x;
+  return {high_square(x.raw)};
 }
 template <int bits>
 constexpr Unsigned<2 * bits - 32> square(Signed<bits> x) {
-  return {static_cast<uint32_t>(high_product(x.raw, x.raw))};
+  return {static_cast<uint32_t>(high_square(x.raw))};
 }
 
 // x - y, signed, for x and y below 1.

@@ -112,12 +112,16 @@ struct Impulsive {
     constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&, const Contact& before,
                                         const SplitImpulse<Value>& given) const {
       const Value impulse = given.ball.j0;
-      return {{impulse, Format::value(half(impulse))},
-              Value{},
-              given.rate,
-              given.rate - impulse - impulse,
-              before.phase == Phase::apart,
-              false};
+      ContactStep<Value> result{{impulse, Format::value(half(impulse))},
+                                Value{},
+                                given.rate,
+                                given.rate - impulse - impulse,
+                                before.phase == Phase::apart,
+                                false};
+      // The work at the mean rate: the change of the rate may be twice a Value.
+      result.has_way = true;
+      result.way = given.rate - impulse;
+      return result;
     }
 
     template <class Seen>

@@ -115,14 +115,15 @@ TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
 
 // The first contact of a scene by the rule, against the reference: what it dissipates, as a share of what the impact
 // brought. A moment-fitted contact is within 1e-3 (8 steps a contact); the impulsive one takes the main mass to stand
-// still for the 0.05 rad of its vibration that a contact lasts, and the energy step is of second order: where it is
-// taken for three steps a contact in which the main mass swings by three radians, a tenth.
+// still for the 0.05 rad of its vibration that a contact lasts, and the energy step's force is constant over a step:
+// where the main mass swings by 0.7 rad in a step of a contact, 0.13. In Fixed32 the motion is rounded, and its ledger
+// as well.
 TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   if (GetParam().numeric == Numeric::float32 || GetParam().numeric == Numeric::float32_plain)
     GTEST_SKIP() << "float64 shows the method and fixed32 the format";
   constexpr long most_steps = 400;
   unsigned compared = 0;
-  double worst = 0;
+  double worst = 0, worst_held = 0;
   for (unsigned index = 0; index < 4 * scenes() && compared < scenes() / 4; ++index) {
     CoupledScene found = scene(Edge::none, index);
     const Request& request = found.request;
@@ -151,17 +152,22 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
       if (exact.impacts > 1 || stepped.impacts > 1) break;
     }
     if (i == most_steps || exact.impacts != 1 || stepped.impacts != 1) continue;
+    const double off = std::abs(stepped.energy_dissipated - exact.energy_dissipated) / found.energy;
     // A slower impact that is pressed keeps a damping that its step bears (law/impact_damping.hpp).
     const double pressing = physical.main_stiffness / physical.main_mass * request.bounds->displacement;
-    if (exact.impact_speed < 2.5 * run.damping_ratio * pressing * request.step) continue;
+    if (exact.impact_speed < 2.5 * run.damping_ratio * pressing * request.step) {
+      if (!(off <= worst_held)) worst_held = off;
+      continue;
+    }
     ++compared;
-    const double off = std::abs(stepped.energy_dissipated - exact.energy_dissipated) / found.energy;
     if (!(off <= worst)) worst = off;
     const bool is_energy = outcome.description.rfind("energy", 0) == 0;
-    EXPECT_LE(off, is_energy ? 0.1 : 0.02) << text_of(request) << ": " << stepped.energy_dissipated << " J, not "
-                                           << exact.energy_dissipated << ", " << outcome.description;
+    EXPECT_LE(off, (is_energy ? 0.15 : 0.02) + 2 * energy_rounded(found))
+        << text_of(request) << ": " << stepped.energy_dissipated << " J, not " << exact.energy_dissipated << ", "
+        << outcome.description;
   }
-  std::printf("  %u first impacts, off by at most %.2g of the energy\n", compared, worst);
+  std::printf("  %u first impacts, off by at most %.2g of the energy, with a damping that is held %.2g\n", compared,
+              worst, worst_held);
   EXPECT_GE(compared, GetParam().is_damped_per_impact ? 10u : 20u);
 }
 

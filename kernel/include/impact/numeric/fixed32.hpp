@@ -152,10 +152,10 @@ struct Fixed32 : Fixed32Numbers {
     if (later) return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
     return {t.raw < step ? 0 : t.raw - step};
   }
-  // By how many places both numbers may move to the left and stay below a quarter.
-  static constexpr int spare_places(Value x, Value y) {
-    const auto size = [](Value z) { return static_cast<uint32_t>(z.raw < 0 ? ~z.raw : z.raw); };
-    return leading_zeros(size(x) | size(y)) - 3;
+  // By how many places the numbers may move to the left and stay below a quarter.
+  static constexpr int spare_places(Value x, Value y, Value z) {
+    const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };
+    return leading_zeros(size(x) | size(y) | size(z)) - 3;
   }
   // Of the unit in which a number up to `largest` is a Value.
   static constexpr int exponent_of(double largest) { return impact::constant::exponent_above(largest); }

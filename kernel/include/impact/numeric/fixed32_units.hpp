@@ -46,12 +46,13 @@ struct Fixed32Units {
   // A force of more than 2^20 times k1 times the penetrations' unit to its power has no factor. Rates count in the
   // penetrations' unit: above 2^14 times the main mass's amplitude at its largest speed they keep fewer than 17 bits of
   // it, and what every step rounds adds up to a hundredth of its energy within some thousand steps
-  // (coupled_scenes_test.cpp).
+  // (coupled_scenes_test.cpp); above 2^19 times the largest way in a step a speed that is read keeps fewer than 12.
   // The spring's force counts in places of a position, half of which a step rounds: w0^2 h times that is what a speed
   // gets wrong. With 2^17 of them to the largest speed that adds up to 1e-4 of its energy within some thousand steps.
   static constexpr Overflow overflow_of(const UnitExponents& e, const UnitBounds& bounds) {
     if (e.force > 20) return Overflow::force;
     if (constant::power_of_two(e.penetration - 14) > bounds.amplitude) return Overflow::penetration;
+    if (constant::power_of_two(e.penetration - 19) > bounds.displacement) return Overflow::penetration;
     if (constant::power_of_two(e.position - 14) * bounds.displacement > bounds.amplitude * bounds.amplitude)
       return Overflow::position;
     return Overflow::none;

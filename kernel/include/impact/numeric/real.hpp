@@ -219,7 +219,7 @@ struct RealFormat {
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
   static constexpr Value rounded_product(Real x, Real y) { return x * y; }
-  static constexpr int spare_places(Value, Value) { return 0; }
+  static constexpr int spare_places(Value, Value, Value) { return 0; }
   static constexpr int exponent_of(double) { return 0; }
   static constexpr Value power_of_two(int) { return 1; }
   // x / (x + a) for x >= 0

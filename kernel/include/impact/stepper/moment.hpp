@@ -24,7 +24,7 @@
 // omega)^6/900 at first, and grows above h omega = 2.69. With both it grows nowhere within z <= 2.7, h omega <= 2.2.
 // The step is taken up to z = 2.5 and h omega = 0.9 (5 steps a contact), where both are well inside.
 // The response of the main mass (moment/response.hpp) leaves out terms of third order in w0 h: up to 0.2 it creates no
-// more than 1e-5 of the energy in a contact.
+// more than 1e-5 of the energy in a contact of 8 steps, 6e-5 in one of 5.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>

@@ -150,7 +150,10 @@ struct ResolvedForces : Treatment {
   }
   static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
     using constant::larger;
-    const double k1 = terms.stiffness, h = terms.step, d = terms.largest_penetration;
+    const double k1 = terms.stiffness, h = terms.step;
+    // A linear force is sized by the largest penetration: of a contact of few steps the ball's way in one.
+    const double way = terms.largest_rate * h * (terms.crosses ? 2 : 1);
+    const double d = terms.is_linear ? larger(terms.largest_penetration, way) : terms.largest_penetration;
     const double damping = terms.damping_time * terms.largest_rate;
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double force = terms.is_linear ? k1 * (d + damping) : k1 * terms.to_the_power(d) * (1 + damping);

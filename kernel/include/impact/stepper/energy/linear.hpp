@@ -17,8 +17,7 @@ struct EnergyLinear : ResolvedForces {
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;
 
-  // The root of a quadratic that an impact of two free masses at the largest speed begins with keeps 15 bits less than
-  // its square: the impact's peak is to be no less than 2^-9 of the penetrations' unit.
+  // An impact of two free masses at the largest speed peaks at no less than 2^-9 of the penetrations' unit.
   static constexpr double finest_penetration(const ContactTerms& terms) {
     return 0x1p-22 * terms.largest_rate * constant::square_root(terms.reduced_mass() / terms.stiffness);
   }
@@ -88,8 +87,7 @@ struct EnergyLinear : ResolvedForces {
   // With y = d0 - d1: y^2 + (trial - d0 + G C d0) y = G d0^2/2.
   constexpr Value leaving(const Plan& plan, const Units& units, Value trial) const {
     const Value b = Format::value(half(trial - penetration + plan.recoil_by_damping * penetration));
-    const Value y =
-        positive_root<Format>(b, without_sign(plan.half_stiffness * penetration) * without_sign(penetration));
+    const Value y = positive_root<Format>(b, plan.half_stiffness * penetration, penetration);
     const Value elastic =
         Format::value(half(penetration * Format::quotient(positive_part(penetration), positive_part(y))));
     return units.elastic(elastic) - plan.damping * penetration;
@@ -98,7 +96,7 @@ struct EnergyLinear : ResolvedForces {
   // (1 + G (1/2 + C)) d1^2 + ((1 + G C) (-d0) - trial) d1 = trial (-d0).
   constexpr Value entering(const Plan& plan, const Units& units, Value trial, Value before) const {
     const Value b = Format::value(half(-(plan.loss * before) - plan.solved * trial));
-    const Value d = positive_root<Format>(b, without_sign(plan.solved * trial) * without_sign(-before));
+    const Value d = positive_root<Format>(b, plan.solved * trial, -before);
     const auto share = Format::quotient(positive_part(d), positive_part(d - before));
     return units.elastic(Format::value(half(d * share))) + plan.damping * d;
   }

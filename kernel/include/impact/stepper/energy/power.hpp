@@ -148,7 +148,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       penetration = before;
       recoil = first_difference = second_difference = Value{};
     }
-    if (!plan.is_resolved) return resolve_stiff(plan, trial, before);
+    if (!plan.is_resolved) return resolve_stiff(plan, trial, before, trial_rate - step.travel);
     const Value depth = trial - (recoil + first_difference + second_difference);
     const Value n = mean_until(depth);
     const Value q = plan.compliance * n;
@@ -176,8 +176,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
  private:
-  [[gnu::always_inline]] constexpr Impulse<Value> resolve_stiff(const Plan& plan, Value trial, Value before) {
-    const Stiff step{plan.stiff, damping(plan), phase == Phase::touching, recoil, penetration, trial - before, trial};
+  [[gnu::always_inline]] constexpr Impulse<Value> resolve_stiff(const Plan& plan, Value trial, Value before,
+                                                                Value press) {
+    const Stiff step{plan.stiff, damping(plan), phase == Phase::touching, recoil, penetration, trial - before,
+                     trial,      press};
     const auto end = step.end();
     const Value force = plan.stiff.force * end.recoil;
     correction = trial - plan.response.penetration * force - end.penetration;

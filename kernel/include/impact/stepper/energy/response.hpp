@@ -52,10 +52,14 @@ struct ConstantForceResponse {
   double rate_;
 };
 
-// x >= 0 with x^2 + 2 b x = g, for g >= 0 (a product of two Values).
-template <class Format, class Square>
-constexpr typename Format::Value positive_root(typename Format::Value b, Square g) {
-  return Format::value(Format::root_of_product(square(b) + g)) - b;
+// x >= 0 with x^2 + 2 b x = y z, for y z >= 0, in a unit of its own, so that the squares keep their places.
+template <class Format>
+constexpr typename Format::Value positive_root(typename Format::Value b, typename Format::Value y,
+                                               typename Format::Value z) {
+  const int places = Format::spare_places(b, y, z);
+  const auto moved = [places](auto x) { return Format::moved(x, -places); };
+  const auto squares = square(moved(b)) + without_sign(moved(y)) * without_sign(moved(z));
+  return Format::moved(Format::value(Format::root_of_product(squares)) - moved(b), places);
 }
 
 }  // namespace impact

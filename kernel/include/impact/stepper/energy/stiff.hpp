@@ -20,20 +20,25 @@
 // step passes. An elastic contact ends late by less than a step, by 0.1 step where it lasts 5
 // (tests/host/energy_test.cpp).
 //
-// Hunt-Crossley has the first integral F(w) = C w - ln(1 + C w) in the place of (C w)^2/2. With the elastic force's
-// part q, u = C q, A = C D and artanh u = u + k u^2, every step keeps it with
+// Hunt-Crossley. Spring, drive and field change the rate by 2 p in the step, from D - p to D + p - 2 b. With the
+// elastic force's part q, u = C q and A = C D, the damped force and what it loses are
 //
-//     b = q (1 + A)/(1 + u) = q + (D - q) u/(1 + u)        V1^2 = V0^2 + q (D - b - k q)
+//     b = q (1 + A)/(1 + u) = q + (D - q) u/(1 + u)        V1^2 = V0^2 + q (D - b - k(x) x/C)
+//     x = u (b - p)/b, from 0 to u                         artanh x = x + k(x) x^2
 //
-// and what this takes of the energy, (D - b)(b - q) + k q^2, is positive whatever q: no rounding makes energy. q comes
-// from cos^2 q + sin^2 b = sin^2 D + sin V0 with the sines of half the angle and of the angle, in one step from q = 0;
-// k is
+// This takes C q (D - b)^2 + q k x/C of the energy, which is positive whatever q and p: no rounding makes energy. It is
+// the law's own loss where the rate changes evenly over the step: x is half the fall of the rate over its mean, both
+// counted from -1/C. Without p it keeps the law's first integral F(w) = C w - ln(1 + C w), which stands in the place of
+// (C w)^2/2, at any step. q comes from cos^2 q + sin^2 b = W = sin^2 D + sin V0 with the sines of half the angle and of
+// the angle:
 //
-//     k = (u/3) (1 + n1 u^2 + n2 u^4)/(1 + d1 u^2 + d2 u^4)
+//     q = 2 W/(B + (B^2 + 4 C W cos^2)^(1/2))        B = 1 - C sin V0
+//     k = (x/3) (1 + n1 x^2 + n2 x^4)/(1 + d1 x^2 + d2 x^4)
 //
-// within 0.36 % up to u = 0.99, and u is held at 0.999. This costs the restitution less than 6e-4 at any number of
-// steps per contact, for restitutions from 0.05 to 1. 1 + A <= 0 says that the ball leaves faster than the law can push
-// it: no force, and d1 = d0 + D. That may still be inside, where a main mass that turns back is pushed again.
+// k is right within 0.36 % up to x = 0.99, and x is held at 0.999. This costs the restitution less than 6e-4 at any
+// number of steps per contact, for restitutions from 0.05 to 1. 1 + A <= 0 says that the ball leaves faster than the
+// law can push it: no force, and d1 = d0 + D. That may still be inside, where a main mass that turns back is pushed
+// again.
 //
 // Leaving, V1 = 0. With Z = sqrt(2 F(w)), which has the sign of w, the first integral is an elastic contact's:
 //
@@ -91,22 +96,24 @@ struct StiffContact {
   bool is_inside;       // at the step's start
   Value rate, before;   // V0 and d0
   Value travel, trial;  // D, and the penetration that it leads to
+  Value press;          // p
 
   [[gnu::always_inline]] constexpr End end() const {
     // In a unit of the step's own, of which lengths are less than a quarter.
-    const int places = Format::spare_places(travel, rate);
+    const int places = Format::spare_places(travel, rate, press);
     const int exponent = is_per_impact || places < 0  ? plan.exponent
                          : plan.exponent - places > 2 ? plan.exponent - places
                                                       : 2;
-    return Scaled{*this,    Format::moved(travel, -places), Format::moved(rate, -places), places,
-                  exponent, Format::power_of_two(-exponent)}
+    return Scaled{
+        *this,    Format::moved(travel, -places), Format::moved(rate, -places), Format::moved(press, -places), places,
+        exponent, Format::power_of_two(-exponent)}
         .end();
   }
 
  private:
   struct Scaled {
     const StiffContact& step;
-    Value d, v;  // D and V0
+    Value d, v, press;  // D, V0, p
     int places, exponent;
     Value one;
 
@@ -138,19 +145,22 @@ struct StiffContact {
       const auto sine =
           Format::share(phase_at(is_positive(step.trial - deepest) ? deepest : step.trial), step.plan.ease);
       const auto cosine = Format::constant(1) - sine;  // both squared, of half the angle
-      const Value whole = Format::value(d * sine) + Format::value(twice(v * Format::root_of_product(sine * cosine)));
+      const Value by_stored = Format::value(twice(v * Format::root_of_product(sine * cosine)));
+      const Value whole = Format::value(d * sine) + by_stored;
       if (!is_positive(whole)) return false;
 
-      Value q = whole, back = whole, correction{};
+      Value q = whole, back = whole;
       if constexpr (is_damped) {
-        q = elastic_part(whole, sine, cosine, base);
+        q = elastic_part(whole, by_stored, cosine, base);
         const Value u = number(q);
         back = q + Format::value((d - q) * Format::rough_quotient(without_sign(u), without_sign(one + u)));
-        correction = Format::value(twice(twice(q * quarter_correction(Format::moved(u, -exponent)))));
       }
-      const Value left = square_of(v) + Format::value(q * (d - back - correction));
       end.recoil = unscaled(back);
-      if (!is_positive(left) || (step.is_inside && is_positive(end.recoil - step.trial))) return false;
+      if (step.is_inside && is_positive(end.recoil - step.trial)) return false;
+      Value left = square_of(v) + Format::value(q * (d - back));
+      if constexpr (is_damped)
+        if (is_positive(left)) left = left - Format::value(q * correction(slowing_part(q, back)));
+      if (!is_positive(left)) return false;
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of(end.rate);
       end.is_inside = is_positive(end.rate);
@@ -168,30 +178,45 @@ struct StiffContact {
       return Format::value(Format::root(depth) * (square(share) * Format::short_constant(0.64)));
     }
 
-    // q from cos^2 q + sin^2 h q = whole, at most what leaves u below 0.999. With x = C whole in the place of u, and
-    // k linear: h = ((1 + A)(1 + x) + x/3)/(1 + 2 x).
+    // q from cos^2 q + sin^2 b = whole, at most twice the whole and what leaves x below 0.999.
     template <class Share>
-    [[gnu::always_inline]] constexpr Value elastic_part(Value whole, Share sine, Share cosine, Value base) const {
-      const Value x = number(whole), least = Format::value(half(one));
-      const auto slower = Format::rough_quotient(without_sign(one + x), without_sign(one + x + x));
-      const Value factor = Format::value(base * slower) +
-                           Format::value(one * (Format::constant(1) - slower) * Format::short_constant(1.0 / 3));
-      const Value sum = Format::value(one * cosine) + Format::value(factor * sine);
-      const auto part =
-          Format::rough_quotient(without_sign(least), without_sign(is_positive(sum - least) ? sum : least));
+    [[gnu::always_inline]] constexpr Value elastic_part(Value whole, Value by_stored, Share cosine, Value base) const {
+      const Value linear = one - number(by_stored);
+      const auto squares = square(linear) + without_sign(one * Format::value(twice(twice(number(whole) * cosine))));
+      const Value sum = linear + Format::value(Format::root_of_product(squares));
+      const auto part = Format::rough_quotient(without_sign(one), without_sign(is_positive(sum - one) ? sum : one));
       const Value q = Format::value(twice(whole * part));
       const Value u = number(q), most = Format::value(one * Format::constant(0.999));
-      return is_positive(u - most) ? Format::value(q * Format::quotient(without_sign(most), without_sign(u))) : q;
+      if (!is_positive(u - most)) return q;
+      // x of a u that is pressed: u (1 - P) - P, with P = C p/(1 + A)
+      const Value room = is_positive(press) ? base - number(press) : base;
+      if (!is_positive(room)) return q;
+      const auto share = Format::rough_quotient(without_sign(room), without_sign(base));
+      const Value least = Format::value(u * share), limit = one + most - Format::value(one * share);
+      if (!is_positive(least - limit)) return q;
+      return Format::value(q * Format::rough_quotient(without_sign(limit), without_sign(least)));
+    }
+    // k(x) x/C from x/C
+    [[gnu::always_inline]] constexpr Value correction(Value slowed) const {
+      const Value x = number(slowed), most = Format::value(one * Format::constant(0.999));
+      return Format::value(
+          twice(twice(slowed * quarter_correction(Format::moved(is_positive(x - most) ? most : x, -exponent)))));
+    }
+    // x/C
+    [[gnu::always_inline]] constexpr Value slowing_part(Value q, Value back) const {
+      if (!is_positive(press)) return q;
+      if (!is_positive(back - press)) return Value{};
+      return q - Format::value(q * Format::rough_quotient(without_sign(press), without_sign(back)));
     }
 
-    // k(u)/4 = (2/3) u (1 - n1 u^2 + n2 u^4)/(8 - 8 d1 u^2 + 8 d2 u^4)
+    // k(x)/4 = (2/3) x (1 + n1 x^2 + n2 x^4)/(8 + 8 d1 x^2 + 8 d2 x^4)
     [[gnu::always_inline]] static constexpr Value quarter_correction(Value u) {
       const auto v = square(u);
       const auto upper =
           Format::constant(1.0 / 16) - v * (Format::constant(1.049636 / 16) - Format::constant(0.116728 / 16) * v);
       const auto lower =
           Format::constant(0.5) - v * (Format::constant(1.649636 / 2) - Format::constant(0.659117 / 2) * v);
-      return Format::value(u * Format::quotient(upper, lower) * Format::constant(2.0 / 3));
+      return Format::value(u * Format::rough_quotient(upper, lower) * Format::constant(2.0 / 3));
     }
 
     [[gnu::always_inline]] constexpr End leave(Value damped, Value base) const {

@@ -50,10 +50,23 @@ Explanation explained(const Request& asked, const Settled& settled) {
   });
 }
 
+constexpr double most_steps = 1e6;  // nobody is to wait for a refusal
+
+// Where no step does with the bounds of this run: a shorter one, whose run finds others, or nothing.
+std::string shorter_step(const Request& asked) {
+  for (const double share : {0.5, 0.1, 0.01}) {
+    const std::string text = short_text(std::max(1e-9, share * asked.step));
+    Request shorter = asked;
+    shorter.step = number_in(text);
+    if (asked.bounds || shorter.duration / shorter.step > most_steps) break;
+    if (settled(shorter).planned.status == PlanStatus::ok) return text;
+  }
+  return {};
+}
+
 // A range as it is printed: each limit rounded to the side that is allowed, and brought nearer until it is accepted as
 // an option, or another value refused: bounds that are looked for again come out a little different.
 std::string allowed_text(const Request& asked, const Explanation& found) {
-  constexpr double most_steps = 1e6;  // nobody is to wait for a refusal
   const auto is_accepted = [&](const std::string& text) {
     Values typed{asked.scene, {}, asked.step};
     *typed.find(found.parameter) = number_in(text);
@@ -85,15 +98,23 @@ std::string allowed_text(const Request& asked, const Explanation& found) {
 
 Refusal refusal_of(const Request& asked, const Settled& settled) {
   const Request& request = settled.request;
-  if (settled.planned.status == PlanStatus::contact_time)
+  if (settled.planned.status == PlanStatus::contact_time) {
+    const Resolution contact = resolution(request);
+    const bool is_long = contact.main_phase > Impulsive::longest_main_phase;
     return {"newmark", std::string(name_of(request.stepper)),
-            "auto: the contact lasts " + short_text(resolution(request).main_phase) +
-                " rad of the main mass's vibration, impulsive holds up to " +
-                short_text(Impulsive::longest_main_phase)};
+            is_long ? "auto: the contact lasts " + short_text(contact.main_phase) +
+                          " rad of the main mass's vibration, impulsive holds up to " +
+                          short_text(Impulsive::longest_main_phase)
+                    : "auto: weight and base add " + short_text(contact.field_share) +
+                          " of the fastest impact's speed while it lasts, impulsive holds up to " +
+                          short_text(Impulsive::largest_field_share)};
+  }
   const Values values{request.scene, *request.bounds, request.step};
   const Explanation found = explained(asked, settled);
   const std::string option = option_named(found.parameter), value = shortest_text(found.value);
   if (!found.allowed.holds(found.value)) return {option, value, allowed_text(asked, found)};
+  if (const std::string step = shorter_step(asked); !step.empty())
+    return {"step", shortest_text(request.step), step + " to " + step};
   if (request.numeric == Numeric::fixed32)
     return {"numeric", "fixed32",
             "float64, float32, float32-plain: no other step makes room in 32 bits for a displacement of " +

@@ -137,6 +137,7 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
 Settled settled(const Request& asked, bool may_run) {
   Settled result{asked, asked.stepper == Stepper::automatic, false, {}};
   Request& request = result.request;
+  if (asked.drive == DriveKind::none) request.scene.drive_amplitude = 0;  // no plan is to make room for it
   if (!asked.bounds) request.bounds = estimated_bounds(asked);
   if (result.is_automatic) request.stepper = chosen(request);
   // The speed is of no matter to a stepper that was named and may be taken, and none is finer than Moment.

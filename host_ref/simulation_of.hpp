@@ -184,10 +184,10 @@ Planned plan_for(const Request& request, const Bounds& bounds) {
   return {std::make_unique<Run>(request, bounds, plan), PlanStatus::ok};
 }
 
-// A sine of no amplitude makes the bits of no drive.
+// A sine of no pulsation makes the bits of no drive.
 template <class Format, class ContactLaw, class Stepper, class... Parts>
 Planned plan_with_drive(Request request, const Bounds& bounds) {
-  if (request.drive == DriveKind::none) request.scene.drive_amplitude = 0;
+  if (request.drive == DriveKind::none) request.scene.drive_pulsation = 0;
   if (request.drive == DriveKind::sampled)
     return plan_for<Format, ContactLaw, Stepper, Sampled, Parts...>(request, bounds);
   return plan_for<Format, ContactLaw, Stepper, Sine, Parts...>(request, bounds);

@@ -32,7 +32,7 @@ Request pair_of(Law law, double e, Tension tension = Tension::clamp) {
   impact.speed = speed;
   impact.tension = tension;
   Scene& scene = request.scene;
-  scene.main_stiffness = scene.main_damping = scene.drive_pulsation = 0;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
   scene.tension = tension;
   scene.stops = Stops::right;
   scene.contact_damping = law == Law::hertz ? 0 : contact_damping(impact, e).value();

@@ -14,7 +14,8 @@
 //
 // Moment and SubsteppedMoment are passed over where the plan would refuse them: where the step is long beside the main
 // mass's vibration, or beside the stiffness or the damping of the deepest contact, with sub-steps also where the ball
-// can cross the clearance within a step; and for a Hooke-Newton contact that loses less than they may create.
+// can cross the clearance within a step; and for a Hooke-Newton contact that loses less than they may create. Impulsive
+// is, where weight or a base that shakes is not little during a contact.
 //
 //     struct Rig { .. };
 //     using Stepper = impact::Chosen<Rig, impact::HuntCrossley>;
@@ -45,13 +46,13 @@ constexpr Choice choice_for(const Resolution& contact, double step) {
     return gain <= loss ? choice : Choice::energy;
   };
   if (is_right(Moment::steps(contact), Moment::longest_phase, 1)) return if_passive(Choice::moment, 1);
-  if (part(1) > 1 && contact.main_phase <= shortest_phase) return Choice::impulsive;
+  if (part(1) > 1 && Impulsive::is_instant(contact, shortest_phase)) return Choice::impulsive;
   using Four = SubsteppedMoment<4>;
   using Eight = SubsteppedMoment<8>;
   if (is_right(Four::steps(contact), Four::longest_phase, 4)) return if_passive(Choice::four_sub_steps, 4);
   if (is_right(Eight::steps(contact), Eight::longest_phase, 8)) return if_passive(Choice::eight_sub_steps, 8);
   const bool is_passive = EnergyConsistent::steps(contact).holds(step);
-  return !is_passive && contact.main_phase <= Impulsive::longest_main_phase ? Choice::impulsive : Choice::energy;
+  return !is_passive && Impulsive::steps(contact).holds(step) ? Choice::impulsive : Choice::energy;
 }
 
 namespace detail {

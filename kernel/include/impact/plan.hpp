@@ -151,9 +151,9 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
   terms.step = h;
   terms.pressing = largest_acceleration(scene, bounds,
-                                        Drive::is_sine      ? scene.drive_amplitude
-                                        : Drive::is_sampled ? bounds.force
-                                                            : 0);
+                                        Drive::is_sampled                             ? bounds.force
+                                        : Drive::is_sine && scene.drive_pulsation > 0 ? scene.drive_amplitude
+                                                                                      : 0);
 
   UnitBounds largest{};
   largest.gap = scene.clearance / 2;

@@ -9,6 +9,8 @@
 //                                          coupled machine: omega^2 = (3/2) k1 d^(1/2)/mu and c/mu = c1 d^(3/2)/mu,
 //                                          or k1/mu and c1/mu
 //     crossing                             the least time from one stop to the other
+//     field_share                          what weight and a base add to the fastest impact's rate while it lasts, of
+//                                          that rate: (1 + m/M) a tc/V
 //
 // Damping makes part of a contact shorter than the whole. With e the restitution and mu = m M/(m + M),
 //
@@ -33,6 +35,7 @@ struct Resolution {
   double main_pulsation;      // w0, rad/s
   double pulsation, damping;  // omega, rad/s, and c/mu, 1/s, at the deepest penetration
   double crossing;            // s; for one stop never
+  double field_share;
 
   constexpr double steps_per_contact(double step) const { return contact_time / step; }
 };
@@ -52,6 +55,7 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   }
   const double mu = terms.reduced_mass(), d = terms.deepest, k1 = terms.stiffness;
   const double w0 = constant::square_root(scene.main_stiffness / scene.main_mass);
+  const double field = constant::magnitude(scene.gravity) + bounds.base_acceleration;
   const double slope = terms.is_linear ? k1 : 1.5 * k1 * constant::square_root(d);
   return {ContactLaw::is_linear,
           time,
@@ -61,7 +65,8 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
           w0,
           constant::square_root(slope / mu),
           terms.damping_time * k1 * (terms.is_linear ? 1 : terms.to_the_power(d)) / mu,
-          scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never};
+          scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never,
+          (1 + scene.ball_mass / scene.main_mass) * field * time / terms.largest_rate};
 }
 
 }  // namespace impact

@@ -63,8 +63,8 @@ struct DryFriction : ScenePart {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Long = typename Format::Long;
-    Value before, both;                                     // q0, q0 + q1
-    Value far;                                              // of dx2 - dx1, as positions count
+    Value before, both;  // q0, q0 + q1
+    Value lasting;       // of dx2 - dx1, as positions count: beyond it the sliding lasts
     Gain main_before, main_after, ball_before, ball_after;  // of an impulse, in dx1 and dx2
     Gain main_share;                                        // of f, in h v1
     double friction;                                        // R, N
@@ -90,10 +90,10 @@ struct DryFriction : ScenePart {
     const double friction = scene.ball_friction, rate = friction * constant::power_of_two(-unit.penetration);
     // A rate differs from the way ahead by half of what a step adds, and it may lose a whole one more and both impulses
     // twice; then the last places of two upper words.
-    const double far = 1.6 * largest_increment + 2.1 * friction * (by.before() + by.after());
+    const double lasting = 1.6 * largest_increment + 2.1 * friction * (by.before() + by.after());
     return {Format::sample(rate * by.before()),
             Format::sample(rate * (by.before() + by.after())),
-            Format::sample(far * constant::power_of_two(-unit.position) + 0x1p-29),
+            Format::sample(lasting * constant::power_of_two(-unit.position) + 0x1p-29),
             Format::gain(main.e12 * by.main_before / by.before(), 0, 0),
             Format::gain(main.e12 * by.main_after / by.after(), 0, 0),
             Format::gain(by.ball_before / by.before(), 0, 0),
@@ -133,11 +133,12 @@ struct DryFriction : ScenePart {
   // At the end of a step in flight: whether the sliding went on through it, and will through the coming one.
   template <class Plan, class State>
   [[gnu::always_inline]] static constexpr bool slides_on(const Plan& plan, State& state) {
-    if (plan.units.is_above(state.dx2, state.dx1, plan.far)) {
+    if (plan.units.is_above(state.dx2, state.dx1, plan.lasting)) {
       if (is_positive(plan.before - state.ahead)) return false;
       slide(plan, state, false);
     } else {
-      if (!plan.units.is_above(state.dx1, state.dx2, plan.far) || is_positive(plan.before + state.ahead)) return false;
+      if (!plan.units.is_above(state.dx1, state.dx2, plan.lasting) || is_positive(plan.before + state.ahead))
+        return false;
       slide(plan, state, true);
     }
     state.sliding = state.ahead;

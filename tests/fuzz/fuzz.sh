@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds a fuzzer with Clang and runs it for IMPACT_FUZZ_SECONDS (15), first over the inputs that once found something:
+# Builds a fuzzer with Clang and runs it for IMPACT_FUZZ_SECONDS (5), first over the inputs that once found something:
 #   fuzz.sh PROJECT FOLDER kernel FORMAT
 #   fuzz.sh PROJECT FOLDER tool LIBRARY...
 # FOLDER keeps the fuzzer and what it has learnt; a finding is left there as crash-*, to be given to the fuzzer again.
@@ -22,6 +22,6 @@ esac
 clang++ -std=c++17 -O1 -gline-tables-only -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize-recover=all \
   $flags -I "$project" -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
 ./fuzzer "$project/tests/fuzz/found/$kind"/* >found.log 2>&1 || { cat found.log && exit 1; }
-./fuzzer -max_total_time="${IMPACT_FUZZ_SECONDS:-15}" -seed=1 -timeout=10 -max_len=300 -len_control=0 -print_funcs=0 \
+./fuzzer -max_total_time="${IMPACT_FUZZ_SECONDS:-5}" -seed=1 -timeout=10 -max_len=300 -len_control=0 -print_funcs=0 \
   -dict="$project/tests/fuzz/options.dict" corpus >run.log 2>&1 || { tail -50 run.log && exit 1; }
 tail -1 run.log

@@ -52,24 +52,25 @@
 //           is_sound(plan, state)      see features.hpp
 //
 // Part      of the scene, named among the features and derived from ScenePart: Gravity, BaseAcceleration, DryFriction.
-// It
-//           has a kind and a State<Format> as a feature has. In what follows `rate` is a Value that counts as a
-//           penetration per step, `increment` one that counts as what a step adds to dx1; `next` is a Value, the sample
-//           at the step's end as the field counts it, or nothing; flows are a LinearFlow of the main mass and of the
-//           free ball.
+//           It has a kind and a State<Format> as a feature has. Below, `rate` is a Value that counts as a penetration
+//           per step, `increment` one that counts as what a step adds to dx1; `next` is a Value, the sample at the
+//           step's end as the field counts it, or nothing; flows are a LinearFlow of the main mass and of the ball.
 //
 // Field     is_field, is_sampled       a part whose acceleration, m/s^2 along x, acts on both masses
-//           FieldPlan<Format>          a base of the plan; make_plan<Format>(scene, bounds, main, ball, exponents,
-//           units) largest(scene, bounds)     m/s^2, of either sign at_start(flow)             m/N: what a force at the
-//           start adds to the first step's displacement main_rate(plan, state), ball_rate      rate: the field's share
-//           in the displacement of the coming step main_increment(plan, state, next)      increment: what the step adds
-//           to dx1 fly(plan, state, next)     moves x2 and dx2 by the step's flight; then, until the next,
+//           FieldPlan<Format>          a base of the plan
+//           make_plan<Format>(scene, bounds, main, ball, exponents, units)    the two flows before the exponents
+//           largest(scene, bounds)     m/s^2, of either sign
+//           at_start(flow)             m/N: what a force at the start adds to the first step's displacement
+//           main_rate(plan, state)     rate: the field's share in the displacement of the coming step; ball_rate too
+//           main_increment(plan, state, next)    increment: what the step adds to dx1
+//           fly(plan, state, next)     moves x2 and dx2 by the step's flight; then, until the next,
 //           ball_travel(plan, state)   Long: by how much x2,
 //           ball_increment             increment: by how much dx2
 //           ahead, behind, ball_start  increments, for a change of plan: motion/handover.hpp
-//           and if sampled  accepts(plan, sample), held(plan, sample)    bool, and a sample in place of a bad one
-//                           at_end(plan, sample)   `next`
-//                           at_once(plan, next), ball_at_once    increments: to x1 and x2 in the step that it ends
+//           and if sampled
+//           accepts(plan, sample)      bool; held(plan, sample) is a sample in place of a bad one
+//           at_end(plan, sample)       `next`
+//           at_once(plan, next)        increment: to x1, in the step that the sample ends; ball_at_once to x2
 //
 // Friction  is_friction                a part whose force acts between ball and main mass, against y' or at rest
 //           FrictionPlan<Format>       a base of the plan, with `before`, rate: 0 where it does nothing

@@ -88,7 +88,6 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
 // With weight, a base that shakes and friction, one or more of them. A plan refuses them where a step can cross half
 // the clearance.
 TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
-  if (GetParam().numeric == Numeric::float32_plain) GTEST_SKIP() << "parts are not compiled into the tool in it";
   for (const Stepper stepper : {Stepper::automatic, Stepper::moment, Stepper::moment_4, Stepper::moment_8,
                                 Stepper::energy, Stepper::impulsive}) {
     unsigned made = 0, accepted = 0;

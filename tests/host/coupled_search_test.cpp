@@ -57,8 +57,7 @@ std::vector<Searched> all() {
   return result;
 }
 
-// Three coordinates more than a scene has choose the edge, the drive, and whether it has parts, which are not compiled
-// into the tool in Float32Plain.
+// Three coordinates more than a scene has choose the edge, the drive, and whether it has parts.
 using Everywhere = std::array<double, coordinates + 3>;
 template <class Kind, size_t n>
 Kind one_of(const Kind (&kinds)[n], double u) {
@@ -67,9 +66,8 @@ Kind one_of(const Kind (&kinds)[n], double u) {
 CoupledScene scene_at(const Searched& searched, const Everywhere& at) {
   Place place;
   std::copy_n(at.begin(), coordinates, place.begin());
-  const bool has_parts = searched.numeric != Numeric::float32_plain && at[coordinates + 2] > 0.5;
   return searched.scene(one_of(edges, at[coordinates]), one_of(drives, at[coordinates + 1]),
-                        has_parts ? Parts::some : Parts::none, place);
+                        at[coordinates + 2] > 0.5 ? Parts::some : Parts::none, place);
 }
 
 // What is made beyond rounding; a fault is worse than any.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <host_ref/extremes.hpp>
 
 namespace impact::host {
 namespace {
@@ -48,17 +49,17 @@ void RecordedRun::advance(long steps) {
 }
 
 void RecordedRun::note(const Sample& now) {
-  totals_.largest_x1 = std::max(totals_.largest_x1, std::abs(now.x1));
+  totals_.largest_x1 = larger(totals_.largest_x1, std::abs(now.x1));
   squares_ += now.x1 * now.x1;
   const double rubbed = now.energy_dissipated + now.friction_dissipated;
   const double lost = rubbed + damper_loss_, found = lost + motion_energy(now);
   const double supplied = initial_energy_ + now.drive_work + field_work_;
-  totals_.energy_error = std::max(totals_.energy_error, std::abs(found - supplied));
-  totals_.least_x1 = std::min(totals_.least_x1, now.x1);
-  totals_.most_x1 = std::max(totals_.most_x1, now.x1);
-  totals_.most_supplied = std::max(totals_.most_supplied, supplied);
-  totals_.most_found = std::max(totals_.most_found, found);
-  totals_.least_dissipated = std::min(totals_.least_dissipated, now.energy_dissipated);
+  totals_.energy_error = larger(totals_.energy_error, std::abs(found - supplied));
+  totals_.least_x1 = smaller(totals_.least_x1, now.x1);
+  totals_.most_x1 = larger(totals_.most_x1, now.x1);
+  totals_.most_supplied = larger(totals_.most_supplied, supplied);
+  totals_.most_found = larger(totals_.most_found, found);
+  totals_.least_dissipated = smaller(totals_.least_dissipated, now.energy_dissipated);
   if (done_ % every_ != 0) return;
   const double side = !is_in_contact(now) ? 0 : now.x2 < now.x1 ? -1 : 1;
   rows_.push_back({now.t, now.x1, now.v1, now.x2, now.v2, now.penetration, now.contact_force, now.energy_dissipated,

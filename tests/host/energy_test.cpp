@@ -159,7 +159,7 @@ void expect_passive(uint32_t seed, double rounding, double place = 0) {
     V1 > 0 ? ++stays : ++leaves;
     if (sizeof(typename Format::Value) == 4 || damping * D < -0.5 || b == 0) continue;
     const double a = Units::fraction(press), slowed = 1 + damping * (D - b), u = damping * b / slowed;
-    const double x = std::fmin(std::fmax(damping * (b - a) / slowed, 0), u);
+    const double x = std::clamp(damping * (b - a) / slowed, 0.0, u);
     if (damping * (std::fabs(D) + V0) > 50 || damping * (std::fabs(D) + V0) < 1e-3 || x > 0.98) continue;
     if (V1 == 0 && a != 0) continue;
     const double moved_back = x > 1e-4 ? (std::atanh(x) / x - 1) / damping : 0;

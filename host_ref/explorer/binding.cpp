@@ -103,11 +103,8 @@ EXPORT(csv) const char* write_csv(int slot) {
   long_text = "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n";
   for (const Row& row : run.rows()) {
     append_number(long_text, row.t, 15);
-    for (const double value :
-         {row.x1, row.v1, row.x2, row.v2, row.penetration, row.contact_force, row.energy_dissipated}) {
-      long_text += ',';
-      append_number(long_text, value, digits);
-    }
+    append_numbers(long_text,
+                   {row.x1, row.v1, row.x2, row.v2, row.penetration, row.contact_force, row.energy_dissipated}, digits);
     long_text += '\n';
   }
   return long_text.c_str();

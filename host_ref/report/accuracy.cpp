@@ -81,10 +81,7 @@ void write_row(Output& output, Law law, std::string_view method, std::string_vie
                const ErrorParts& error, double time, double contact_share) {
   if (!(error.total < 1)) return;  // metres: no longer this scene
   std::string row = std::string(name_of(law)) + "," + std::string(method) + "," + std::string(numeric);
-  for (double value : {step, error.total, error.method, error.rounding, time, contact_share}) {
-    row += ',';
-    append_number(row, value, 4);
-  }
+  append_numbers(row, {step, error.total, error.method, error.rounding, time, contact_share}, 4);
   output.write(row + "\n");
 }
 

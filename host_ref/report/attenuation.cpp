@@ -69,10 +69,7 @@ void write_attenuation(const std::string& path) {
         const Request request = request_of(is_upright, ball_friction, pulsation);
         const double without = swing_without(request), with = swing(request);
         std::string row = is_upright ? "upright" : "level";
-        for (const double value : {ball_friction, static_cast<double>(pulsation), without, with, 1 - with / without}) {
-          row += ',';
-          append_number(row, value, 6);
-        }
+        append_numbers(row, {ball_friction, static_cast<double>(pulsation), without, with, 1 - with / without}, 6);
         output.write(row + "\n");
       }
     }

@@ -66,10 +66,7 @@ void write_error_vs_time(const std::vector<std::string>& paths) {
   output.write("target,law,method,numeric,step_s,error_m,instructions_per_simulated_second,frontier\n");
   for (const Point& point : points) {
     std::string row = point.target + "," + point.law + "," + point.method + "," + point.numeric;
-    for (double value : {point.step, point.error, point.instructions}) {
-      row += ',';
-      host::append_number(row, value, 5);
-    }
+    host::append_numbers(row, {point.step, point.error, point.instructions}, 5);
     const bool is_beaten =
         std::any_of(points.begin(), points.end(), [&](const Point& p) { return point.is_beaten_by(p); });
     output.write(row + (is_beaten ? ",0\n" : ",1\n"));

@@ -19,6 +19,7 @@ namespace impact::report {
 namespace {
 
 using host::append_number;
+using host::append_numbers;
 using host::Output;
 
 struct Instant {
@@ -74,11 +75,10 @@ void write_traces(const std::string& path, const std::vector<Curves>& curves) {
     append_number(row, curves[0].kernel[i].t, 6);
     for (int run = 0; run < traced_runs; ++run) {
       const auto& [kernel, reference] = curves[static_cast<size_t>(run)];
-      for (double value : {1e3 * kernel[i].x1, 1e3 * reference[i].x1, 100 * attenuation(kernel[i], curves[0].kernel[i]),
-                           kernel[i].dissipated, reference[i].dissipated}) {
-        row += ',';
-        append_number(row, value, 5);
-      }
+      append_numbers(row,
+                     {1e3 * kernel[i].x1, 1e3 * reference[i].x1, 100 * attenuation(kernel[i], curves[0].kernel[i]),
+                      kernel[i].dissipated, reference[i].dissipated},
+                     5);
     }
     output.write(row + "\n");
   }
@@ -94,8 +94,7 @@ void write_restitutions(const std::string& path, const std::vector<Curves>& curv
     append_number(row, paper_run(static_cast<int>(i)).restitution, 3);
     for (const Curves* curve : {&curves[i], &curves[i + 1], &curves[2]}) {
       for (const Curve* part : {&curve->kernel, &curve->reference}) {
-        row += ',';
-        append_number(row, 1e3 * part->back().peak, 5);
+        append_numbers(row, {1e3 * part->back().peak}, 5);
       }
     }
     output.write(row + "\n");

@@ -90,14 +90,10 @@ class PartsAccuracy {
       const double error = error_of(run);
       std::string row =
           std::string(parts_.name) + "," + std::string(name_of(stepper)) + "," + std::string(name_of(numeric));
-      for (const double value : {scene_.contact_stiffness, horizon_, step, error}) {
-        row += ',';
-        append_number(row, value, 4);
-      }
+      append_numbers(row, {scene_.contact_stiffness, horizon_, step, error}, 4);
       row += ',';
       if (before > 0 && numeric == Numeric::float64) append_number(row, std::log2(before / error), 3);
-      row += ',';
-      append_number(row, run.totals().energy_error, 3);
+      append_numbers(row, {run.totals().energy_error}, 3);
       output_.write(row + "\n");
       before = error;
     }

@@ -33,11 +33,7 @@ void write_restitutions(const std::string& path) {
       if (!found || found->has_fault || !found->is_apart)
         throw std::runtime_error(std::string(name_of(damping)) + " at " + std::to_string(free.restitution));
       std::string row(name_of(damping));
-      for (const double value :
-           {free.restitution, found->least, found->largest, restitution(impact_of(free)).value()}) {
-        row += ',';
-        append_number(row, value, 6);
-      }
+      append_numbers(row, {free.restitution, found->least, found->largest, restitution(impact_of(free)).value()}, 6);
       output.write(row + "\n");
     }
   }

@@ -51,11 +51,10 @@ void append_row(std::string& rows, const FreePair& free, std::string_view method
                 const Rebounds& found, bool is_accepted) {
   if (found.has_fault) return;
   rows += std::string(name_of(free.law)) + "," + std::string(method) + "," + std::string(name_of(numeric));
-  for (double value : {free.step, free.contact_stiffness, found.least, found.largest,
-                       restitution(impact_of(free)).value(), found.energy_gain()}) {
-    rows += ',';
-    append_number(rows, value, 6);
-  }
+  append_numbers(rows,
+                 {free.step, free.contact_stiffness, found.least, found.largest, restitution(impact_of(free)).value(),
+                  found.energy_gain()},
+                 6);
   rows += is_accepted ? ",1\n" : ",0\n";
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <host_ref/limits.hpp>
 #include <host_ref/simulation.hpp>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,11 @@ inline void append_number(std::string& text, double value, int significant_digit
   char digits[64];
   text.append(digits,
               std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, significant_digits).ptr);
+}
+
+// Each after a comma.
+inline void append_numbers(std::string& text, std::initializer_list<double> values, int significant_digits) {
+  for (const double value : values) append_number(text += ',', value, significant_digits);
 }
 
 // Enough to tell neighbouring values of the format apart.

@@ -17,11 +17,10 @@ constexpr long steps_between_looks_at_the_clock = 1024;
 std::string row(const Sample& sample, int digits) {
   std::string text;
   append_number(text, sample.t, time_digits);
-  for (const double value : {sample.x1, sample.v1, sample.x2, sample.v2, sample.penetration, sample.contact_force,
-                             sample.energy_dissipated}) {
-    text += ',';
-    append_number(text, value, digits);
-  }
+  append_numbers(
+      text,
+      {sample.x1, sample.v1, sample.x2, sample.v2, sample.penetration, sample.contact_force, sample.energy_dissipated},
+      digits);
   return text += '\n';
 }
 

@@ -192,6 +192,14 @@ constexpr auto with_laws(List<Laws...>) {
                         LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
+// The steppers with one drive each, three drives in turn.
+template <class Numeric, class Law, class A, class B, class C>
+constexpr auto with_pairs() {
+  return List<Configuration<Law, Moment, Numeric, A>, Configuration<Law, SubsteppedMoment<4>, Numeric, B>,
+              Configuration<Law, EnergyConsistent, Numeric, C>, Configuration<Law, Impulsive, Numeric, A>,
+              Configuration<Law, AverageAcceleration, Numeric, B>, Configuration<Law, LinearAcceleration, Numeric, C>,
+              Configuration<Law, FoxGoodwin, Numeric, A>, Configuration<Law, CentralDifference, Numeric, B>>{};
+}
 // A damping that is set at each impact, by every stepper that treats it in its own way.
 template <class Numeric>
 constexpr auto with_damping_per_impact() {
@@ -204,6 +212,10 @@ constexpr auto with_stiff_stops() {
   return List<Configuration<Hertz, StiffEnergyConsistent, Numeric, Sine>,
               Configuration<HuntCrossley, StiffEnergyConsistent, Numeric, Sine>,
               Configuration<Exact, StiffEnergyConsistent, Numeric, Sine>>{};
+}
+template <class Numeric>
+constexpr auto beside_the_laws() {
+  return with_damping_per_impact<Numeric>() + with_stiff_stops<Numeric>();
 }
 // Each part of a scene, and all three by steppers that treat the contact in their own ways.
 template <class Numeric, class Law, class Newmark, class Drive>
@@ -222,8 +234,15 @@ template <class... Numerics>
 constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
 }
-// Those whose trajectories are kept; of them the linear law's and those with parts (1) or the others (2) for an image
-// in 256 K.
+// A third of them: each law with each stepper, each law with each drive and each stepper with each drive.
+template <class Numeric>
+constexpr auto pairwise() {
+  return with_pairs<Numeric, HookeNewton, NoDrive, Sine, Sampled>() +
+         with_pairs<Numeric, Hertz, Sine, Sampled, NoDrive>() +
+         with_pairs<Numeric, HuntCrossley, Sampled, NoDrive, Sine>();
+}
+// Those whose trajectories are kept. In an image of 256 K fit, of a format, the linear law's and those with parts (1),
+// the others (2), or all with a third of the laws' (3).
 #if !defined(IMPACT_GOLDEN_PART)
 #define IMPACT_GOLDEN_PART 0
 #endif
@@ -232,11 +251,11 @@ constexpr auto golden_configurations() {
   if constexpr (IMPACT_GOLDEN_PART == 1)
     return (with_laws<Numerics>(List<HookeNewton>{}) + ...) + (with_parts<Numerics>() + ...);
   else if constexpr (IMPACT_GOLDEN_PART == 2)
-    return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...) + (with_damping_per_impact<Numerics>() + ...) +
-           (with_stiff_stops<Numerics>() + ...);
+    return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...) + (beside_the_laws<Numerics>() + ...);
+  else if constexpr (IMPACT_GOLDEN_PART == 3)
+    return (pairwise<Numerics>() + ...) + (beside_the_laws<Numerics>() + ...) + (with_parts<Numerics>() + ...);
   else
-    return all_configurations<Numerics...>() + (with_damping_per_impact<Numerics>() + ...) +
-           (with_stiff_stops<Numerics>() + ...) + (with_parts<Numerics>() + ...);
+    return all_configurations<Numerics...>() + (beside_the_laws<Numerics>() + ...) + (with_parts<Numerics>() + ...);
 }
 
 // Those whose cost is measured and has a budget.

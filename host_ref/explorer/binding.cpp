@@ -1,10 +1,11 @@
 // What the page calls. Text passes through one buffer, numbers as arrays of doubles that the page reads where they lie;
-// a run is known by its slot.
+// a run is known by its slot, and so is a line, a run of which only the displacement is kept.
 
 #include <algorithm>
 #include <cstring>
 #include <string>
 
+#include "host_ref/explorer/displacement_run.hpp"
 #include "host_ref/explorer/recorded_run.hpp"
 #include "host_ref/explorer/scene_text.hpp"
 #include "host_ref/tool/rig.hpp"
@@ -13,8 +14,9 @@
 namespace impact::host {
 namespace {
 
-constexpr size_t slots = 16;
+constexpr size_t slots = 4;
 std::optional<RecordedRun> runs[slots];
+std::optional<DisplacementRun> lines[slots];
 Request made[slots];  // as they were planned
 SampleFiles files;
 char text[1 << 16];
@@ -51,12 +53,11 @@ EXPORT(write_file) void write_file() { files.write(text, long_text); }
 
 // The scene in the buffer. The answer there: "planned", the stepper taken, why, the contact damping that a restitution
 // led to; or "refused", the option, its value, what is allowed.
-EXPORT(plan) bool plan(int slot, bool with_absorber) {
+EXPORT(plan) bool plan(int slot) {
   auto& run = runs[slot];
   run.reset();
-  auto [request, refusal] = scene_from(text, files);
+  const auto [request, refusal] = scene_from(text, files);
   if (!refusal.field.empty()) return refuse(refusal);
-  if (!with_absorber) request = without_absorber(request);
   Outcome outcome = make_simulation(request);
   if (!outcome.simulation) return refuse(outcome.refusal);
   made[slot] = outcome.made;
@@ -66,6 +67,25 @@ EXPORT(plan) bool plan(int slot, bool with_absorber) {
   return true;
 }
 EXPORT(forget) void forget(int slot) { runs[slot].reset(); }
+
+EXPORT(plan_line) bool plan_line(int slot, bool with_absorber) {
+  auto& line = lines[slot];
+  line.reset();
+  auto [request, refusal] = scene_from(text, files);
+  if (!refusal.field.empty()) return refuse(refusal);
+  if (!with_absorber) request = without_absorber(request);
+  Outcome outcome = make_simulation(request);
+  if (!outcome.simulation) return refuse(outcome.refusal);
+  line.emplace(request, std::move(outcome.simulation));
+  return true;
+}
+EXPORT(advance_line) bool advance_line(int slot, int steps) {
+  lines[slot]->advance(steps);
+  return !lines[slot]->is_done();
+}
+EXPORT(line_rows) const DisplacementRow* line_rows(int slot) { return lines[slot]->rows().data(); }
+EXPORT(line_row_count) size_t line_row_count(int slot) { return lines[slot]->rows().size(); }
+EXPORT(line_extremes) const DisplacementExtremes* line_extremes(int slot) { return &lines[slot]->extremes(); }
 
 EXPORT(advance) bool advance(int slot, int steps) {
   runs[slot]->advance(steps);
@@ -89,8 +109,8 @@ EXPORT(totals) const Totals* totals(int slot) {
   now = runs[slot]->totals();
   return &now;
 }
-EXPORT(attenuation) double attenuation(int slot, int bare_slot) {
-  return 1 - runs[slot]->totals().largest_x1 / runs[bare_slot]->totals().largest_x1;
+EXPORT(attenuation) double attenuation(int slot, int bare_line) {
+  return 1 - runs[slot]->totals().largest_x1 / lines[bare_line]->extremes().largest;
 }
 EXPORT(law_restitution) double law_restitution(int slot, double speed) {
   return restitution_at(runs[slot]->request(), speed);

@@ -10,6 +10,8 @@ export const column = {
 };
 export const contactWidth = 3;  // t, penetration, force
 export const impactWidth = 3;   // t, speed, restitution
+export const lineColumn = { t: 0, x1: 1 };
+const lineWidth = 2;
 
 // What a page holds as base64 of a gzip file.
 export async function unpacked(base64) {
@@ -45,9 +47,9 @@ export class Kernel {
   }
 
   // { stepper, why, contactDamping }, or { refusal: { option, value, allowed } }.
-  plan(slot, options, withAbsorber) {
+  plan(slot, options) {
     this.#say(options);
-    const isPlanned = this.calls.plan(slot, withAbsorber);
+    const isPlanned = this.calls.plan(slot);
     const [, ...lines] = this.#textAt(this.calls.text()).split('\n');
     if (!isPlanned) return { refusal: { option: lines[0], value: lines[1], allowed: lines[2] } };
     return { stepper: lines[0], why: lines[1], contactDamping: Number(lines[2]) };
@@ -59,6 +61,21 @@ export class Kernel {
   // Whether there is more to do.
   advance(slot, steps) {
     return this.calls.advance(slot, steps) !== 0;
+  }
+  // A line is a run of which only the displacement is kept, faster. Whether there is one.
+  planLine(slot, options, withAbsorber) {
+    this.#say(options);
+    return this.calls.plan_line(slot, withAbsorber) !== 0;
+  }
+  advanceLine(slot, steps) {
+    return this.calls.advance_line(slot, steps) !== 0;
+  }
+  line(slot) {
+    return this.#table(this.calls.line_rows(slot), this.calls.line_row_count(slot), lineWidth);
+  }
+  lineExtremes(slot) {
+    const [largest, least, most] = new Float64Array(this.calls.memory.buffer, this.calls.line_extremes(slot), 3);
+    return { largest, leastX1: least, mostX1: most };
   }
   fault(slot) {
     return this.calls.fault(slot) ? this.#textAt(this.calls.text()) : '';
@@ -82,8 +99,8 @@ export class Kernel {
       new Float64Array(this.calls.memory.buffer, this.calls.totals(slot), 13);
     return { steps, largest, rms, dissipated, impacts, peakForce, energyError, rubbed, leastX1, mostX1, mostSupplied, mostFound, leastDissipated };
   }
-  attenuation(slot, bareSlot) {
-    return this.calls.attenuation(slot, bareSlot);
+  attenuation(slot, bareLine) {
+    return this.calls.attenuation(slot, bareLine);
   }
   lawRestitution(slot, speed) {
     return this.calls.law_restitution(slot, speed);

@@ -16,7 +16,7 @@ import { Sweep } from './sweep.mjs';
 import { numbersRow, sentenceOf } from './words.mjs';
 
 const find = (id) => document.getElementById(id);
-const slice = 6, sweepSlice = 4, drawSlice = 12;  // ms of a frame, from its start
+const slice = 6, sweepSlice = 4, drawSlice = 8;  // ms of a frame, from its start: what is drawn is painted after that
 const calm = 120;  // ms without a change, before words, link and sweep follow
 
 class Page {
@@ -25,9 +25,9 @@ class Page {
     this.kernel = kernel;
     this.costs = costs;
     this.parts = parts;
-    this.runs = { a: new Run(kernel, 0), b: new Run(kernel, 2) };
+    this.runs = { a: new Run(kernel, 0), b: new Run(kernel, 1) };
     for (const [letter, run] of Object.entries(this.runs)) run.letter = letter;
-    this.sweep = new Sweep(kernel, 4);
+    this.sweep = new Sweep(kernel, 2);
     this.machines = { a: this.#machine('a'), b: this.#machine('b') };
     this.plots = {
       displacement: new DisplacementPlot(find('plot-displacement')),

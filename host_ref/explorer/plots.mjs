@@ -1,6 +1,6 @@
 // The plots of the runs: each draws anew when what it shows has changed, and else only moves its cursor.
 
-import { column } from './kernel.mjs';
+import { column, lineColumn } from './kernel.mjs';
 import { Plot, theme } from './plot.mjs';
 
 const dashes = [[], [6, 4]];  // of run A and run B
@@ -32,7 +32,7 @@ export class DisplacementPlot extends Plot {
   draw(runs, window, cursor) {
     const range = { ...window, ...this.#heights(runs) };
     if (this.begin(versionOf(runs), range)) {
-      if (runs[0].hasBare) this.line(runs[0].bareRows(), column.t, column.x1, bareStyle());
+      if (runs[0].hasBare) this.line(runs[0].bareRows(), lineColumn.t, lineColumn.x1, bareStyle());
       runs.forEach((run, i) => this.line(run.rows(), column.t, column.x1, { colour: theme[run.letter], dash: dashes[i], thickness: 1.6 }));
       this.end();
     }
@@ -40,7 +40,7 @@ export class DisplacementPlot extends Plot {
   }
   #heights(runs) {
     const totals = runs.map((run) => run.totals());
-    if (runs[0].hasBare) totals.push(runs[0].bareTotals());
+    if (runs[0].hasBare) totals.push(runs[0].bareExtremes());
     return roomy(Math.min(0, ...totals.map(({ leastX1 }) => leastX1)), Math.max(0, ...totals.map(({ mostX1 }) => mostX1)));
   }
 }

@@ -16,11 +16,13 @@ bool is_in_contact(const Sample& sample) { return sample.contact_force != 0 || s
 
 }  // namespace
 
+long steps_of_a_row(long steps) { return steps / most_rows + 1; }
+
 RecordedRun::RecordedRun(const Request& request, std::unique_ptr<Simulation> simulation)
     : request_(request),
       simulation_(std::move(simulation)),
       steps_(step_count(request)),
-      every_(steps_ / most_rows + 1),
+      every_(steps_of_a_row(steps_)),
       contact_every_(steps_ / most_contact_steps + 1) {
   rows_.reserve(static_cast<size_t>(steps_ / every_ + 1));
   before_ = simulation_->sample();

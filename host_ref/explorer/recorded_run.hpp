@@ -31,6 +31,9 @@ struct Totals {
   double least_x1 = 0, most_x1 = 0, most_supplied = 0, most_found = 0, least_dissipated = 0;
 };
 
+// So many that a run has at most 40000 rows.
+long steps_of_a_row(long steps);
+
 class RecordedRun {
  public:
   RecordedRun(const Request& request, std::unique_ptr<Simulation> simulation);

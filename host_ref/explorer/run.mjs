@@ -10,7 +10,6 @@ export class Run {
   constructor(kernel, slot) {
     this.kernel = kernel;
     this.slot = slot;
-    this.bareSlot = slot + 1;
     this.version = 0;  // counts what there is to draw
   }
 
@@ -22,10 +21,10 @@ export class Run {
     this.refusal = this.#pageRefusal(scene);
     if (this.refusal) return;
     const options = optionsOf(scene, this.kernel.files);
-    this.plan = this.kernel.plan(this.slot, options, true);
+    this.plan = this.kernel.plan(this.slot, options);
     this.refusal = this.plan.refusal;
     if (this.refusal) return;
-    this.hasBare = !this.kernel.plan(this.bareSlot, options, false).refusal;
+    this.hasBare = this.kernel.planLine(this.slot, options, false);
     this.isReady = true;
   }
   stop() {
@@ -40,7 +39,7 @@ export class Run {
     let more = true;
     while (more && performance.now() < deadline) {
       more = this.kernel.advance(this.slot, stepsBetweenLooksAtTheClock);
-      if (this.hasBare) more = this.kernel.advance(this.bareSlot, stepsBetweenLooksAtTheClock) || more;
+      if (this.hasBare) more = this.kernel.advanceLine(this.slot, stepsBetweenLooksAtTheClock) || more;
     }
     this.isDone = !more;
     ++this.version;
@@ -51,7 +50,7 @@ export class Run {
     return this.kernel.rows(this.slot);
   }
   bareRows() {
-    return this.kernel.rows(this.bareSlot);
+    return this.kernel.line(this.slot);
   }
   // Steps from a row to the next.
   get every() {
@@ -60,14 +59,14 @@ export class Run {
   totals() {
     return this.kernel.totals(this.slot);
   }
-  bareTotals() {
-    return this.kernel.totals(this.bareSlot);
+  bareExtremes() {
+    return this.kernel.lineExtremes(this.slot);
   }
   bareLargest() {
-    return this.hasBare ? this.bareTotals().largest : NaN;
+    return this.hasBare ? this.bareExtremes().largest : NaN;
   }
   attenuation() {
-    return this.hasBare ? this.kernel.attenuation(this.slot, this.bareSlot) : NaN;
+    return this.hasBare ? this.kernel.attenuation(this.slot, this.slot) : NaN;
   }
   fault() {
     return this.kernel.fault(this.slot);

@@ -8,10 +8,10 @@ const pointCount = 65;  // a power of two and one
 const mostStepsPerPoint = 60000;
 
 export class Sweep {
-  constructor(kernel, firstSlot) {
+  constructor(kernel, firstLine) {
     this.kernel = kernel;
-    this.slot = firstSlot;
-    this.bareSlot = firstSlot + 1;
+    this.line = firstLine;
+    this.bareLine = firstLine + 1;
     this.version = 0;
     this.curves = [];
     this.waiting = [];
@@ -49,11 +49,11 @@ export class Sweep {
     while (!this.isDone && performance.now() < deadline) {
       if (!this.running && !this.#begin()) continue;
       const { kernel } = this;
-      const more = kernel.advance(this.slot, stepsBetweenLooksAtTheClock);
-      if (kernel.advance(this.bareSlot, stepsBetweenLooksAtTheClock) || more) continue;
+      const more = kernel.advanceLine(this.line, stepsBetweenLooksAtTheClock);
+      if (kernel.advanceLine(this.bareLine, stepsBetweenLooksAtTheClock) || more) continue;
       const { curve, pulsation } = this.running;
-      insert(this.curves[curve].own, pulsation, kernel.totals(this.slot).largest);
-      insert(this.curves[curve].bare, pulsation, kernel.totals(this.bareSlot).largest);
+      insert(this.curves[curve].own, pulsation, kernel.lineExtremes(this.line).largest);
+      insert(this.curves[curve].bare, pulsation, kernel.lineExtremes(this.bareLine).largest);
       this.running = null;
       ++this.version;
     }
@@ -61,7 +61,7 @@ export class Sweep {
 
   #begin() {
     const point = this.waiting.shift(), options = optionsOf({ ...point.scene, 'drive-pulsation': point.pulsation }, this.kernel.files);
-    const isPlanned = !this.kernel.plan(this.slot, options, true).refusal && !this.kernel.plan(this.bareSlot, options, false).refusal;
+    const isPlanned = this.kernel.planLine(this.line, options, true) && this.kernel.planLine(this.bareLine, options, false);
     if (isPlanned) this.running = point;
     return isPlanned;
   }

@@ -32,7 +32,7 @@ async function keepFiles(page, command) {
 }
 async function checkAgainstTool(page, letter, what) {
   await settled(page);
-  const slot = letter === 'a' ? 0 : 2, csv = await page.value(`explorer.kernel.csv(${slot})`);
+  const csv = await page.value(`explorer.kernel.csv(explorer.runs.${letter}.slot)`);
   const command = await text(page, `command-${letter}`);
   await keepFiles(page, command);
   const { status, stdout } = toolAt(command);

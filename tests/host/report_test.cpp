@@ -143,19 +143,24 @@ Row impact(const char* newmark, const char* numeric, const char* gain, const cha
           {"restitution_max", "0.68"}, {"restitution_exact", "0.68"},  {"energy_gain_max", gain},
           {"accepted", accepted}};
 }
-Row step(const char* newmark, const char* phase, const char* largest) {
-  return {{"target", "cortex-m3"},       {"law", "hunt-crossley"}, {"newmark", newmark},
-          {"numeric", "fixed32"},        {"phase", phase},         {"instructions_mean", largest},
-          {"instructions_max", largest}, {"flash_bytes", "3200"},  {"ram_bytes", "72"},
-          {"stack_bytes", "152"}};
+Row step(const char* newmark, const char* phase, const char* largest, const char* drive = "sine") {
+  return {
+      {"target", "cortex-m3"}, {"law", "hunt-crossley"}, {"newmark", newmark},           {"numeric", "fixed32"},
+      {"drive", drive},        {"phase", phase},         {"instructions_mean", largest}, {"instructions_max", largest},
+      {"flash_bytes", "3200"}, {"ram_bytes", "72"},      {"stack_bytes", "152"}};
 }
 
 TEST(Page, WhatToChooseFitsIntoHalfOfThePeriodAndIsAccepted) {
   const Table stability = {impact("moment", "fixed32", "0", "1"), impact("impulsive", "fixed32", "0", "0"),
                            impact("average", "fixed32", "0", "1")};
-  Table budget = {step("moment", "free", "10"),   step("moment", "contact", "2571"),
-                  step("impulsive", "free", "1"), step("impulsive", "contact", "1"),
-                  step("average", "free", "100"), step("average", "contact", "2572")};
+  Table budget = {step("moment", "free", "10"),
+                  step("moment", "contact", "2571"),
+                  step("impulsive", "free", "1"),
+                  step("impulsive", "contact", "1"),
+                  step("average", "free", "100"),
+                  step("average", "contact", "2572"),
+                  step("moment", "free", "9999", "sine+gravity"),
+                  step("moment", "contact", "9999", "sine+gravity")};
   // Half of 0.1 ms at 72 MHz and 1.4 cycles an instruction: 2571.4 instructions.
   const std::string chosen = choices(budget, stability);
   EXPECT_THAT(chosen,

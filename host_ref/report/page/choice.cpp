@@ -59,7 +59,7 @@ class Chooser {
     }
     for (const Part& part : parts)
       for (const Row& row : budget)
-        if (row.at("target") == part.target && row.at("phase") == "free")
+        if (row.at("target") == part.target && row.at("drive") == "sine" && row.at("phase") == "free")
           costs_[{part.target + row.at("law") + row.at("newmark"), row.at("numeric")}] =
               *configuration(budget, part.target, row.at("law"), row.at("newmark"), row.at("numeric"));
   }

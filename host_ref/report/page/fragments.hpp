@@ -21,7 +21,7 @@ inline constexpr Part parts[] = {
 };
 inline constexpr const char* laws[] = {"hooke-newton", "hertz", "hunt-crossley"};
 
-// A configuration's rows of step_budget.csv.
+// A configuration's rows of step_budget.csv, under a sine without weight, base and friction.
 struct Configuration {
   Row free, contact;
   double worst() const;  // instructions

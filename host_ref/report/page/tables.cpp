@@ -15,7 +15,7 @@ std::optional<Configuration> configuration(const Table& budget, const std::strin
   Configuration found;
   for (const Row& row : budget) {
     if (row.at("target") != target || row.at("law") != law || row.at("newmark") != newmark ||
-        row.at("numeric") != numeric)
+        row.at("numeric") != numeric || row.at("drive") != "sine")
       continue;
     if (row.at("phase") == "free") found.free = row;
     if (row.at("phase") == "contact") found.contact = row;

@@ -1,5 +1,6 @@
 // The cost of the kernel's steps under a sine drive in one number format, IMPACT_NUMERIC, of every stepper or of
-// IMPACT_NEWMARK only. Those that have a budget are left to tests/target/step_cost.cpp.
+// IMPACT_NEWMARK only; or, IMPACT_WITH_PARTS, with weight, a base that shakes and friction, and with a damping that is
+// set at each impact. Those that have a budget are left to tests/target/step_cost.cpp.
 
 #include "configurations.hpp"
 #include "step_cost.hpp"
@@ -22,19 +23,32 @@ template <class Newmark>
 constexpr bool is_wanted = true;
 #endif
 
-template <class Law, class Newmark>
-void print_unless_budgeted(Configuration<Law, Newmark, IMPACT_NUMERIC, Sine> configuration) {
+template <class Law, class Newmark, class... Parts>
+void print_unless_budgeted(Configuration<Law, Newmark, IMPACT_NUMERIC, Sine, Parts...> configuration) {
   using Measured = decltype(configuration);
-  if constexpr (is_wanted<Newmark> && !is_among<Measured>(Budgeted{})) print_costs<Measured>(Measured::label.text);
+  if constexpr (is_wanted<Newmark> && !is_among<Measured>(Counted{})) print_costs<Measured>(Measured::label.text);
 }
 template <class OtherDrive>
 void print_unless_budgeted(OtherDrive) {}
+
+#ifdef IMPACT_WITH_PARTS
+template <class... Parts>
+using With = List<Configuration<HuntCrossley, Moment, IMPACT_NUMERIC, Sine, Parts...>,
+                  Configuration<HuntCrossley, SubsteppedMoment<4>, IMPACT_NUMERIC, Sine, Parts...>,
+                  Configuration<HuntCrossley, EnergyConsistent, IMPACT_NUMERIC, Sine, Parts...>,
+                  Configuration<HuntCrossley, Impulsive, IMPACT_NUMERIC, Sine, Parts...>>;
+constexpr auto configurations = With<Gravity>{} + With<BaseAcceleration>{} + With<DryFriction>{} +
+                                With<Gravity, DryFriction>{} + With<BaseAcceleration, DryFriction>{} +
+                                with_damping_per_impact<IMPACT_NUMERIC>();
+#else
+constexpr auto configurations = all_configurations<IMPACT_NUMERIC>();
+#endif
 
 }  // namespace
 }  // namespace impact::target
 
 int main() {
   using namespace impact::target;
-  for_each(all_configurations<IMPACT_NUMERIC>(), [](auto configuration) { print_unless_budgeted(configuration); });
+  for_each(configurations, [](auto configuration) { print_unless_budgeted(configuration); });
   return 0;
 }

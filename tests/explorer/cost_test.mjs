@@ -1,0 +1,44 @@
+// The explorer's costs against tests/target/budgets.csv, of which the largest counts are those of the report's table:
+// cost_test.mjs FOLDER_OF_EXPLORER BUDGETS.csv PARTS.inc
+import { readFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+
+const [folder, budgetsFile, partsFile] = process.argv.slice(2);
+const { costOf, tableFrom } = await import(pathToFileURL(`${folder}/cost.mjs`));
+let failures = 0;
+function check(holds, what) {
+  console.log(`${holds ? 'ok    ' : 'FAILED'} ${what}`);
+  if (!holds) ++failures;
+}
+
+const budgets = tableFrom(readFileSync(budgetsFile, 'utf8'));
+const budgetOf = (target, law, newmark, numeric, drive, quantity) => Number(budgets.find((row) =>
+  row.target === target && row.law === law && row.newmark === newmark && row.numeric === numeric && row.drive === drive && row.quantity === quantity)?.budget);
+const table = budgets.filter(({ quantity }) => ['free', 'contact', 'iterating'].includes(quantity)).map((row) => ({
+  ...row, phase: row.quantity, instructions_mean: row.budget, instructions_max: row.budget,
+  flash_bytes: budgetOf(row.target, row.law, row.newmark, row.numeric, row.drive, 'flash_bytes') || '', ram_bytes: '', stack_bytes: '',
+}));
+const still = { law: 'hunt-crossley', 'damping-by': 'c1', numeric: 'fixed32', step: 1e-4, gravity: 0, 'ball-friction': 0, base: 'still' };
+const shown = (part, scene, stepper) => Object.fromEntries(costOf(table, part, { ...still, ...scene }, stepper));
+const most = (words) => Number(words?.match(/at most (\d+)/)?.[1]);
+
+const targets = [...readFileSync(partsFile, 'utf8').matchAll(/^\{"([^"]+)", "[^"]+", (\S+), (\S+),/gm)].map(([, target, clock, cycles]) => ({ target, clock: Number(clock), cycles: Number(cycles) }));
+check(targets.length === 7, `${targets.length} parts`);
+for (const part of targets) {
+  const own = (law, newmark, drive, quantity) => budgetOf(part.target, law, newmark, 'fixed32', drive, quantity);
+  for (const [drive, scene] of [['sine', {}], ['sine+gravity', { gravity: -9.81 }], ['sine+base', { base: 'example' }], ['sine+base', { base: 'example', gravity: -9.81 }],
+    ['sine+friction', { 'ball-friction': 0.5 }], ['sine+base+friction', { base: 'samples', gravity: 3, 'ball-friction': 0.5 }]]) {
+    const lines = shown(part, scene, 'moment'), free = own('hunt-crossley', 'moment', drive, 'free'), contact = own('hunt-crossley', 'moment', drive, 'contact');
+    check(free > 0 && most(lines['Free flight']) === free && most(lines['In contact']) === contact, `${part.target}, ${drive}: ${free} and ${contact}`);
+    check(lines['Worst step'].startsWith(`about ${Math.round(part.cycles * Math.max(free, contact))} cycles`), lines['Worst step']);
+    check(('Parts' in lines) === (drive !== 'sine') && /^\d+ bytes/.test(lines.Flash) && /without/.test(lines.Flash) === (drive !== 'sine'), `${lines.Parts}; ${lines.Flash}`);
+  }
+  const added = own('hunt-crossley', 'moment', 'sine+gravity', 'contact') - own('hunt-crossley', 'moment', 'sine', 'contact');
+  check(most(shown(part, { law: 'hertz', gravity: 1 }, 'moment')['In contact']) === own('hertz', 'moment', 'sine', 'contact') + added, `${part.target}, Hertz: ${added} more with weight`);
+  check(most(shown(part, {}, 'energy')['Stiff stops']) === own('hunt-crossley', 'energy', 'sine', 'iterating'), `${part.target}: a stiff stop`);
+}
+// What no row is of is said to be so, and not taken from another.
+for (const [scene, stepper] of [[{ gravity: 1 }, 'impulsive'], [{}, 'moment-8'], [{ 'damping-by': 'exact' }, 'moment']])
+  check('Not measured' in shown(targets[0], scene, stepper), `${JSON.stringify(scene)}, ${stepper}: ${shown(targets[0], scene, stepper)['Not measured']}`);
+console.log(failures === 0 ? 'all is well' : `${failures} failures`);
+process.exit(failures === 0 ? 0 : 1);

@@ -18,9 +18,9 @@ std::string cost_tile(const Table& points) {
   const Duel fpu = duel(points, "cortex-m4f", "hunt-crossley", 1e-6),
              integer = duel(points, "cortex-m3", "hunt-crossley", 1e-6);
   const std::string baseline = fpu.baseline ? fpu.baseline->at("method") : "none";
-  return tile(times(fpu), "fewer instructions than the best textbook method (" + baseline +
-                              ") for an error of 1 \u00b5m on a Cortex-M4F, and " + times(integer) +
-                              " fewer on a Cortex-M3, which has no FPU.");
+  return tile(times(fpu), "fewer instructions than the cheapest baseline (" + baseline +
+                              ") for an error of 1 \u00b5m over a second of the paper's scene on a Cortex-M4F, and " +
+                              times(integer) + " fewer on a Cortex-M3, which has no FPU.");
 }
 
 std::string budget_tile(const Table& budget) {
@@ -33,7 +33,8 @@ std::string budget_tile(const Table& budget) {
     const std::string share = digits(100 * found->worst_time(part) * 1e4, 2) + " % of a 10 kHz period";
     if (is_first) {
       value = digits(found->worst(), 6);
-      sentence = "instructions is the longest step in contact on a Cortex-M3, about " + share + " at 72 MHz" + sentence;
+      sentence = "instructions is the longest step in the paper's scene on a Cortex-M3, about " + share + " at 72 MHz" +
+                 sentence;
     } else {
       sentence = "; on a Cortex-M0, the smallest core, " + digits(found->worst(), 6) + ", about " + share;
     }
@@ -46,8 +47,8 @@ std::string error_tile(const Table& points) {
     if (row.at("target") == "host" && row.at("law") == "hunt-crossley" && row.at("method") == "moment" &&
         row.at("numeric") == "fixed32" && number(row, "step_s") == 1e-4)
       return tile(digits(1e9 * number(row, "error_m"), 2) + " nm",
-                  "is the largest error of the main mass's position over a second of impacts at 10 kHz, in 32-bit "
-                  "fixed point.");
+                  "is the largest error of the main mass's position over a second of the paper's scene at 10 kHz, in "
+                  "32-bit fixed point.");
   }
   return tile("not measured", "The error at 10 kHz in fixed point.");
 }
@@ -71,11 +72,12 @@ std::string stability_tile(const Table& stability) {
   const auto of = [](const Gains& found) {
     return std::to_string(found.gaining) + " of " + std::to_string(found.cells);
   };
-  return tile(of(own),
-              "combinations of step, stop and law, over 3 decades of step and 9 of stiffness, let contact create "
-              "more than a thousandth of an impact's energy with the stepper that the kernel picks; with the paper's "
-              "scheme " +
-                  of(paper) + ", with the classical Runge-Kutta method " + of(rk4) + ".");
+  return tile(
+      of(own),
+      "combinations of step, stop and law, over 3 decades of step and 9 of stiffness, let the impact of two free "
+      "masses create more than a thousandth of its energy with the stepper that the kernel picks; with the "
+      "paper's scheme " +
+          of(paper) + ", with the classical Runge-Kutta method " + of(rk4) + ".");
 }
 
 }  // namespace

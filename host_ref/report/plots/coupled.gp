@@ -24,7 +24,7 @@ colour(law) = law eq 'hooke-newton' ? '#E69F00' : law eq 'hertz' ? '#009E73' : '
 marker(law) = law eq 'hooke-newton' ? 8 : law eq 'hertz' ? 4 : 7
 aside(law) = law eq 'hooke-newton' ? -0.05 : law eq 'hertz' ? 0 : 0.05
 says(x) = sprintf('%s, %s in %s · %s scenes, %s faults · energy gain %s', strcol(1), strcol(2), strcol(3), strcol(4), strcol(5), strcol(6))
-set arrow from graph 0, first 1e-5 to graph 1, first 1e-5 nohead linecolor rgb 'black' dashtype 2 linewidth 0.6
+set arrow from graph 0, first 1e-2 to graph 1, first 1e-2 nohead linecolor rgb 'black' dashtype 2 linewidth 0.6
 plot for [l in laws] file using (strcol(1) eq l ? place(0) + aside(l) : NaN):(gain(0)) skip 1 with points pointsize 0.8 pointtype marker(l) \
     linecolor rgb colour(l) title l, \
   file using (place(0) + aside(strcol(1))):(gain(0)):(says(0)) skip 1 with labels hypertext noenhanced point pointtype 6 pointsize 1.4 notitle

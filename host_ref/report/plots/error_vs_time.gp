@@ -41,5 +41,5 @@ says(x) = sprintf('%s in %s · step %s s · error %.2g m · %.3g %s per simulate
   m_of(0), f_of(0), step_of(0), error(0), cost(0), host ? 'ns' : 'instructions')
 command = command . ', file using (here(0) ? cost(0) : NaN):(error(0)):(says(0)) skip 1 with labels hypertext noenhanced point pointtype 6 pointsize 1.2 notitle'
 set logscale xy
-set yrange [1e-10:1e-1]
+set yrange [host ? 1e-16 : 1e-10 : 1e-1]
 eval command

@@ -7,8 +7,8 @@ set format '10^{%T}'
 set terminal svg size 500,410 dynamic font 'sans-serif,14' enhanced
 set xlabel what . ' per simulated second' offset 0,0.3 noenhanced
 set ylabel 'largest error of x1 over 1 s, m'
-set key above center maxrows 1 samplen 2 width -4 height 0.5
-set yrange [1e-10:1e-1]
+set key above center maxrows 1 samplen 1.6 width -5 height 0.5
+set yrange [what eq 'nanoseconds' ? 1e-16 : 1e-10 : 1e-1]  # the host has double
 pick(s) = strcol(1) eq s ? column(3) : NaN
 set offsets graph 0.03, graph 0.03, 0, 0
 plot file using 2:(pick('kernel')) skip 1 with linespoints linewidth 3 pointtype 5 pointsize 0.8 linecolor rgb '#0072B2' title 'kernel', \

@@ -36,6 +36,7 @@ if (figure == 9) {
 }
 if (figure == 10) {
   set ylabel 'energy dissipated by contact, J'
+  set yrange [0:]
   plot traces using 't':'hertz dissipated' with lines dashtype 3 linewidth 1.6 linecolor rgb hz title 'hertz', \
        '' using 't':'hertz dissipated reference' with lines linewidth 0.9 linecolor rgb hz title 'hertz, reference', \
        '' using 't':'hooke-newton dissipated' with lines dashtype 2 linewidth 1.6 linecolor rgb hn title 'hooke-newton', \

@@ -11,6 +11,7 @@ set ylabel 'contact stiffness' offset 1
 set xrange [7.5e-6:1.33e-2]
 set yrange [5.6e2:1.78e12]
 set ytics 100
+set tics scale 0
 unset grid
 unset key
 unset colorbox

@@ -58,6 +58,11 @@ bool is_pointwise(Stepper stepper) {
          stepper == Stepper::central;
 }
 
+// Three digits, and no exponent of a large number.
+std::string rough_text(double value) {
+  return value < 100 ? rounded_text(value, 3) : rounded_text(std::round(value), 15);
+}
+
 // What steps by the plan's choice, and what that rests on. Of a stepper that was named, only what to beware of: a
 // classical scheme below 10 steps a contact, where average acceleration is off by 2e-3 to 4e-2 of the restitution.
 std::string description(const Request& request, bool is_automatic) {
@@ -66,17 +71,17 @@ std::string description(const Request& request, bool is_automatic) {
   const bool is_coarse = is_pointwise(request.stepper) && contact.detail < 10 * request.step;
   if (!is_automatic && !is_coarse) return {};
   if (!is_automatic)
-    return std::string(name_of(request.stepper)) + ": only " + short_text(steps) +
+    return std::string(name_of(request.stepper)) + ": only " + rough_text(steps) +
            " steps per contact, which may gain energy; auto would take " + std::string(name_of(chosen(request)));
-  std::string line = std::string(name_of(request.stepper)) + ", " + short_text(steps) + " steps per contact at " +
-                     short_text(2 * request.bounds->speed) + " m/s, " + short_text(contact.main_phase) +
+  std::string line = std::string(name_of(request.stepper)) + ", " + rough_text(steps) + " steps per contact at " +
+                     rough_text(2 * request.bounds->speed) + " m/s, " + rough_text(contact.main_phase) +
                      " rad of the main mass's vibration during it";
   const int parts = request.stepper == Stepper::moment     ? 1
                     : request.stepper == Stepper::moment_4 ? 4
                     : request.stepper == Stepper::moment_8 ? 8
                                                            : 0;
   if (parts > 0)
-    line += ", restitution within " + short_text(Moment::restitution_error(contact, request.step / parts)) +
+    line += ", restitution within " + rough_text(Moment::restitution_error(contact, request.step / parts)) +
             " of the law's";
   return line;
 }

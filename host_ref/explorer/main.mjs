@@ -47,6 +47,7 @@ class Page {
     for (const { target, name } of parts) find('part').append(new Option(`${name}, ${target}`, target));
     this.#listen();
     this.restore();
+    this.play(this.isPlaying);
     requestAnimationFrame((now) => this.#frame(now));
   }
 
@@ -67,6 +68,10 @@ class Page {
     if (!this.compares) this.edited = 'a';
     if (this.parts.some(({ target }) => target === state.part)) find('part').value = state.part;
     else find('part').value = 'cortex-m4f';
+    if (state.time !== null) {
+      this.play(false);
+      this.time = state.time;
+    }
     this.start(['a', 'b']);
   }
   preset(name) {
@@ -94,9 +99,13 @@ class Page {
   start(letters) {
     for (const letter of letters) this.due.add(letter);
     this.sweepIsDue = true;
+    this.speak();
+    this.time = Math.min(this.time, this.a.duration);
+  }
+  // The words and the link follow what has changed, once it is calm.
+  speak() {
     this.hasSpoken = false;
     this.changedAt = performance.now();
-    this.time = Math.min(this.time, this.a.duration);
   }
   #startDue() {
     for (const letter of this.due) {
@@ -114,15 +123,15 @@ class Page {
     find('compare').addEventListener('change', ({ target }) => this.compare(target.checked));
     for (const letter of ['a', 'b'])
       find(`edit-${letter}`).addEventListener('change', () => { this.edited = letter; this.#showControls(); });
-    find('part').addEventListener('change', () => { this.hasSpoken = false; });
+    find('part').addEventListener('change', () => this.speak());
     find('play').addEventListener('click', () => this.play(!this.isPlaying));
-    find('again').addEventListener('click', () => { this.time = 0; });
+    find('again').addEventListener('click', () => this.goTo(0));
     find('back').addEventListener('click', () => this.stepBy(-1));
     find('forward').addEventListener('click', () => this.stepBy(1));
-    find('time').addEventListener('input', ({ target }) => { this.time = target.value / target.max * this.a.duration; });
+    find('time').addEventListener('input', ({ target }) => this.goTo(target.value / target.max * this.a.duration));
     for (const id of ['sweep-least', 'sweep-most']) find(id).addEventListener('change', () => { this.sweepIsDue = true; });
     const { displacement } = this.plots;
-    displacement.canvas.addEventListener('pointerdown', (event) => { this.time = displacement.xAt(event.clientX); });
+    displacement.canvas.addEventListener('pointerdown', (event) => this.goTo(displacement.xAt(event.clientX)));
     document.addEventListener('keydown', (event) => this.#key(event));
     const redraw = () => { readTheme(); this.#showWords(); };
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
@@ -140,7 +149,7 @@ class Page {
   }
   #key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest('input, select, button, summary, a, textarea')) return;
-    const action = { ' ': () => this.play(!this.isPlaying), '.': () => this.stepBy(1), ',': () => this.stepBy(-1), 'Home': () => { this.time = 0; } }[event.key];
+    const action = { ' ': () => this.play(!this.isPlaying), '.': () => this.stepBy(1), ',': () => this.stepBy(-1), 'Home': () => this.goTo(0) }[event.key];
     if (!action) return;
     event.preventDefault();
     action();
@@ -150,11 +159,16 @@ class Page {
     this.isPlaying = wanted;
     if (wanted && this.time >= this.a.duration) this.time = 0;
     find('play').textContent = wanted ? 'Pause' : 'Play';
+    this.speak();
+  }
+  goTo(time) {
+    this.time = Math.min(this.a.duration, Math.max(0, time));
+    if (!this.isPlaying) this.speak();
   }
   stepBy(count) {
     this.play(false);
     const run = this.runs.a.isReady ? this.runs.a : this.runs.b, row = run.scene.step * run.every;
-    this.time = Math.min(this.a.duration, Math.max(0, (Math.round(this.time / row) + count) * row));
+    this.goTo((Math.round(this.time / row) + count) * row);
   }
 
   #frame(now) {
@@ -179,7 +193,7 @@ class Page {
   #afterRuns(begin) {
     if (begin < this.changedAt + calm) return;
     if (!this.hasSpoken) {
-      history.replaceState(null, '', hashOf({ a: this.a, b: this.b, part: find('part').value }, this.initial, this.kernel.files));
+      history.replaceState(null, '', hashOf({ a: this.a, b: this.b, part: find('part').value, time: this.isPlaying ? null : this.time }, this.initial, this.kernel.files));
       this.#showWords();
       this.hasSpoken = true;
       return;
@@ -252,7 +266,8 @@ class Page {
   // The words and tables, which need not follow within a frame.
   #showWords() {
     find('numbers').tBodies[0].replaceChildren(...this.ready.map((run) => numbersRow(run)));
-    find('summary').textContent = this.ready.map((run) => sentenceOf(run, this.compares)).join(' ') || `No run: ${this.runs.a.refusal.option} ${this.runs.a.refusal.value} is refused.`;
+    const summary = this.ready.map((run) => sentenceOf(run, this.compares)).join(' ') || `No run: ${this.runs.a.refusal.option} ${this.runs.a.refusal.value} is refused.`;
+    if (find('summary').textContent !== summary) find('summary').textContent = summary;  // else it would be read out again
     find('link').textContent = location.href;
     const tooLong = ['a', 'b'].flatMap((letter) => filesOf(Object.entries(this.sceneOf(letter)))).filter((name) => name && this.kernel.files.inLink(name) === null);
     find('link-note').textContent = tooLong.length ? `Too long for a link: ${[...new Set(tooLong)].join(', ')}. Keep the file, and choose it again there.` : '';

@@ -4,10 +4,10 @@ import { element } from './controls.mjs';
 import { short } from './numbers.mjs';
 
 export function sentenceOf(run, isCompared) {
-  const { largest, impacts } = run.totals(), bare = run.bareLargest(), share = 100 * run.attenuation(), fault = run.fault();
+  const { largest, impacts, dissipated } = run.totals(), bare = run.bareLargest(), share = 100 * run.attenuation(), fault = run.fault();
   const who = isCompared ? `${run.letter.toUpperCase()}, ${run.plan.stepper}: the` : 'The';
   const beside = Number.isFinite(share) ? `, ${short(1e3 * bare)} mm without absorber: ${short(Math.abs(share))} % ${share >= 0 ? 'less' : 'more'} with it` : '';
-  return `${who} main mass reaches ${short(1e3 * largest)} mm${beside}. ${impacts} impacts.${fault && ` Stopped by a fault: ${fault}.`}`;
+  return `${who} main mass reaches ${short(1e3 * largest)} mm${beside}. ${impacts} impacts${dissipated < 0 ? `, which create ${short(-dissipated)} J` : ''}.${fault && ` Stopped by a fault: ${fault}.`}`;
 }
 
 export function numbersRow(run) {

@@ -271,12 +271,14 @@ async function frameTimes(page) {
 async function link(page) {
   await page.click('[data-preset="fixed"]');
   await typeInto(page, 'value-ball-mass-number', '0.21');
+  await page.value("explorer.play(false); explorer.goTo(0.4321); undefined");
   await settled(page);
   const [address, command, other] = [await text(page, 'link'), await text(page, 'command-a'), await text(page, 'command-b')];
   const second = await Browser.open(chromium, address);
   await second.until('!!window.explorer');
   await settled(second);
   check((await text(second, 'command-a')) === command && (await text(second, 'command-b')) === other && command.includes('0.21'), `the link brings back ${other}`);
+  check(await second.value('explorer.time === 0.4321 && !explorer.isPlaying'), 'and the instant at which the page stood still');
   await second.close();
 }
 

@@ -29,7 +29,7 @@ export function costOf(table, part, scene, stepper) {
     ['In contact', `${short(contact.mean, 4)} instructions, at most ${contact.most}`],
     ...(iterating ? [['Stiff stops', `at most ${iterating.most} instructions, at a stop 10^4 times as stiff`]] : []),
     ...(names.length > 0 ? [['Parts', `${words}, counted ${law === 'hunt-crossley' ? 'with the rest' : 'with Hunt-Crossley and added'}`]] : []),
-    ['Worst step', `about ${Math.round(cycles)} cycles (${part.cycles} an instruction, assumed), ${short(1e6 * cycles / part.clock)} us, ${short(100 * cycles / part.clock / scene.step)} % of the period`],
+    ['Worst step', `about ${Math.round(cycles)} cycles (${part.cycles} an instruction, assumed), ${short(1e6 * cycles / part.clock)} \u00b5s, ${short(100 * cycles / part.clock / scene.step)} % of the period`],
     ...memory.map((kind) => [{ flash: 'Flash', ram: 'RAM', stack: 'Stack' }[kind], `${own.bytes[kind]} bytes${names.length > 0 ? `, without ${words}` : ''}`]),
   ];
 }

@@ -211,6 +211,7 @@ class Page {
     const { ready, plots, time } = this;
     find('time').value = time / this.a.duration * find('time').max;
     find('clock').textContent = `${time.toFixed(4)} s`;
+    if (document.activeElement === find('time')) find('time').setAttribute('aria-valuetext', `${time.toFixed(4)} s`);
     for (const letter of ['a', 'b']) {
       const run = this.runs[letter];
       if (!run.isReady) continue;

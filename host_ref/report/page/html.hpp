@@ -24,7 +24,8 @@ inline std::string cell(const std::string& text) { return "<td>" + text + "</td>
 inline std::string table_head(const std::string& title, const std::string& file,
                               const std::vector<std::string>& columns) {
   std::string text = "<details><summary>" + title + " <a href=\"" + file + "\">" + file +
-                     "</a></summary><div class=\"wide\"><table class=\"sortable\"><thead><tr>";
+                     "</a></summary><div class=\"wide\"><table class=\"sortable\" aria-label=\"" + title +
+                     "\"><thead><tr>";
   for (const std::string& column : columns) text += "<th scope=\"col\">" + column + "</th>";
   return text + "</tr></thead><tbody>\n";
 }

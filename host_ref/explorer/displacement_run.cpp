@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <host_ref/extremes.hpp>
 
 #include "host_ref/explorer/recorded_run.hpp"
 
@@ -34,9 +35,9 @@ void DisplacementRun::advance(long steps) {
 }
 
 void DisplacementRun::note(double x1) {
-  extremes_.largest = std::max(extremes_.largest, std::abs(x1));
-  extremes_.least = std::min(extremes_.least, x1);
-  extremes_.most = std::max(extremes_.most, x1);
+  extremes_.largest = larger(extremes_.largest, std::abs(x1));
+  extremes_.least = smaller(extremes_.least, x1);
+  extremes_.most = larger(extremes_.most, x1);
   if (done_ % every_ == 0) rows_.push_back({static_cast<double>(done_) * request_.step, x1});
 }
 

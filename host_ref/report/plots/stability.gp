@@ -24,8 +24,8 @@ is_shown(x) = strcol(1) eq law && strcol(2) eq stepper && strcol(3) eq numeric
 refused(x) = is_shown(0) && column(10) == 0
 gains(x) = is_shown(0) && column(9) > 1e-3
 step(is_wanted) = is_wanted ? column(4) : 1e-9  # or out of sight
-says(x) = sprintf('step %s s · stiffness %s · restitution %s to %s, exact %s · energy gain %s', \
-  strcol(4), strcol(5), strcol(6), strcol(7), strcol(8), strcol(9))
+says(x) = sprintf('step %.3g s · stiffness %.2g · restitution %s to %s, exact %s · energy gain %s', \
+  column(4), column(5), strcol(6), strcol(7), strcol(8), strcol(9))
 first(x) = is_shown(0) && law eq 'hunt-crossley' && numeric eq 'float64' && strstrt('auto average textbook-rk4', stepper) > 0
 width = 10**0.125; height = 10**0.25
 

@@ -73,9 +73,9 @@ TEST(EnergyLedger, BalancesAverageAcceleration) {
   }
 }
 
-// Against double. Fixed32 rounds the three products of a step down, in 2^-31 of at most 2 J (1 mean force at its bound
-// times a penetration of 2^-6 m). Float32 rounds some 5 J that pass to and fro to 24 bits, and its motion by 2e-7 m
-// under 10 N.
+// Against double. Fixed32 rounds the three factors of a step's entry, in 2^-31 of at most 2 J (1 mean force at its
+// bound times a penetration of 2^-6 m). Float32 rounds some 5 J that pass to and fro to 24 bits, and its motion by 2e-7
+// m under 10 N.
 TEST(EnergyLedger, In32BitsIsThatOfDouble) {
   for (const auto& [law, tension] : variants) {
     for (const double step : {1e-3, 1e-4, 1e-5}) {

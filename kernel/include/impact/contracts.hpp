@@ -40,7 +40,8 @@
 //
 // Format    Value, Long                a number of a step, of 32 bits for 32-bit cores; a state, of twice the digits
 //           Gain, HeldGain, Weight     a constant that multiplies a Value; the same where it may carry it out of range
-//           Root, Tally, Oscillator    a square root; a sum without end; the sine drive's recurrence
+//           Root, Oscillator           a square root; the sine drive's recurrence
+//           Energy, Tally              a product of Values with all its places; a sum without end of them
 //           Units                      the powers of two that Values count in
 //           kind                       uint32_t, another one for each way to compute the same
 //           and the functions of numeric/fixed32.hpp's Fixed32, which has them all
@@ -173,10 +174,11 @@ using KeptDrive = typename detail::Either<is_drive<Type>, Type, NoDrive>::Type;
 template <class Type, class = void>
 inline constexpr bool is_format = false;
 template <class Type>
-inline constexpr bool
-    is_format<Type, Void<typename Type::Value, typename Type::Long, typename Type::Gain, typename Type::HeldGain,
-                         typename Type::Weight, typename Type::Root, typename Type::Tally, typename Type::Oscillator,
-                         typename Type::Units, decltype(Type::kind), decltype(Type::gain(1.0, 0, 0))>> = true;
+inline constexpr bool is_format<
+    Type,
+    Void<typename Type::Value, typename Type::Long, typename Type::Gain, typename Type::HeldGain, typename Type::Weight,
+         typename Type::Root, typename Type::Energy, typename Type::Tally, typename Type::Oscillator,
+         typename Type::Units, decltype(Type::kind), decltype(Type::gain(1.0, 0, 0))>> = true;
 template <class Type>
 using KeptFormat = typename detail::Either<is_format<Type>, Type, Fixed32>::Type;
 

@@ -14,9 +14,10 @@ struct HookeNewton {
 
   // Energy stored at a penetration, k1 delta^2 / 2, in the units of law/terms.hpp.
   template <class Format>
-  static constexpr typename Format::Value stored(const typename Format::Units& units,
-                                                 typename Format::Value penetration) {
-    return units.elastic(Format::value(half(square(positive_part(penetration)))));
+  static constexpr typename Format::Energy stored(const typename Format::Units& units,
+                                                  typename Format::Value penetration) {
+    const auto d = Format::value(positive_part(penetration));
+    return units.elastic(work(half(d), d));
   }
 };
 

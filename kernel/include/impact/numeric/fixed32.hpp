@@ -66,8 +66,9 @@ struct Fixed32 : Fixed32Numbers {
   // For a state from elsewhere. A sum has room for 2^31 more of the largest Values.
   static constexpr bool is_sound(Gain gain) { return gain.shift >= -32 && gain.shift < 31; }
   static constexpr bool is_sound(Value) { return true; }
+  static constexpr bool is_sound(Energy) { return true; }
   static constexpr bool is_sound(Tally tally) {
-    return tally.raw < int64_t{1} << 62 && tally.raw > -(int64_t{1} << 62);
+    return tally.high < INT32_C(1) << 30 && tally.high >= -(INT32_C(1) << 30);
   }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
@@ -92,11 +93,6 @@ struct Fixed32 : Fixed32Numbers {
   template <int bits>
   static constexpr Value value(Unsigned<bits> x) {
     return with_bits<31>(with_sign(x));
-  }
-  // To nearest, for sums over many steps.
-  template <int a, int b>
-  static constexpr Value rounded_product(Signed<a> x, Signed<b> y) {
-    return value(Signed<a + b - 32>{rounded_high_product(x.raw, y.raw)});
   }
   // numerator <= denominator
   template <int a, int b>

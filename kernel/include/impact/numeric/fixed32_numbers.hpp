@@ -12,6 +12,7 @@ namespace impact {
 struct Fixed32Numbers {
   using Value = Signed<31>;
   using Root = Unsigned<31>;
+  using Energy = impact::Energy;
 
   struct Long {
     int64_t raw;
@@ -26,12 +27,22 @@ struct Fixed32Numbers {
     constexpr bool is_negative() const { return raw < 0; }
   };
 
-  // A sum of Values without end: 2^32 of the largest fit.
+  // A sum of energies, or of Values, without end and without rounding: 2^33 of the largest fit.
   struct Tally {
-    int64_t raw;
+    uint32_t low, middle;
+    int32_t high;
 
-    constexpr void add(Value x) { raw += x.raw; }
-    constexpr double total() const { return static_cast<double>(raw) * constant::power_of_two(-31); }
+    constexpr void add(Energy x) {
+      const uint64_t before = uint64_t{middle} << 32 | low, after = before + static_cast<uint64_t>(x.raw);
+      low = static_cast<uint32_t>(after);
+      middle = static_cast<uint32_t>(after >> 32);
+      high += static_cast<int32_t>(x.raw >> 63) + (after < before);
+    }
+    constexpr void add(Value x) { add(Energy{shifted_left(x.raw, 31)}); }
+    constexpr double total() const {
+      const auto upper = static_cast<int64_t>(uint64_t{static_cast<uint32_t>(high)} << 32 | middle);
+      return static_cast<double>(upper) * constant::power_of_two(-30) + low * constant::power_of_two(-62);
+    }
   };
 
   // value * gain = (high word of value * mantissa) >> shift

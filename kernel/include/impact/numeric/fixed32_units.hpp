@@ -90,6 +90,7 @@ struct Fixed32Units {
   constexpr double si_penetration_unit() const { return constant::power_of_two(penetration_exponent); }
   constexpr double si_penetration(Value x) const { return x.raw * constant::power_of_two(-31) * si_penetration_unit(); }
   static constexpr double fraction(Value x) { return x.raw * constant::power_of_two(-31); }
+  static constexpr double fraction(Energy x) { return static_cast<double>(x.raw) * constant::power_of_two(-62); }
 
   static constexpr Value position(Long x) { return {opaque(static_cast<int32_t>(x.raw >> 32))}; }
   constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
@@ -206,6 +207,9 @@ struct Fixed32Units {
   }
   constexpr Value elastic(Value x) const {
     return {force_bits >= 0 ? x.raw >> force_bits : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -force_bits)};
+  }
+  constexpr Energy elastic(Energy x) const {
+    return {force_bits >= 0 ? x.raw >> force_bits : static_cast<int64_t>(static_cast<uint64_t>(x.raw) << -force_bits)};
   }
 };
 

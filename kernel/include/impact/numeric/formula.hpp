@@ -29,6 +29,10 @@ template <class Real>
 constexpr Real square(Real x) {
   return x * x;
 }
+template <class Real, class Other>
+constexpr Real work(Real x, Other y) {
+  return x * y;
+}
 template <class Real>
 constexpr Real difference(Real x, Real y) {
   return x - y;

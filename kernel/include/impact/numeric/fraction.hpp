@@ -124,6 +124,23 @@ constexpr Signed<a + b - 16> operator*(Signed<a> x, Short<b> y) {
   return {short_product(x.raw, static_cast<int32_t>(y.raw))};
 }
 
+// The product of two numbers with all its places, 62 fraction bits in 64, or a sum of a few: a ledger's entry.
+struct Energy {
+  int64_t raw;
+
+  friend constexpr Energy operator+(Energy a, Energy b) {
+    return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) + static_cast<uint64_t>(b.raw))};
+  }
+  friend constexpr Energy operator-(Energy a, Energy b) {
+    return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
+  }
+};
+template <int a, int b>
+constexpr Energy work(Signed<a> x, Signed<b> y) {
+  static_assert(a + b >= 62, "a product without all its places");
+  return {full_product(x.raw, y.raw) >> (a + b - 62)};
+}
+
 // Powers of two cost nothing: they move the point.
 template <int bits>
 constexpr Signed<bits + 1> half(Signed<bits> x) {

@@ -4,6 +4,7 @@
 // half of a 32 by 32 bit product, and the count of leading zeros.
 //
 //     high_product(a, b)         = floor(a b / 2^32)          for two signed or two unsigned operands, exact
+//     full_product(a, b)         = a b                        in 64 bits, for two signed operands
 //     rounded_high_product(a, b) = floor(a b / 2^32 + 1/2)    exact; halves go up
 //     short_product(a, b)        = floor(a b / 2^16)          exact; b < 2^16, or -2^15 <= b < 2^15 for signed a
 //     high_square(a)             = high_product(a, a)
@@ -59,6 +60,8 @@ namespace instruction {
 
 constexpr int32_t high_product(int32_t a, int32_t b) { return static_cast<int32_t>((int64_t{a} * b) >> 32); }
 constexpr uint32_t high_product(uint32_t a, uint32_t b) { return static_cast<uint32_t>((uint64_t{a} * b) >> 32); }
+
+constexpr int64_t full_product(int32_t a, int32_t b) { return int64_t{a} * b; }
 
 constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
   return static_cast<int32_t>((int64_t{a} * b + INT64_C(0x80000000)) >> 32);
@@ -197,6 +200,10 @@ constexpr uint32_t high_product(uint32_t a, uint32_t b) {
   const UnsignedProduct ab = product(a, b);
   return ab.high + (ab.middle >> 16);
 }
+constexpr int64_t full_product(int32_t a, int32_t b) {
+  const uint32_t low = static_cast<uint32_t>(a) * static_cast<uint32_t>(b);
+  return static_cast<int64_t>(uint64_t{static_cast<uint32_t>(high_product(a, b))} << 32 | low);
+}
 constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
   const SignedProduct ab = product(a, b);
   return ab.high + (((ab.middle >> 15) + 1) >> 1);
@@ -261,11 +268,13 @@ constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : normalise<1>(x); 
 }  // namespace composed
 
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
+using composed::full_product;
 using composed::high_product;
 using composed::high_square;
 using composed::rounded_high_product;
 using composed::short_product;
 #else
+using instruction::full_product;
 using instruction::high_product;
 using instruction::high_square;
 using instruction::rounded_high_product;

@@ -74,6 +74,7 @@ struct RealFormat {
   static constexpr uint32_t kind = RootPolicy::kind;  // a saved state is of one kind of format
   using Real = RealType;
   using Value = Real;
+  using Energy = Real;
   using Root = Real;
   using Gain = Real;
   using HeldGain = Real;
@@ -218,7 +219,6 @@ struct RealFormat {
   static constexpr Value sample_of_float(float force) { return static_cast<Real>(force); }
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
-  static constexpr Value rounded_product(Real x, Real y) { return x * y; }
   static constexpr int spare_places(Value, Value, Value) { return 0; }
   static constexpr int exponent_of(double) { return 0; }
   static constexpr Value power_of_two(int) { return 1; }

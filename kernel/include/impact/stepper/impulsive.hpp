@@ -119,7 +119,7 @@ struct Impulsive {
                                         const SplitImpulse<Value>& given) const {
       const Value impulse = given.ball.j0;
       ContactStep<Value> result{{impulse, Format::value(half(impulse))},
-                                Value{},
+                                {},
                                 given.rate,
                                 given.rate - impulse - impulse,
                                 before.phase == Phase::apart,

@@ -79,7 +79,8 @@ constexpr const Impulse<Value>& felt_by_ball(const SplitImpulse<Value>& impulse)
 template <class Value>
 struct ContactStep {
   Impulse<Value> force;
-  Value stored, rate_at_impact, rate;
+  decltype(work(Value{}, Value{})) stored;
+  Value rate_at_impact, rate;
   bool begins, follows;
   bool has_way = false;
   Value way{};
@@ -91,7 +92,7 @@ constexpr ContactStep<Value> recorded(const Response& response, const typename F
                                       const Approach<Value>& step, const Impulse<Value>& impulse,
                                       const Impulse<Value>& force, bool begins, bool is_touching) {
   const Value rate = step.rate - response.rate * impulse.j0 - response.rate_by_moment * impulse.j1;
-  Value stored{};
+  typename Format::Energy stored{};
   if (is_touching)
     stored = ContactLaw::template stored<Format>(units, step.penetration - response.penetration * impulse.j1);
   return {force, stored, step.travel + step.travel - step.rate, rate, begins, !begins};

@@ -135,8 +135,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
         plan.response, units, step, impulse, {impulse.j0, Format::value(half(impulse.j0))}, begins, false);
     result.stored = stored(plan, units);
     result.has_way = true;
-    result.way =
-        step.penetration - plan.response.penetration * impulse.j0 - (begins ? step.before : before.penetration);
+    result.way = step.travel - plan.response.penetration * impulse.j0;
     return result;
   }
 
@@ -169,8 +168,8 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     return {force, force};
   }
 
-  constexpr Value stored(const Plan& plan, const Units& units) const {
-    if (phase != Phase::touching) return Value{};
+  constexpr typename Format::Energy stored(const Plan& plan, const Units& units) const {
+    if (phase != Phase::touching) return {};
     if (plan.is_resolved) return ContactLaw::template stored<Format>(units, penetration);
     return plan.stiff.stored(recoil);
   }

@@ -81,7 +81,7 @@ struct StiffContact {
     constexpr Value rate_at(Value d) const {
       return rate * Format::value(d * Format::root(Format::value(Format::root(d))));
     }
-    constexpr Value stored(Value v) const { return Format::value(v * (force * v)); }
+    constexpr auto stored(Value v) const { return work(v, force * v); }
   };
 
   struct End {

@@ -119,7 +119,7 @@ struct SubsteppedMoment {
     constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
                                         const Contact& before, const SplitImpulse<Value>& impulse) const {
       const Value force = plan.force * impulse.ball.j0;
-      Value stored{};
+      typename Format::Energy stored{};
       if (this->phase == Phase::touching) stored = ContactLaw::template stored<Format>(units, this->penetration);
       const bool begins = before.phase == Phase::apart;
       return {{force, Format::value(half(force))},

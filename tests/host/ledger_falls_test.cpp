@@ -1,0 +1,226 @@
+// What the energy ledger counts as dissipated never falls with EnergyConsistent and Impulsive (features.hpp), over
+// random scenes of the coupled machine; and in Fixed32 it rounds nothing, with any stepper.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <impact/absorber.hpp>
+#include <type_traits>
+
+#include "host_ref/coupled_scenes.hpp"
+#include "host_ref/extremes.hpp"
+
+namespace impact::host {
+namespace {
+
+// The factor that a gain is.
+double factor_of(double gain) { return gain; }
+double factor_of(Fixed32::Gain gain) { return std::ldexp(gain.mantissa, -32 - gain.shift); }
+
+template <class Format>
+constexpr double rounded_by_sum = std::is_same_v<Format, Fixed32>        ? 0
+                                  : std::is_same_v<Format, Float64>      ? 0x1p-53
+                                  : std::is_same_v<Format, Float32Plain> ? 0x1p-24
+                                                                         : 0x1p-47;  // in two floats
+
+// By how much the ledger of EnergyConsistent may fall, in its own unit: what a step rounds. G is the change of
+// penetration by a force, f the force, w the way, D = w + G f the way without it, p what spring and drive do to it, s
+// the energy stored.
+//
+//     relative    of the energies in the step, (|D| + |p|)^2/G and s at both ends. In Fixed32 four numbers are rounded
+//                 down to 2^-31 in a unit of which the largest of lengths is an eighth: 4 * 64 * 2^-31. In floating
+//                 point sixteen operations
+//     sum         of what is dissipated, by the addition itself: none in Fixed32
+//     left over   f times what a resolved contact's equation leaves over, way - (d1 - d0): as far as its sum has
+//     fallen.
+//                 Over a whole contact it is a loss (stepper/energy/power.hpp)
+//     place       of a length, 2^-31: what the force is computed from and what it does, four of them; Hooke-Newton's
+//                 own equation is out by three of them, (1 + G (1/2 + C)) f = .. (stepper/energy/linear.hpp)
+struct Allowance {
+  static constexpr uint32_t kind = 99;
+  static constexpr bool is_bound = true;
+
+  template <class Format>
+  struct State {
+    double allowed, stored_before, depth_before;
+    double left_over, most_left_over;
+  };
+
+  template <class Plan, class State>
+  static constexpr void start(const Plan&, State&) {}
+  template <class Plan, class State, class Step>
+  static void after_contact(const Plan& plan, State& state, const Step& step) {
+    using Format = typename Plan::FormatType;
+    constexpr bool is_fixed = std::is_same_v<Format, Fixed32>, is_double = std::is_same_v<Format, Float64>;
+    constexpr double relative = is_fixed    ? 0x1p-23
+                                : is_double ? 0x1p-49
+                                            : 0x1p-20,
+                     place = is_fixed ? 0x1p-31 : 0, sum = rounded_by_sum<Format>;
+    const double force = plan.units.fraction(step.force.j0), way = plan.units.fraction(step.way),
+                 stored = plan.units.fraction(step.stored), response = factor_of(plan.contact.response.penetration),
+                 back = response * force, free = way + back, press = free - plan.units.fraction(step.rate_at_impact),
+                 length = std::abs(free) + std::abs(press);
+    state.allowed += sum * std::abs(state.dissipated.total());
+    state.allowed += relative * (length * length / response + state.stored_before + stored) +
+                     4 * place * ((length + std::abs(back)) / response + std::abs(way));
+    if constexpr (Plan::LawType::is_linear) state.allowed += 3 * place * std::abs(way) / factor_of(plan.contact.solved);
+    if constexpr (!Plan::LawType::is_linear) {
+      const double depth = plan.units.fraction(state.contact.penetration);
+      if (plan.contact.is_resolved)
+        state.left_over += force * (step.begins ? -back : way - (depth - state.depth_before));
+      state.most_left_over = larger(state.most_left_over, state.left_over);
+      state.depth_before = depth;
+    }
+    state.stored_before = stored;
+  }
+  template <class Plan, class State>
+  static constexpr void after_step(const Plan&, State&) {}
+  template <class State>
+  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr bool is_sound(const Plan&, const State&) {
+    return true;
+  }
+};
+
+// Over the random scenes of coupled_scenes.hpp that are not driven by samples.
+constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
+constexpr unsigned scenes_an_edge = 300;
+
+template <class Kernel, class Use>
+int each_scene(const Use& use) {
+  int accepted = 0;
+  for (const Edge edge : edges) {
+    for (unsigned index = 0; index < scenes_an_edge; ++index) {
+      CoupledScene found = coupled_scene(Kernel::ContactLaw::law, edge, index);
+      if (found.request.drive == DriveKind::sampled) continue;
+      if (found.request.drive == DriveKind::none) found.request.scene.drive_pulsation = 0;
+      const auto plan = Kernel::PlanType::make(found.request.scene, *found.request.bounds, found.request.step);
+      if (plan.status != PlanStatus::ok) continue;
+      ++accepted;
+      use(found, plan);
+    }
+  }
+  return accepted;
+}
+
+template <class Format>
+class EnergyLedgerIn : public testing::Test {};
+using AllFormats = testing::Types<Float64, Float32, Float32Plain, Fixed32>;
+TYPED_TEST_SUITE(EnergyLedgerIn, AllFormats);
+
+template <class Format, class ContactLaw>
+void expect_no_fall_with_energy_consistent() {
+  using Kernel = Absorber<AtRunTime, ContactLaw, EnergyConsistent, Sine, Format, EnergyLedger, Allowance>;
+  double worst = 0, worst_of_bounds = 0;
+  const int accepted = each_scene<Kernel>([&](const CoupledScene& found, const auto& plan) {
+    Kernel kernel(plan);
+    double most = 0;
+    for (long i = 0; i < found.steps; ++i) {
+      kernel.step();
+      const auto& state = kernel.state();
+      const double now = state.dissipated.total(), fall = most - now;
+      const double allowed = state.allowed + state.most_left_over - state.left_over;
+      ASSERT_LE(fall, allowed) << "step " << i << ", " << text_of(found.request);
+      if (fall > 0) {
+        worst = larger(worst, fall / allowed);
+        const double speed = found.request.bounds->speed;
+        worst_of_bounds = larger(worst_of_bounds,
+                                 fall * plan.force_unit * plan.units.si_penetration_unit() * 2 /
+                                     (speed * speed * (found.request.scene.main_mass + found.request.scene.ball_mass)));
+      }
+      most = larger(most, now);
+    }
+  });
+  std::printf("  %d scenes, falls by %.2g of what is rounded, %.2g of the bounds' energy\n", accepted, worst,
+              worst_of_bounds);
+  EXPECT_GT(accepted, 100);
+}
+TYPED_TEST(EnergyLedgerIn, EnergyConsistentNeverFalls) {
+  expect_no_fall_with_energy_consistent<TypeParam, HookeNewton>();
+  expect_no_fall_with_energy_consistent<TypeParam, Hertz>();
+  expect_no_fall_with_energy_consistent<TypeParam, HuntCrossley>();
+  expect_no_fall_with_energy_consistent<TypeParam, Exact>();
+}
+
+// A sum in one number never falls either where its terms do not.
+template <class Format, class ContactLaw>
+void expect_no_fall_with_impulsive() {
+  using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, Sine, Format, EnergyLedger>;
+  const int accepted = each_scene<Kernel>([](const CoupledScene& found, const auto& plan) {
+    Kernel kernel(plan);
+    double most = 0;
+    for (long i = 0; i < found.steps; ++i) {
+      kernel.step();
+      const double now = kernel.state().dissipated.total();
+      ASSERT_GE(now, most * (std::is_same_v<Format, Float32> ? 1 - rounded_by_sum<Format> : 1))
+          << i << ", " << text_of(found.request);
+      most = now;
+    }
+  });
+  EXPECT_GT(accepted, 100);
+}
+TYPED_TEST(EnergyLedgerIn, ImpulsiveNeverFalls) {
+  expect_no_fall_with_impulsive<TypeParam, HookeNewton>();
+  expect_no_fall_with_impulsive<TypeParam, HuntCrossley>();
+  expect_no_fall_with_impulsive<TypeParam, Exact>();
+}
+
+// In Fixed32 the sum of what the features see, in double, by any stepper.
+struct InDouble {
+  static constexpr uint32_t kind = 98;
+  static constexpr bool is_bound = true;
+
+  template <class Format>
+  struct State {
+    double sum, size, rate_before, stored_before;
+  };
+
+  template <class Plan, class State>
+  static constexpr void start(const Plan&, State&) {}
+  template <class Plan, class State, class Step>
+  static void after_contact(const Plan& plan, State& state, const Step& step) {
+    const auto number = [&plan](auto x) { return plan.units.fraction(x); };
+    const double force = number(step.force.j0), rate = number(step.rate), stored = number(step.stored),
+                 before = step.follows ? state.rate_before : number(step.rate_at_impact);
+    const double work =
+        step.has_way ? force * number(step.way) : force * rate - (rate - before) * number(step.force.j1);
+    state.sum += work - (stored - state.stored_before);
+    state.size += std::abs(force * rate) + std::abs(work) + stored;
+    state.rate_before = rate;
+    state.stored_before = stored;
+  }
+  template <class Plan, class State>
+  static constexpr void after_step(const Plan&, State&) {}
+  template <class State>
+  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr bool is_sound(const Plan&, const State&) {
+    return true;
+  }
+};
+template <class Stepper, class ContactLaw>
+void expect_nothing_rounded() {
+  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Fixed32, EnergyLedger, InDouble>;
+  const int accepted = each_scene<Kernel>([](const CoupledScene& found, const auto& plan) {
+    Kernel kernel(plan);
+    for (long i = 0; i < found.steps; ++i) kernel.step();
+    const auto& state = kernel.state();
+    EXPECT_NEAR(state.dissipated.total(), state.sum, 0x1p-53 * static_cast<double>(found.steps) * state.size)
+        << text_of(found.request);
+  });
+  EXPECT_GT(accepted, 50);
+}
+TEST(EnergyLedger, RoundsNothingInFixed32) {
+  expect_nothing_rounded<Moment, HookeNewton>();
+  expect_nothing_rounded<Moment, HuntCrossley>();
+  expect_nothing_rounded<SubsteppedMoment<4>, HuntCrossley>();
+  expect_nothing_rounded<EnergyConsistent, HookeNewton>();
+  expect_nothing_rounded<EnergyConsistent, Hertz>();
+  expect_nothing_rounded<Impulsive, Exact>();
+  expect_nothing_rounded<AverageAcceleration, HookeNewton>();
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -68,25 +68,6 @@ EXPORT(plan) bool plan(int slot) {
 }
 EXPORT(forget) void forget(int slot) { runs[slot].reset(); }
 
-EXPORT(plan_line) bool plan_line(int slot, bool with_absorber) {
-  auto& line = lines[slot];
-  line.reset();
-  auto [request, refusal] = scene_from(text, files);
-  if (!refusal.field.empty()) return refuse(refusal);
-  if (!with_absorber) request = without_absorber(request);
-  Outcome outcome = make_simulation(request);
-  if (!outcome.simulation) return refuse(outcome.refusal);
-  line.emplace(request, std::move(outcome.simulation));
-  return true;
-}
-EXPORT(advance_line) bool advance_line(int slot, int steps) {
-  lines[slot]->advance(steps);
-  return !lines[slot]->is_done();
-}
-EXPORT(line_rows) const DisplacementRow* line_rows(int slot) { return lines[slot]->rows().data(); }
-EXPORT(line_row_count) size_t line_row_count(int slot) { return lines[slot]->rows().size(); }
-EXPORT(line_extremes) const DisplacementExtremes* line_extremes(int slot) { return &lines[slot]->extremes(); }
-
 EXPORT(advance) bool advance(int slot, int steps) {
   runs[slot]->advance(steps);
   return !runs[slot]->is_done();
@@ -109,6 +90,27 @@ EXPORT(totals) const Totals* totals(int slot) {
   now = runs[slot]->totals();
   return &now;
 }
+
+// A line is planned, advanced and read like a run.
+EXPORT(plan_line) bool plan_line(int slot, bool with_absorber) {
+  auto& line = lines[slot];
+  line.reset();
+  auto [request, refusal] = scene_from(text, files);
+  if (!refusal.field.empty()) return refuse(refusal);
+  if (!with_absorber) request = without_absorber(request);
+  Outcome outcome = make_simulation(request);
+  if (!outcome.simulation) return refuse(outcome.refusal);
+  line.emplace(request, std::move(outcome.simulation));
+  return true;
+}
+EXPORT(advance_line) bool advance_line(int slot, int steps) {
+  lines[slot]->advance(steps);
+  return !lines[slot]->is_done();
+}
+EXPORT(line_rows) const DisplacementRow* line_rows(int slot) { return lines[slot]->rows().data(); }
+EXPORT(line_row_count) size_t line_row_count(int slot) { return lines[slot]->rows().size(); }
+EXPORT(line_extremes) const DisplacementExtremes* line_extremes(int slot) { return &lines[slot]->extremes(); }
+
 EXPORT(attenuation) double attenuation(int slot, int bare_line) {
   return 1 - runs[slot]->totals().largest_x1 / lines[bare_line]->extremes().largest;
 }

@@ -5,13 +5,14 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 export class Browser {
-  static async open(command, url, { width = 1280, height = 900, dark = false, mobile = false } = {}) {
+  static async open(command, url, { width = 1280, height = 900, dark = false, mobile = false, still = false } = {}) {
     const browser = new Browser(command);
     const { targetId } = await browser.call('Target.createTarget', { url: 'about:blank' }, null);
     ({ sessionId: browser.session } = await browser.call('Target.attachToTarget', { targetId, flatten: true }, null));
     for (const domain of ['Page', 'Runtime', 'Log']) await browser.call(`${domain}.enable`);
     await browser.call('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: mobile ? 2 : 1, mobile });
-    await browser.call('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }] });
+    await browser.call('Emulation.setEmulatedMedia', { features: [
+      { name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }, { name: 'prefers-reduced-motion', value: still ? 'reduce' : '' }] });
     await browser.call('Page.navigate', { url });
     return browser;
   }

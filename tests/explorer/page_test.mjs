@@ -282,6 +282,18 @@ async function link(page) {
   await second.close();
 }
 
+// Who has asked for little motion begins with a page that stands still, and may play it.
+async function stillness() {
+  const page = await Browser.open(chromium, url, { still: true });
+  await page.until('!!window.explorer');
+  await settled(page);
+  check((await text(page, 'play')) === 'Play' && (await page.value('explorer.time')) === 0, 'with reduced motion the page stands still');
+  await page.click('#play');
+  await page.until('explorer.time > 0');
+  check((await text(page, 'play')) === 'Pause', 'and plays when asked');
+  await page.close();
+}
+
 async function selfTest() {
   const page = await Browser.open(chromium, `${url}#selftest`);
   const count = readFileSync(golden, 'utf8').split('\n').filter((line) => line.startsWith('{')).length;
@@ -296,6 +308,7 @@ try {
   await page.until('!!window.explorer');
   for (const part of [sliders, choices, refusals, parts, rigs, sweep, playing, link]) await part(page);
   check(page.complaints.length === 0, `the page has no complaint ${page.complaints}`);
+  await stillness();
   await selfTest();
 } finally {
   await page.close();

@@ -1,8 +1,9 @@
 #!/bin/sh
 # From a fresh machine to a result:
-#   sh toolchains/bootstrap.sh report    build, run the paper's scene, measure, write build/report/index.html
-#   sh toolchains/bootstrap.sh test      build, run every test that needs no hardware, on host and emulated targets
-#   sh toolchains/bootstrap.sh packages  only install what the two need
+#   sh toolchains/bootstrap.sh report        build, run the paper's scene, measure, write build/report/index.html
+#   sh toolchains/bootstrap.sh test          build, run every test that needs no hardware, on host and emulated targets
+#   sh toolchains/bootstrap.sh target NAME   the part of `test` that a target has
+#   sh toolchains/bootstrap.sh packages      only install what the first two need
 # Everything it writes is in build/. Packages are installed by apt; elsewhere it names the commands that are missing.
 set -eu
 cd "$(dirname "$0")/.."
@@ -59,10 +60,12 @@ END
 }
 
 run_tests() {
+  failed=0
   ctest --test-dir "$1" --output-on-failure -j "$(nproc)" || failed=1
   # CTest says which tests were skipped, and keeps to its log why.
   awk '/^[0-9]+\/[0-9]+ Test: / { name = $3 } /^skipped: / { print name ": " $0 }
     /: Skipped$/ { getline; print name ": skipped: " $0 }' "$1/Testing/Temporary/LastTest.log"
+  return $failed
 }
 
 build_host() {
@@ -70,12 +73,17 @@ build_host() {
   cmake --build build -j "$(nproc)"
 }
 
+# Two beside each other, so that no core waits for a target's last image or test.
 test_targets() {
-  for target in $targets; do
-    cmake -S . -B "build/target/$target" -DCMAKE_TOOLCHAIN_FILE="toolchains/$target.cmake"
-    cmake --build "build/target/$target" -j "$(nproc)"
-    run_tests "build/target/$target"
-  done
+  mkdir -p build/target
+  echo "$targets" | tr ' ' '\n' | xargs -P 2 -I NAME sh -c \
+    'sh toolchains/bootstrap.sh target NAME >build/target/NAME.log 2>&1; result=$?; cat build/target/NAME.log; exit $result'
+}
+
+test_target() {
+  cmake -S . -B "build/target/$1" -DCMAKE_TOOLCHAIN_FILE="toolchains/$1.cmake"
+  cmake --build "build/target/$1" -j "$(nproc)"
+  run_tests "build/target/$1"
 }
 
 # What each stage of the report takes, in seconds on two cores at 2 GHz; the time to go is what has passed, scaled.
@@ -115,10 +123,11 @@ case ${1-} in
   test)
     install_packages test
     build_host
-    failed=0
-    run_tests build
-    test_targets
-    exit $failed
+    result=0
+    run_tests build || result=1
+    test_targets || result=1
+    exit $result
     ;;
-  *) echo "usage: sh toolchains/bootstrap.sh report | test | packages" >&2 && exit 2 ;;
+  target) test_target "${2:?a target: $targets}" ;;
+  *) echo "usage: sh toolchains/bootstrap.sh report | test | target NAME | packages" >&2 && exit 2 ;;
 esac

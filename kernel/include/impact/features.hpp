@@ -14,8 +14,8 @@ namespace impact {
 //
 //     work on the contact in a step   = J1/h v0 + (J0 - J1/h) v1      (the rate linear in time; exact for a free pair)
 //                                     = f (d1 - d0) where the force is constant over the step: exact
-//     dissipated                      = work - change of the stored energy; with what a spring still holds as it lets
-//     go work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
+//     dissipated                      = work - change of the stored energy; what a spring holds as it lets go is lost
+//     work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
 //
 // Contact energies count in force_unit 2^penetration joules, the drive's work in drive units 2^penetration. An entry
 // keeps all places of its products, so that Fixed32 rounds none, however slow the contact is beside its bounds; in

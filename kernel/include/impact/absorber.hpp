@@ -280,8 +280,9 @@ class Absorber
 
   // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the
   // drive's phase do not jump (motion/handover.hpp); a drive that was off starts at phase 0, and ledger and log start
-  // anew. Refuses, and changes nothing, when bounds, step, clearance or stops differ, or during a contact when its
-  // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
+  // anew. A contact under way whose own parameters change goes on from its penetration. Refuses, and changes nothing,
+  // when bounds, step, clearance or stops differ, or during a contact when its state depends on the plan's forces:
+  // pointwise steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
@@ -289,6 +290,7 @@ class Absorber
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && state_.contact.phase != Phase::apart) return false;
     if constexpr (Friction::is_friction) Friction::undo(plan, state_);
+    const bool is_other_contact = next.handover.contact != plan.handover.contact;
     hand_over(plan, next, state_);
     if constexpr (!Source::is_constant) plan = next;
     hold_in_range();
@@ -296,6 +298,7 @@ class Absorber
     if constexpr (counts_slid_way) state_.slid = {};
     if constexpr (Friction::is_friction)
       if (rubs()) begin_to_slide();
+    if (is_other_contact && state_.contact.phase != Phase::apart) touch_anew();
     publish();
     return true;
   }

@@ -113,6 +113,15 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     if constexpr (Friction::is_friction) fingerprint.add_number(scene.ball_friction);
     return fingerprint.value;
   }
+  static constexpr uint32_t identity_of(const ContactTerms& terms, const UnitExponents& unit) {
+    const double numbers[] = {terms.ball_mass, terms.main_mass,    terms.main_stiffness, terms.main_damping,
+                              terms.stiffness, terms.damping_time, terms.deepest};
+    Fingerprint fingerprint{};
+    for (double number : numbers) fingerprint.add_number(number);
+    const int units[] = {unit.penetration, unit.recoil, unit.force};
+    for (int exponent : units) fingerprint.add(static_cast<uint32_t>(exponent));
+    return fingerprint.value;
+  }
   // A part that is stated must be named, or the scene would be another one.
   static constexpr PlanStatus status_of_parts(const Scene& scene, const Bounds& bounds) {
     const auto is_stated = [](double x) { return x < 0 || x > 0; };
@@ -242,6 +251,7 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   plan.dx2 = units.state(scene.v2 * h + ball_in_field);
   plan.identity = identity_of(scene, bounds, h);
   plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents);
+  plan.handover.contact = identity_of(terms, exponents);
   if constexpr (Field::is_sampled) {
     Fingerprint units_of_samples{plan.handover.units};
     units_of_samples.add_number(bounds.base_acceleration);

@@ -29,7 +29,8 @@ template <class Format, class Drive>
 struct Handover {
   using Gain = typename Format::Gain;
 
-  uint32_t units;  // what a state counts in: the fingerprint of bounds, step, clearance, stops and a position's unit
+  uint32_t units;    // what a state counts in: the fingerprint of bounds, step, clearance, stops and a position's unit
+  uint32_t contact;  // what a contact under way remembers in: of its parameters, and set by the plan
   Gain ahead_by_dx1, ahead_by_x1, behind_by_u1, behind_by_x1;
   typename Drive::template Handover<Format> drive;
 
@@ -41,6 +42,7 @@ struct Handover {
     units.add(static_cast<uint32_t>(scene.stops));
     units.add(static_cast<uint32_t>(unit.position));
     return {units.value,
+            0,
             Format::gain(1 / flow.e12 - 1, unit.displacement, unit.increment),
             Format::gain(-flow.e11 / flow.e12, unit.position, unit.increment),
             Format::gain(1 - flow.e12, unit.displacement, unit.increment),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <impact/explain.hpp>
+#include <optional>
 #include <tuple>
 
 #include "host_ref/limits.hpp"
@@ -64,32 +65,49 @@ std::string shorter_step(const Request& asked) {
   return {};
 }
 
-// A range as it is printed: each limit rounded to the side that is allowed, and brought nearer until it is accepted as
-// an option, or another value refused: bounds that are looked for again come out a little different.
+// What is said of a value that is still refused when it is typed back; nothing where it is accepted, or another value
+// is what is refused then.
+std::optional<Range> said_again(const Request& asked, Parameter parameter, const std::string& text) {
+  Values typed{asked.scene, {}, asked.step};
+  *typed.find(parameter) = number_in(text);
+  Request request = asked;
+  request.scene = typed.scene;
+  request.step = typed.step;
+  const bool is_exact = parameter != Parameter::step && asked.bounds;
+  if (is_exact || request.duration / request.step > most_steps) return {};
+  const Settled again = settled(request);
+  const PlanStatus status = again.planned.status;
+  if (status == PlanStatus::ok || status == PlanStatus::contact_time) return {};
+  const Explanation found = explained(request, again);
+  if (found.parameter != parameter) return {};
+  return found.allowed;
+}
+
+// A range as it is printed, each limit rounded to the side that is allowed: the limit nearest to the value is brought
+// further from it until it is accepted as an option, since bounds that are looked for again come out different; then
+// the other nearer, to that one at last. Nothing where none is accepted.
 std::string allowed_text(const Request& asked, const Explanation& found) {
-  const auto is_accepted = [&](const std::string& text) {
-    Values typed{asked.scene, {}, asked.step};
-    *typed.find(found.parameter) = number_in(text);
-    Request request = asked;
-    request.scene = typed.scene;
-    request.step = typed.step;
-    const bool is_exact = found.parameter != Parameter::step && asked.bounds;
-    if (is_exact || request.duration / request.step > most_steps) return true;
-    const Settled again = settled(request);
-    const PlanStatus status = again.planned.status;
-    return status == PlanStatus::ok || status == PlanStatus::contact_time ||
-           explained(request, again).parameter != found.parameter;
-  };
+  constexpr int attempts = 20;
   Range range = found.allowed;
-  const bool is_below = found.value > range.most;
-  std::string least, most;
-  for (int attempt = 0; attempt < 20 && range.least <= range.most; ++attempt) {
+  const bool is_above = found.value > range.most;
+  double &near = is_above ? range.most : range.least, &far = is_above ? range.least : range.most;
+  std::string least, most, &near_text = is_above ? most : least, &far_text = is_above ? least : most;
+  const auto said_of = [&](const std::string& text) { return said_again(asked, found.parameter, text); };
+  int attempt = 0;
+  for (;; ++attempt) {
+    if (attempt == attempts) return {};
     std::tie(least, most) = texts_within(range.least, range.most);
-    const bool least_does = is_accepted(least), most_does = is_accepted(most);
-    if (least_does && most_does) break;
-    if (!most_does) range.most = is_below ? range.most * 0.75 : range.most / 2;
-    if (!least_does) range.least = is_below ? range.least * 2 : range.least / 0.75;
+    const auto said = said_of(near_text);
+    if (!said) break;
+    near = is_above ? std::min(0.75 * near, said->most) : std::max(near / 0.75, said->least);
+    far = is_above ? std::min(far, said->least) : std::max(far, said->most);
+    if (!(range.least <= range.most)) return {};
   }
+  for (; attempt < attempts && said_of(far_text); ++attempt) {
+    far = is_above ? std::min(2 * far, near) : std::max(far / 2, near);
+    std::tie(least, most) = texts_within(range.least, range.most);
+  }
+  if (attempt == attempts) far_text = near_text;
   const bool may_be_off = found.parameter == Parameter::drive_pulsation && drive_pulsation_range.holds(found.value);
   return (may_be_off ? "0, or " : "") + least + " to " + most;
 }
@@ -112,7 +130,8 @@ Refusal refusal_of(const Request& asked, const Settled& settled) {
   const Values values{request.scene, *request.bounds, request.step};
   const Explanation found = explained(asked, settled);
   const std::string option = option_named(found.parameter), value = shortest_text(found.value);
-  if (!found.allowed.holds(found.value)) return {option, value, allowed_text(asked, found)};
+  if (!found.allowed.holds(found.value))
+    if (const std::string allowed = allowed_text(asked, found); !allowed.empty()) return {option, value, allowed};
   if (const std::string step = shorter_step(asked); !step.empty())
     return {"step", shortest_text(request.step), step + " to " + step};
   if (request.numeric == Numeric::fixed32)

@@ -230,7 +230,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
   const double h = found.request.step, size = found.request.bounds->force, largest_base = found.base;
   const DriveKind drive = found.request.drive;
   const bool is_in_field = largest_base > 0 || scene.gravity < 0 || scene.gravity > 0;
-  double dissipated = 0, rubbed = 0, work = 0, most_work = 0, force = 0, base = 0;
+  double dissipated = 0, rubbed = 0, missed = 0, work = 0, most_work = 0, force = 0, base = 0;
   Sample now = outcome.simulation->sample();
   for (long i = 0; i < found.steps; ++i) {
     const double t = static_cast<double>(i) * h;
@@ -252,13 +252,18 @@ CoupledRun run_coupled(const CoupledScene& found) {
     }
     if (is_in_field || drive != DriveKind::none)
       work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_to(now.x1, on_main);
+    const double slid = before.v2 - before.v1, slides = now.v2 - now.v1, change = std::abs(slides - slid),
+                 by_friction = scene.ball_friction * h * (1 / mass + 1 / ball);
+    const bool is_held = !(change > 1e-6 * by_friction);
+    if (scene.ball_friction > 0 && !(slides * slid > 0) && !is_held)
+      missed += scene.ball_friction * h * (change + by_friction) / 8;
     most_work = larger(most_work, work);
     const double scale = found.energy + most_work, energy = energy_of(scene, now);
     // While touching some of it is in the contact; no number is a gain without end.
     if (now.penetration < 0 || !(energy < 2 * scale)) {
       const double gain = (energy - found.energy - work) / scale;
       if (!(gain <= result.gain)) result.gain = gain;
-      const double with_friction = gain + now.friction_dissipated / scale;
+      const double with_friction = gain + (now.friction_dissipated - missed) / scale;
       if (!(with_friction <= result.rubbed)) result.rubbed = with_friction;
     }
     const double back = (dissipated - now.energy_dissipated) / scale;

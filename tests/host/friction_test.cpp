@@ -277,8 +277,7 @@ double largest_gain() {
   return worst;
 }
 TEST(Friction, CreatesNoEnergy) {
-  // In a stiff contact its position correction moves the ball along the field as well, by a part of a step's way each.
-  EXPECT_LT(largest_gain<EnergyConsistent>(), 2e-4);
+  EXPECT_LT(largest_gain<EnergyConsistent>(), 1e-6);
   EXPECT_LT(largest_gain<Moment>(), 1e-6);
   EXPECT_LT(largest_gain<SubsteppedMoment<4>>(), 1e-6);
 }

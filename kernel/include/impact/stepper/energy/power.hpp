@@ -52,6 +52,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Weight compliance;  // G for n
     bool is_resolved;
     typename Stiff::Plan stiff;
+    typename Format::HeldGain field;  // g over the increment that the field gives the ball
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
 
@@ -86,6 +87,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Format::weight(compliance, 0, unit.penetration),
             true,
             {},
+            {},
             decltype(Plan::slowest)::make(terms, unit, 2 * largest_ratio)};
   }
   static constexpr Plan make_stiff_plan(ContactTerms terms, const ConstantForceResponse& answer,
@@ -102,6 +104,8 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Stiff::Plan::make(compliance * power_of_two(-unit.penetration),
                               Format::gain(1 / (terms.force_unit * answer.penetration()), unit.penetration, 0),
                               terms.damping_exponent),
+            {Format::gain(answer.penetration() * terms.ball_mass / (terms.step * terms.step), unit.increment,
+                          unit.penetration)},
             {}};
   }
 
@@ -139,15 +143,15 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     return result;
   }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
-                                                          const Approach<Value>& step) {
+  template <class Seen>
+  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units, const Seen& step) {
     const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::apart) {
       if constexpr (ContactLaw::is_damped_per_impact) this->begin(plan.slowest, plan.damping, trial_rate);
       penetration = before;
       recoil = first_difference = second_difference = Value{};
     }
-    if (!plan.is_resolved) return resolve_stiff(plan, trial, before, trial_rate - step.travel);
+    if (!plan.is_resolved) return resolve_stiff(plan, step);
     const Value depth = trial - (recoil + first_difference + second_difference);
     const Value n = mean_until(depth);
     const Value q = plan.compliance * n;
@@ -175,11 +179,15 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
  private:
-  [[gnu::always_inline]] constexpr Impulse<Value> resolve_stiff(const Plan& plan, Value trial, Value before,
-                                                                Value press) {
-    const Stiff step{plan.stiff, damping(plan), phase == Phase::touching, recoil, penetration, trial - before,
-                     trial,      press};
-    const auto end = step.end();
+  template <class Seen>
+  [[gnu::always_inline]] constexpr Impulse<Value> resolve_stiff(const Plan& plan, const Seen& step) {
+    constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);
+    const Value trial = step.penetration;
+    Value field{};
+    if constexpr (is_in_field) field = plan.field * step.ball_increment;
+    const Stiff contact{plan.stiff,          damping(plan), phase == Phase::touching, recoil, penetration,
+                        trial - step.before, trial,         step.rate - step.travel,  field};
+    const auto end = contact.template end<is_in_field>();
     const Value force = plan.stiff.force * end.recoil;
     correction = trial - plan.response.penetration * force - end.penetration;
     recoil = end.rate;

@@ -47,6 +47,15 @@
 //
 // where g(Z) = Z/(1 - y) of y - ln y = 1 + Z^2/2, y <= 1, is a polynomial within 4e-5 of it up to Z = 3.6, and Z
 // beyond. -w1 is at most the elastic one, so that none makes energy here either.
+//
+// In a field of acceleration a towards the stop the correction, from d0 + D - b to d1, gives the ball by the field, as
+// a square of rates, -g (d1 - d0 - D + b) with g = G m a. What it gains is taken out of b and V1, by one step of
+// Newton's method along the steepest of
+//
+//     V1^2 - b (D - b) - g (d1 - d0 - D + b)        by b: 2 b - D - g, by V1: 2 V1 - (4/5) g d1/V1
+//
+// where this leaves less of it. The ledger counts what is taken as dissipated, with its sign: it falls by that.
+// tests/host/coupled_search_test.cpp has what a ball of many main masses gained otherwise.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -97,17 +106,21 @@ struct StiffContact {
   Value rate, before;   // V0 and d0
   Value travel, trial;  // D, and the penetration that it leads to
   Value press;          // p
+  Value field;          // g
 
+  template <bool is_in_field = false>
   [[gnu::always_inline]] constexpr End end() const {
     // In a unit of the step's own, of which lengths are less than a quarter.
-    const int places = Format::spare_places(travel, rate, press);
+    int places = Format::spare_places(travel, rate, press);
+    if (is_in_field && Format::spare_places(field, field, field) < places)
+      places = Format::spare_places(field, field, field);
     const int exponent = is_per_impact || places < 0  ? plan.exponent
                          : plan.exponent - places > 2 ? plan.exponent - places
                                                       : 2;
     return Scaled{
         *this,    Format::moved(travel, -places), Format::moved(rate, -places), Format::moved(press, -places), places,
         exponent, Format::power_of_two(-exponent)}
-        .end();
+        .template end<is_in_field>();
   }
 
  private:
@@ -127,11 +140,12 @@ struct StiffContact {
       return step.plan.depth * Format::template power_four_fifths<true>(v1);
     }
 
+    template <bool is_in_field>
     [[gnu::always_inline]] constexpr End end() const {
       const Value damped = is_damped ? number(d) : Value{}, base = one + damped;  // A, 1 + A
       if (is_damped && !is_positive(base)) return left_behind();
       End end{};
-      return stays(end, base) ? end : leave(damped, base);
+      return stays<is_in_field>(end, base) ? end : leave(damped, base);
     }
 
     constexpr End left_behind() const {
@@ -139,6 +153,7 @@ struct StiffContact {
       const Value v1 = step.plan.rate_at(step.trial);
       return {Value{}, is_positive(step.rate - v1) ? v1 : step.rate, step.trial, true};
     }
+    template <bool is_in_field>
     [[gnu::always_inline]] constexpr bool stays(End& end, Value base) const {
       if (step.is_inside && !is_positive(step.trial)) return false;
       const Value deepest = depth_of(unscaled(v + Format::value(half(is_positive(d) ? d : Value{}))));
@@ -163,10 +178,48 @@ struct StiffContact {
       if (!is_positive(left)) return false;
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of(end.rate);
+      if constexpr (is_in_field) pay_for_correction(end);
       end.is_inside = is_positive(end.rate);
       return true;
     }
 
+    // What the correction has gained by the field, out of b and V1.
+    [[gnu::always_inline]] constexpr void pay_for_correction(End& end) const {
+      const Value moved = moved_to(end);
+      if (Format::spare_places(moved, moved, moved) < places || !is_positive(end.rate)) return;
+      const Value field = scaled(step.field), half_rate = scaled(end.rate), back = scaled(end.recoil),
+                  gained = -Format::value(field * scaled(moved));
+      const Value by_back = Format::value(quarter(d + field)) - Format::value(half(back));
+      const Value by_rate =
+          Format::value(half(half_rate)) -
+          Format::value(ratio(Format::value(field * end.penetration), end.rate) * Format::constant(0.2));
+      const Value steepest = Format::value(Format::root_of_product(square(by_back) + square(by_rate)));
+      if (!is_positive(gained) || !is_positive(steepest)) return;
+      const Value size = Format::value(quarter(ratio(gained, steepest)));
+      const Value less = Format::value(size * ratio(by_rate, steepest)),
+                  more = Format::value(size * ratio(by_back, steepest));
+      End paid = end;
+      paid.rate = unscaled(half_rate - less);
+      if (!is_positive(paid.rate)) return;
+      paid.recoil = unscaled(back + more);
+      paid.penetration = depth_of(paid.rate);
+      const Value moved_now = moved_to(paid);
+      if (Format::spare_places(moved_now, moved_now, moved_now) < places) return;
+      const Value left = -Format::value(less * (half_rate + half_rate - less)) -
+                         Format::value(more * (d - back - back - more)) - Format::value(field * scaled(moved_now));
+      if (!is_positive(mirrored(left, is_negative(left)) - gained)) end = paid;
+    }
+    [[gnu::always_inline]] constexpr Value scaled(Value x) const { return Format::moved(x, -places); }
+    // The correction.
+    [[gnu::always_inline]] constexpr Value moved_to(const End& end) const {
+      return end.penetration - (step.trial - end.recoil);
+    }
+    // x / y, y > 0, held at 1.
+    static constexpr Value ratio(Value x, Value y) {
+      const bool is_negative = !is_positive(x);
+      return mirrored(Format::value(Format::quotient(without_sign(mirrored(x, is_negative)), without_sign(y))),
+                      is_negative);
+    }
     static constexpr Value square_of(Value x) { return Format::value(x * x); }
 
     // t^2 times the ease.

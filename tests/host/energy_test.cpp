@@ -148,8 +148,8 @@ void expect_passive(uint32_t seed, double rounding, double place = 0) {
     const auto rate = is_inside ? Format::sample(size * any(6)) : decltype(travel){};
     const auto press =
         unit(random) < 0.5 ? decltype(travel){} : Format::sample(size * any(6) * (unit(random) < 0.3 ? -1 : 1));
-    const Contact step{plan, {Format::gain(damping, 0, exponent)}, is_inside, rate, before, travel, before + travel,
-                       press};
+    const Contact step{
+        plan, {Format::gain(damping, 0, exponent)}, is_inside, rate, before, travel, before + travel, press, {}};
     const auto end = step.end();
     const double D = Units::fraction(travel), b = Units::fraction(end.recoil), V0 = Units::fraction(rate),
                  V1 = Units::fraction(end.rate), scale = D * D / 4 + V0 * V0;
@@ -192,7 +192,7 @@ double lateness_of(double steps_of_contact) {
     const double impact = -d / way;
     int steps = 0;
     do {
-      const auto end = Contact{plan, 0, rate > 0, rate, d, w, d + w, 0}.end();
+      const auto end = Contact{plan, 0, rate > 0, rate, d, w, d + w, 0, 0}.end();
       w -= 2 * end.recoil, d = end.penetration, rate = end.rate, ++steps;
     } while (rate > 0 && steps < 1000);
     EXPECT_NEAR(w, -way, 1e-14);

@@ -89,13 +89,14 @@ constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr unsigned scenes_an_edge = 300;
 
 template <class Kernel, class Use>
-int each_scene(const Use& use) {
+int each_scene(const Use& use, Tension tension = Tension::clamp) {
   int accepted = 0;
   for (const Edge edge : edges) {
     for (unsigned index = 0; index < scenes_an_edge; ++index) {
       CoupledScene found = coupled_scene(Kernel::ContactLaw::law, edge, index);
       if (found.request.drive == DriveKind::sampled) continue;
       if (found.request.drive == DriveKind::none) found.request.scene.drive_pulsation = 0;
+      found.request.scene.tension = tension;
       const auto plan = Kernel::PlanType::make(found.request.scene, *found.request.bounds, found.request.step);
       if (plan.status != PlanStatus::ok) continue;
       ++accepted;
@@ -111,34 +112,39 @@ using AllFormats = testing::Types<Float64, Float32, Float32Plain, Fixed32>;
 TYPED_TEST_SUITE(EnergyLedgerIn, AllFormats);
 
 template <class Format, class ContactLaw>
-void expect_no_fall_with_energy_consistent() {
+void expect_no_fall_with_energy_consistent(Tension tension = Tension::clamp) {
   using Kernel = Absorber<AtRunTime, ContactLaw, EnergyConsistent, Sine, Format, EnergyLedger, Allowance>;
   double worst = 0, worst_of_bounds = 0;
-  const int accepted = each_scene<Kernel>([&](const CoupledScene& found, const auto& plan) {
-    Kernel kernel(plan);
-    double most = 0;
-    for (long i = 0; i < found.steps; ++i) {
-      kernel.step();
-      const auto& state = kernel.state();
-      const double now = state.dissipated.total(), fall = most - now;
-      const double allowed = state.allowed + state.most_left_over - state.left_over;
-      ASSERT_LE(fall, allowed) << "step " << i << ", " << text_of(found.request);
-      if (fall > 0) {
-        worst = larger(worst, fall / allowed);
-        const double speed = found.request.bounds->speed;
-        worst_of_bounds = larger(worst_of_bounds,
-                                 fall * plan.force_unit * plan.units.si_penetration_unit() * 2 /
+  const int accepted = each_scene<Kernel>(
+      [&](const CoupledScene& found, const auto& plan) {
+        Kernel kernel(plan);
+        double most = 0;
+        for (long i = 0; i < found.steps; ++i) {
+          kernel.step();
+          const auto& state = kernel.state();
+          const double now = state.dissipated.total(), fall = most - now;
+          const double allowed = state.allowed + state.most_left_over - state.left_over;
+          ASSERT_LE(fall, allowed) << "step " << i << ", " << text_of(found.request);
+          if (fall > 0) {
+            worst = larger(worst, fall / allowed);
+            const double speed = found.request.bounds->speed;
+            worst_of_bounds = larger(
+                worst_of_bounds, fall * plan.force_unit * plan.units.si_penetration_unit() * 2 /
                                      (speed * speed * (found.request.scene.main_mass + found.request.scene.ball_mass)));
-      }
-      most = larger(most, now);
-    }
-  });
+          }
+          most = larger(most, now);
+        }
+      },
+      tension);
   std::printf("  %d scenes, falls by %.2g of what is rounded, %.2g of the bounds' energy\n", accepted, worst,
               worst_of_bounds);
   EXPECT_GT(accepted, 100);
 }
 TYPED_TEST(EnergyLedgerIn, EnergyConsistentNeverFalls) {
   expect_no_fall_with_energy_consistent<TypeParam, HookeNewton>();
+  // Where a stop may pull, its force is the difference of two large ones: of 24 bits little is left.
+  if constexpr (std::is_same_v<TypeParam, Float64>)
+    expect_no_fall_with_energy_consistent<TypeParam, HookeNewton>(Tension::allow);
   expect_no_fall_with_energy_consistent<TypeParam, Hertz>();
   expect_no_fall_with_energy_consistent<TypeParam, HuntCrossley>();
   expect_no_fall_with_energy_consistent<TypeParam, Exact>();

@@ -302,6 +302,36 @@ TYPED_TEST(FrictionIn, LedgerHasItsOwnLine) {
               right.energy_dissipated, 1e-4 * right.energy_dissipated);
 }
 
+// The average acceleration keeps the balance itself: what the drive and the weight put in is in the masses and the
+// spring, or on a line of the ledger. A step in which the ball touches and turns is of second order.
+TEST(Friction, LedgerClosesByTheAverageAcceleration) {
+  Scene scene;
+  scene.gravity = -9.81;
+  scene.ball_friction = 2;
+  scene.main_damping = 0;
+  scene.x1 = scene.x2 = -0.00981;
+  Bounds bounds;
+  bounds.displacement = 0.2;
+  bounds.speed = 3;
+  using Absorber =
+      Absorber<AtRunTime, HuntCrossley, AverageAcceleration, Sine, Float64, Gravity, DryFriction, EnergyLedger>;
+  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-3));
+  const auto energy = [&] {
+    const auto now = absorber.reading();
+    return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
+            scene.main_stiffness * now.x1 * now.x1) /
+               2 -
+           scene.gravity * (scene.main_mass * now.x1 + scene.ball_mass * now.x2);
+  };
+  const double at_start = energy();
+  for (int n = 0; n < 2000 || absorber.is_touching(); ++n) absorber.step();
+  const auto& plan = absorber.plan;
+  const double by_drive = absorber.state().drive_work.total() * plan.drive_unit;
+  const double by_contact = absorber.state().dissipated.total() * plan.force_unit;
+  EXPECT_GT(by_contact, 0.2);
+  EXPECT_NEAR(by_drive - by_contact - absorber.friction_dissipated(), energy() - at_start, 1e-5 * by_contact);
+}
+
 // An observer's correction, a change of plan, a state that is kept: the motion goes on.
 TYPED_TEST(FrictionIn, GoesOnAfterCorrectionAndChangeOfPlan) {
   Scene scene;

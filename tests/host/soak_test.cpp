@@ -115,7 +115,6 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
             scene.main_stiffness * now.x1 * now.x1) /
            2;
   };
-  const auto sign_of = [](auto x) { return is_positive(x) ? 1 : is_positive(-x) ? -1 : 0; };
   const double at_start = energy_of(before);
   double by_field = 0, at_turns = 0, in_contacts = 0, field = scene.gravity;
   long turns = 0, held = 0, n = 0;
@@ -128,7 +127,8 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
     const double next = scene.gravity - base[index];
     by_field += (field + next) / 2 * (scene.main_mass * (now.x1 - before.x1) + scene.ball_mass * (now.x2 - before.x2));
     field = next;
-    const int slides = sign_of(absorber.state().sliding);
+    const bool slides_on = !is_positive(absorber.state().lasting - plan.lasting);
+    const int slides = !slides_on ? 0 : absorber.state().ball_push.is_negative() ? 1 : -1;
     const double rate = before.v2 - before.v1, change = now.v2 - now.v1 - rate;
     if (slides != sliding) {
       ++turns;

@@ -72,15 +72,16 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
   state.contact = {};
   state.at_left = left;
   state.fault = Fault::none;
-  using Value = typename Absorber::Value;
   if constexpr (Absorber::Field::is_sampled)
     state.downwards =
         Absorber::Field::at_end(plan, Absorber::base_sample_of(random.scattered(bounds.base_acceleration)));
   if constexpr (Absorber::Friction::is_friction) {
-    state.held = state.x2 - state.x1;
-    state.sliding = random.below(3) == 0 ? Value{} : plan.units.relative(state.dx2 - state.dx1);
-    const Value none{}, loads[] = {none, Absorber::Format::value(half(plan.before)), plan.before};
-    state.ahead = mirrored(loads[random.below(3)], random.below(2) != 0);
+    // Sliding either way, on or from a turn of the sliding.
+    const bool back = random.below(2) != 0;
+    state.main_push = mirrored(plan.main_sliding, back);
+    state.ball_push = mirrored(plan.ball_sliding, back);
+    state.impulse = mirrored(plan.full, back);
+    state.lasting = random.below(3) == 0 ? Absorber::Format::largest_sample(1e30) : plan.lasting;
   }
   const auto inside = plan.units.penetration(mirrored(state.x2 - state.x1, left));
   if (is_positive(inside) && random.below(3) != 0) {

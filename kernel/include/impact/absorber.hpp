@@ -198,7 +198,7 @@ class Absorber
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(rate_ahead());
     if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
-    if constexpr (Friction::is_friction) rate = rate - plan.units.as_displacement(plan.main_share * state_.ahead);
+    if constexpr (Friction::is_friction) rate = rate - plan.units.as_displacement(plan.rate_ahead * state_.impulse);
     return plan.units.velocity(plan.units.displacement(state_.dx1) + rate);
   }
   constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
@@ -206,7 +206,7 @@ class Absorber
     Value rate = plan.units.displacement(state_.dx2);
     if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.dx2_share);
     if constexpr (Field::is_field) rate = rate - plan.units.as_displacement(Field::ball_rate(plan, state_));
-    if constexpr (Friction::is_friction) rate = rate + plan.units.as_displacement(plan.ball_before * state_.ahead);
+    if constexpr (Friction::is_friction) rate = rate + plan.units.as_displacement(plan.ball_ahead * state_.impulse);
     return plan.units.velocity(rate);
   }
   // On the main mass, along x, the mean of the last step; the ball feels the opposite.
@@ -253,7 +253,6 @@ class Absorber
     units.add_position(state_.x1, dx);
     units.add_displacement(state_.dx1, du);
     units.add(state_.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
-    if constexpr (Friction::is_friction) state_.sliding = relative_rate(false) + state_.ahead;
     if (!hold_in_range() && state_.contact.phase != Phase::apart) touch_anew();
     (Features::after_correction(state_), ...);
     publish();
@@ -297,7 +296,7 @@ class Absorber
     (restart<Features>(), ...);
     if constexpr (counts_slid_way) state_.slid = {};
     if constexpr (Friction::is_friction)
-      if (rubs()) begin_to_slide();
+      if (rubs()) begin_to_rub();
     if (is_other_contact && state_.contact.phase != Phase::apart) touch_anew();
     publish();
     return true;
@@ -305,10 +304,16 @@ class Absorber
 
   // J by dry friction since the start, for a host: double arithmetic.
   constexpr double friction_dissipated() const {
-    if constexpr (counts_slid_way)
-      return plan.friction * plan.units.si_penetration_unit() * state_.slid.total();
-    else
+    if constexpr (counts_slid_way) {
+      if (!rubs()) return 0;
+      // Half of the last impulse is still to come.
+      const Reading now = reading();
+      const double unit = plan.units.si_penetration_unit(), rate = (now.v2 - now.v1) * plan.step / unit;
+      const double share = plan.units.fraction(state_.impulse) / plan.units.fraction(plan.full);
+      return plan.friction * unit / 2 * (state_.slid.total() - share * rate);
+    } else {
       return 0;
+    }
   }
 
   // In SI units, for a host: double arithmetic.
@@ -320,8 +325,8 @@ class Absorber
     double u1 = plan.units.si(state_.dx1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.dx2);
     if constexpr (Field::is_field) u2 -= plan.units.si_penetration(Field::ball_rate(plan, state_));
     if constexpr (Friction::is_friction) {
-      u1 -= plan.units.si_penetration(plan.main_share * state_.ahead);
-      u2 += plan.units.si_penetration(plan.ball_before * state_.ahead);
+      u1 -= plan.units.si_penetration(plan.rate_ahead * state_.impulse);
+      u2 += plan.units.si_penetration(plan.ball_ahead * state_.impulse);
     }
     if constexpr (Contact::keeps_force) {
       const double side = state_.at_left ? -1 : 1;
@@ -357,12 +362,12 @@ class Absorber
     }
     (Features::start(plan, state_), ...);
     if constexpr (Friction::is_friction)
-      if (rubs()) begin_to_slide();
+      if (rubs()) begin_to_rub();
   }
   // Without friction nothing is done, so that a plan AtRunTime of none makes the bits of an absorber without the part.
   constexpr bool rubs() const {
     if constexpr (Friction::is_friction)
-      return is_positive(plan.before);
+      return is_positive(plan.full);
     else
       return false;
   }
@@ -374,9 +379,10 @@ class Absorber
       Feature::start(plan, state_);
     }
   }
-  constexpr void begin_to_slide() {
-    const Value rate = relative_rate(false);
-    Friction::begin(plan, state_, rate, way_ahead() - rate);
+  constexpr void begin_to_rub() {
+    [[maybe_unused]] const Value rate = relative_rate(false);
+    Friction::begin(plan, state_, plan.units.relative(way_ahead()));
+    if constexpr (counts_slid_way) state_.slid.add(Friction::dissipated(plan, state_, rate));
   }
 
   constexpr void advance(Value sample, Value base) {
@@ -402,26 +408,17 @@ class Absorber
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
     plan.units.add(state_.dx1, increment);
     if constexpr (Field::is_field) Field::fly(plan, state_, base);
-    [[maybe_unused]] Long apart{};
-    [[maybe_unused]] Value way{};
-    if constexpr (counts_slid_way) way = flown(main_travel);
-
     if (!judges_contact_once && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
-      if constexpr (Friction::is_friction) {
-        apart = state_.x2 - state_.x1;
-        if (state_.contact.phase == Phase::apart) Friction::recall(plan, state_, flown(main_travel));
-      }
       if constexpr (Format::calls_contact)
-        call_touch(increment, main_travel);
+        call_meet_stop(increment, main_travel);
       else
-        touch(increment, main_travel);
-    } else if (judges_contact_once && !is_flight_in_range()) {
-      hold();
+        meet_stop(increment, main_travel);
+    } else {
+      if (judges_contact_once && !is_flight_in_range()) hold();
+      if constexpr (Friction::is_friction) rub(main_travel);
     }
-    if constexpr (Friction::is_friction)
-      if (rubs()) rub(apart, way);
     (Features::after_step(plan, state_), ...);
   }
   // Friction at a step's end is looked at here, in the next one: it only brings both rates nearer to each other.
@@ -489,7 +486,18 @@ class Absorber
     return ahead - Field::main_rate(plan, state_);
   }
 
-  [[gnu::noinline]] constexpr void call_touch(Value increment, Long main_travel) { touch(increment, main_travel); }
+  [[gnu::noinline]] constexpr void call_meet_stop(Value increment, Long main_travel) {
+    meet_stop(increment, main_travel);
+  }
+  [[gnu::always_inline]] constexpr void meet_stop(Value increment, Long main_travel) {
+    if constexpr (Friction::is_friction) {
+      const Long flight = Field::ball_travel(plan, state_) - main_travel, apart = state_.x2 - state_.x1;
+      touch(increment, main_travel);
+      if (rubs()) rub_at_stop(flight, apart - (state_.x2 - state_.x1));
+    } else {
+      touch(increment, main_travel);
+    }
+  }
   [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel) {
     if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
     const bool left = at_left();
@@ -539,8 +547,10 @@ class Absorber
       step.increment = -mirrored(increment, left);
     }
     step.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
-    // A law at the step's end has its rate with the friction of the whole step.
-    if constexpr (Friction::is_friction && Contact::keeps_force) step.rate = step.rate - mirrored(state_.ahead, left);
+    // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
+    [[maybe_unused]] const Value rate = step.rate;
+    if constexpr (Friction::is_friction && Contact::keeps_force)
+      step.rate = rate - mirrored(Format::value(half(state_.impulse)), left);
     const Contact contact_before = contact;
     const auto impulse = contact.resolve(plan.contact, units, step);
     reload(state_);
@@ -548,6 +558,7 @@ class Absorber
     contact.place_ball(units, state_, left);
     if (hold_in_range()) return false;
     if constexpr (sizeof...(Features) > 0) {
+      step.rate = rate;
       const auto seen = contact.record(plan.contact, units, step, contact_before, impulse);
       (Features::after_contact(plan, state_, seen), ...);
     }
@@ -560,42 +571,63 @@ class Absorber
   }
 
   // What the coming step adds to x2 - x1, as the last sample says.
-  constexpr Value way_ahead() const {
-    Value way = plan.units.relative(state_.dx2 - state_.dx1);
-    if constexpr (Drive::is_sampled)
-      way = way - plan.units.increment_of_rate(state_.drive.at_once(plan.drive, state_.drive.sample));
+  constexpr Long way_ahead() const {
+    Long way = state_.dx2 - state_.dx1;
+    if constexpr (Drive::is_sampled) plan.units.add(way, -state_.drive.at_once(plan.drive, state_.drive.sample));
     if constexpr (Field::is_sampled)
-      way = way + plan.units.increment_of_rate(Field::ball_at_once(plan, state_.downwards) -
-                                               Field::at_once(plan, state_.downwards));
+      plan.units.add(way, Field::ball_at_once(plan, state_.downwards) - Field::at_once(plan, state_.downwards));
     return way;
   }
   // What a step's flight has added to x2 - x1.
   constexpr Value flown(Long main_travel) const {
     return plan.units.relative(Field::ball_travel(plan, state_) - main_travel);
   }
-  // `apart`: x2 - x1 before contact in this step. `way`: of the flight, for a ledger.
-  [[gnu::always_inline]] constexpr void rub(Long apart, Value way) {
-    if (state_.contact.phase == Phase::apart && Friction::slides_on(plan, state_)) {
-      if constexpr (counts_slid_way) state_.slid.add(mirrored(way, is_positive(-way)));
-    } else {
-      rub_to_the_end(apart, way);
-    }
+
+  // Dry friction at the end of a step in flight.
+  [[gnu::always_inline]] constexpr void rub(Long main_travel) {
+    if (!rubs()) return;
+    [[maybe_unused]] Value rate{};
+    if constexpr (counts_slid_way) rate = relative_rate(false);
+    if (!Friction::slides_on(plan, state_, state_.dx2))
+      rub_anew(Field::ball_travel(plan, state_) - main_travel, {}, Friction::any_impulse(plan));
+    if constexpr (counts_slid_way) count_slid_way(rate);
   }
-  [[gnu::noinline]] constexpr void rub_to_the_end(Long apart, [[maybe_unused]] Value in_flight) {
-    Value rate = relative_rate(false);
-    if constexpr (Contact::keeps_force)
-      rate = rate +
-             mirrored((plan.contact.dx1_share * state_.contact.force) + (plan.contact.dx2_share * state_.contact.force),
-                      at_left());
-    if constexpr (counts_slid_way) Friction::recall(plan, state_, in_flight + in_flight - rate);
-    const Value change = Friction::template rub<counts_slid_way>(plan, state_, rate, [this, rate, apart] {
-      const Value way = way_ahead() - rate;
-      return state_.contact.phase == Phase::apart ? way : way + plan.units.relative(state_.x2 - state_.x1 - apart);
-    });
-    if (state_.contact.phase == Phase::apart) return;
-    const Value towards_stop = mirrored(change, at_left());
+  // `slid`: in this step; `taken`: by contact of x2 - x1, in the coming one.
+  template <class Limits>
+  [[gnu::noinline]] constexpr void rub_anew(Long slid, Long taken, Limits limits) {
+    Friction::rub(plan, state_, plan.units.relative(slid), way_ahead() - taken, limits);
+  }
+  // And of one in which the ball has met a stop: where it still touches it, contact will take as much of x2 - x1 in the
+  // coming step as it did in this one.
+  [[gnu::always_inline]] constexpr void rub_at_stop(Long flight, Long taken) {
+    const Long slid = flight - taken;
+    const bool touches = state_.contact.phase != Phase::apart;
+    if (!touches) taken = {};
+    [[maybe_unused]] Value rate{};
+    if constexpr (counts_slid_way) {
+      rate = relative_rate(false);
+      if constexpr (Contact::keeps_force)
+        rate = rate + mirrored((plan.contact.dx1_share * state_.contact.force) +
+                                   (plan.contact.dx2_share * state_.contact.force),
+                               at_left());
+    }
+    if (!Friction::slides_on(plan, state_, state_.dx2 - taken)) {
+      // An impact at an instant does not turn the sliding at a rate linear in time.
+      if constexpr (Contact::is_instantaneous)
+        rub_anew(slid, taken, Friction::passive(plan, relative_rate(false)));
+      else
+        rub_anew(slid, taken, Friction::any_impulse(plan));
+    }
+    if constexpr (counts_slid_way) count_slid_way(rate);
+    if (!touches) return;
+    const Value towards_stop = mirrored(-state_.impulse, at_left());
     state_.contact.change_rate(plan.contact, towards_stop);
     if constexpr (counts_slid_way) state_.rate = state_.rate + towards_stop;
+  }
+  // The work of an impulse is at the mean of the rates before and after it.
+  constexpr void count_slid_way(Value before) {
+    state_.slid.add(Friction::dissipated(plan, state_, before));
+    state_.slid.add(Friction::dissipated(plan, state_, before - state_.impulse));
   }
 
   constexpr bool is_beyond_stop() const {

@@ -74,13 +74,13 @@
 //           at_once(plan, next)        increment: to x1, in the step that the sample ends; ball_at_once to x2
 //
 // Friction  is_friction                a part whose force acts between ball and main mass, against y' or at rest
-//           FrictionPlan<Format>       a base of the plan, with `before`, rate: 0 where it does nothing
-//           Impulses(main, ball)       m per step and newton, before() and after(): what it does in a step
-//           make_plan<Format>(scene, main, ball, exponents, units, largest_increment)    the last in m
-//           begin(plan, state, rate, way), undo(plan, state)    at the start, and around a change of plan
-//           slides_on(plan, state)     in flight: true where the whole step's friction is done with it
-//           recall(plan, state, way)   before a contact, with the way of the flight, a rate
-//           rub<is_counted>(plan, state, rate, way)    otherwise, at the step's end: what it does to the rate
+//           FrictionPlan<Format>       a base of the plan, with `full`, rate: 0 where it does nothing
+//           increment(main, ball)      m/N: what it adds to the way of the sliding in a step
+//           make_plan<Format>(scene, main, ball, at_once, exponents, units)    at_once: what a sample adds to that, m
+//           begin(plan, state, way), undo(plan, state)    at the start, and around a change of plan
+//           slides_on(plan, state, ball)    after a step: true where the same impulse as the last has acted again
+//           rub(plan, state, slid, ahead, limits)    otherwise; limits: any_impulse(plan), passive(plan, rate)
+//           dissipated(plan, state, rate)    by the last impulse, over the force
 
 #include <stddef.h>
 #include <stdint.h>

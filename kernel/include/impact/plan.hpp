@@ -179,9 +179,10 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
   largest.penetration = larger(terms.largest_penetration, way);
   if constexpr (Friction::is_friction) {
-    const DryFriction::Impulses by(flow, ball);
-    if (!(by.main_before > 0 && by.main_after > 0)) return refused(PlanStatus::step);
-    if (!(scene.ball_friction * (by.before() + by.after()) <= terms.largest_rate * h))
+    // An impulse of friction acts forward, and in part ahead.
+    if (!(flow.e12 > 0 && flow.constant_start() > 0 && flow.constant_increment() > flow.constant_start()))
+      return refused(PlanStatus::step);
+    if (!(scene.ball_friction * DryFriction::increment(flow, ball) <= terms.largest_rate * h))
       return refused(PlanStatus::ball_friction);
   }
   // An impact changes the rate of sliding by twice the largest, and friction by no more than the largest in a step.
@@ -219,9 +220,9 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
     return refused(PlanStatus::contact_stiffness);
 
   if constexpr (Friction::is_friction) {
-    // What is below 32 of a rate's last places has no size of its own.
-    const double rate = scene.ball_friction * DryFriction::Impulses(flow, ball).before();
-    if (scene.ball_friction > 0 && !Format::Units::resolves(rate / 32, exponents.penetration))
+    // What is below 64 of a rate's last places has no size of its own.
+    const double impulse = scene.ball_friction * DryFriction::increment(flow, ball);
+    if (scene.ball_friction > 0 && !Format::Units::resolves(impulse / 64, exponents.penetration))
       return refused(PlanStatus::ball_friction);
   }
 
@@ -260,9 +261,15 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   }
   if constexpr (Field::is_field)
     static_cast<FieldConstants&>(plan) = Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
+  // What a sample may add to x2 - x1 at once.
+  const double at_once =
+      (Drive::is_sampled ? bounds.force * flow.b1 : 0) +
+      (Field::is_sampled
+           ? Field::largest(scene, bounds) * constant::magnitude(scene.main_mass * flow.b1 - scene.ball_mass * ball.b1)
+           : 0);
   if constexpr (Friction::is_friction)
     static_cast<FrictionConstants&>(plan) =
-        Friction::template make_plan<Format>(scene, flow, ball, exponents, units, largest.increment);
+        Friction::template make_plan<Format>(scene, flow, ball, at_once, exponents, units);
   if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(PlanStatus::displacement_bound);
   if (!units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return refused(PlanStatus::speed_bound);
   return plan;

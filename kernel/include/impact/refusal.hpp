@@ -65,7 +65,7 @@ constexpr bool explain() {
   static_assert(status != PlanStatus::base_acceleration_bound, "Bounds::base_acceleration: 0 to 1e6 m/s^2");
   static_assert(status != PlanStatus::ball_friction,
                 "Rig::scene.ball_friction: 0 to 1e9 N, and a step of it takes the ball no more than twice "
-                "Bounds::speed and, in Fixed32, no less than 32 last places of the rate of sliding");
+                "Bounds::speed and, in Fixed32, no less than 64 last places of the rate of sliding");
   static_assert(status != PlanStatus::gravity_not_named,
                 "Rig::scene.gravity is stated: append Gravity (or BaseAcceleration) to the absorber's type");
   static_assert(status != PlanStatus::base_acceleration_not_named,

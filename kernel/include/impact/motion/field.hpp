@@ -65,7 +65,7 @@ struct Gravity : ScenePart {
   static constexpr FieldPlan<Format> make_plan(const Scene& scene, const Bounds&, const LinearFlow& main,
                                                const LinearFlow& ball, const UnitExponents& unit, const Units& units) {
     const double main_force = scene.main_mass * scene.gravity, ball_force = scene.ball_mass * scene.gravity;
-    const double main_start = main_force * (main.b0 + main.b1), ball_start = ball_force * (ball.b0 + ball.b1);
+    const double main_start = main_force * main.constant_start(), ball_start = ball_force * ball.constant_start();
     const double main_step = main_force * main.constant_increment(), ball_step = ball_force * ball.constant_increment();
     const auto in = [](double x, int exponent) { return Format::sample(x * constant::power_of_two(-exponent)); };
     return {in(main_step, unit.increment),    in(ball_step, unit.increment),
@@ -75,7 +75,7 @@ struct Gravity : ScenePart {
   }
   static constexpr double largest(const Scene& scene, const Bounds&) { return constant::magnitude(scene.gravity); }
   // m/N: of the force at the start, in the displacement that the first step will make.
-  static constexpr double at_start(const LinearFlow& flow) { return flow.b0 + flow.b1; }
+  static constexpr double at_start(const LinearFlow& flow) { return flow.constant_start(); }
 
   template <class Format>
   struct State {};

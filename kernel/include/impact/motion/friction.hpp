@@ -3,33 +3,26 @@
 // Dry friction of the ball in its cavity: a force of Scene::ball_friction newtons, R, between ball and main mass
 // against the sliding y', and at rest whatever holds the ball, up to R.
 //
-// A constant force over a step is the same as two impulses on the velocities alone, one at the step's start and one at
-// its end, for the main mass as for the ball: with the force's response b in the displacement and c in h v (m/N),
+// It acts between two steps, for half of either, as an impulse on the velocities alone. A constant force R is the same
+// as an impulse r at every such instant, whose share of each mass is what that force adds to its displacement per step
+// (LinearFlow::constant_increment), r = R h^2 (1/m + 1/M) for two free masses: while the ball slides the step stays
+// exact. Positions are never touched, so that contact goes on as it is. With the way y0 that the ball has slid in this
+// step and the way y that it would slide in the next one without friction, both in the direction of y0,
 //
-//     ahead of the step    u0 = R b/e12        at its end    u1 = R c - (1 + e22) u0        (linear_flow.hpp)
+//     y - r >= 0           it slides on          p = r
+//     |y - y0| <= r        it sticks             p = y: no way at all
+//     otherwise            it slides back, from when the rate, linear in time from the middle of one step to the
+//                          middle of the next, was 0:    y - p = (y - r) (|y - y0| - r)/(|y - y0| + r)
 //
-// The ball's are R h^2/(2 m) both. Positions are never touched, so that contact goes on as it is, and an impulse on the
-// velocities that does not turn the sliding can only take energy. Per step, with q0 and q1 what both do to the rate of
-// sliding, V the rate at the end of the flight, f what was taken ahead and s the rate before that:
+// where y counts with the way that contact has added in this step, if the ball still touches the stop. In a step
+// friction does the work -(p0 + p1)/2 y0 of the impulses at both of its ends: never positive where the ball has slid on
+// until then, p0 = r. A ball at rest has no way; while its load changes, friction takes and gives back up to
+// R^2 h^2/8 (1/m + 1/M). Where an impact is an instant the rate is not linear in time, and the impulse is held to what
+// takes energy at that instant. Second order where the sliding begins, turns or ends.
 //
-//     a = V - s + f              the change of the rate without friction, by contact as well
-//     e = s + a -+ (q0 + q1)     the rate with it, if the sliding lasts
-//     e of the sliding's sign    the rate is e: exact
-//     turned, |a| <= q0 + q1     the ball sticks: the rate is 0
-//     turned, |a| > q0 + q1      it slides back, from when the rate, linear in time, was 0:
-//                                e (|a| - q0 - q1)/(|a| + q0 + q1)
-//
-// and ahead of the next step f goes, which for a ball that slides is q0, and no more than leaves the step a
-// displacement by the last a: nothing where it sticks. So friction's work, f times a way of the other sign, is never
-// positive, and a ball at rest stays: it has no rate left, and its load is taken ahead. Second order where the sliding
-// turns or ends within a step.
-//
-// Far from its end, in flight, none of this is computed: where the way ahead is longer than spring, drive, field and
-// friction could take of it in this step and the next, a step adds two constants. s is not kept then, but marked as f,
-// and is had from the way of a step that meets a stop.
+// While the sliding lasts a step adds the same two constants again: they stand in the state.
 
 #include <impact/motion/linear_flow.hpp>
-#include <impact/motion/phase.hpp>
 #include <impact/motion/scene_part.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
@@ -44,8 +37,8 @@ struct NoFriction {
   struct FrictionPlan {};
 };
 
-// Beside an EnergyLedger: the way that has been slid, which times R is what friction has dissipated. It counts like a
-// penetration.
+// Beside an EnergyLedger: twice the way that has been slid, which times R is what friction has dissipated. It counts
+// like a penetration.
 template <class Format, bool is_counted>
 struct SlidWay {};
 template <class Format>
@@ -57,197 +50,167 @@ struct DryFriction : ScenePart {
   static constexpr uint32_t kind = 7;  // a saved state is of one list of features
   static constexpr bool is_friction = true;
 
-  // Rates of sliding count like penetrations.
+  // Impulses count as what they do to y, in the unit of penetrations.
   template <class Format>
   struct FrictionPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Long = typename Format::Long;
-    Value before, both;  // q0, q0 + q1
-    Value lasting;       // of dx2 - dx1, as positions count: beyond it the sliding lasts
-    Gain main_before, main_after, ball_before, ball_after;  // of an impulse, in dx1 and dx2
-    Gain main_share;                                        // of f, in h v1
-    double friction;                                        // R, N
-    Long main_sliding, ball_sliding;                        // what a step of sliding adds to dx1 and takes of dx2
+    Value full;                       // r
+    Value lasting;                    // as positions count: where y is more, the ball slides on
+    Gain main_share;                  // of an impulse, in dx1
+    Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
+    Gain rate_ahead;                  // the same in h v1
+    Gain by_full;                     // 1/(2 r)
+    int spare_places;                 // of an impulse that is no more than r
+    Long main_sliding, ball_sliding;  // of a ball that slides forward
+    double friction;                  // R, N
   };
-  // In metres per step and newton: both impulses on both masses.
-  struct Impulses {
-    double main_before, main_after, ball_before, ball_after;
-
-    constexpr Impulses(const LinearFlow& main, const LinearFlow& ball)
-        : main_before((main.b0 + main.b1) / main.e12),
-          main_after(main.c0 + main.c1 - (1 + main.e22) * main_before),
-          ball_before((ball.b0 + ball.b1) / ball.e12),
-          ball_after(ball.c0 + ball.c1 - (1 + ball.e22) * ball_before) {}
-    constexpr double before() const { return main_before + ball_before; }
-    constexpr double after() const { return main_after + ball_after; }
-  };
+  // m/N: what a constant force between the masses adds to y in a step.
+  static constexpr double increment(const LinearFlow& main, const LinearFlow& ball) {
+    return main.constant_increment() + ball.constant_increment();
+  }
+  // `at_once`: what a sample may add to y at once, m.
   template <class Format, class Units>
   static constexpr FrictionPlan<Format> make_plan(const Scene& scene, const LinearFlow& main, const LinearFlow& ball,
-                                                  const UnitExponents& unit, const Units& units,
-                                                  double largest_increment) {
-    const Impulses by(main, ball);
-    const double friction = scene.ball_friction, rate = friction * constant::power_of_two(-unit.penetration);
-    // A rate differs from the way ahead by half of what a step adds, and it may lose a whole one more and both impulses
-    // twice; then the last places of two upper words.
-    const double lasting = 1.6 * largest_increment + 2.1 * friction * (by.before() + by.after());
-    return {Format::sample(rate * by.before()),
-            Format::sample(rate * (by.before() + by.after())),
-            Format::sample(lasting * constant::power_of_two(-unit.position) + 0x1p-29),
-            Format::gain(main.e12 * by.main_before / by.before(), 0, 0),
-            Format::gain(main.e12 * by.main_after / by.after(), 0, 0),
-            Format::gain(by.ball_before / by.before(), 0, 0),
-            Format::gain(by.ball_after / by.after(), 0, 0),
-            Format::gain(by.main_before / by.before(), 0, 0),
-            friction,
+                                                  double at_once, const UnitExponents& unit, const Units& units) {
+    const double friction = scene.ball_friction, both = increment(main, ball), full = friction * both;
+    return {Format::sample(full * constant::power_of_two(-unit.penetration)),
+            Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
+            Format::gain(main.constant_increment() / both, 0, 0),
+            Format::gain(main.constant_start() / both, 0, 0),
+            Format::gain(ball.constant_start() / both, 0, 0),
+            Format::gain(main.constant_start() / main.e12 / both, 0, 0),
+            Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
+            unit.penetration - constant::exponent_above(2 * full),
             units.state(friction * main.constant_increment()),
-            units.state(friction * ball.constant_increment())};
+            units.state(-friction * ball.constant_increment()),
+            friction};
   }
 
   template <class Format>
   struct State {
-    typename Format::Value sliding, ahead;  // s, f
-    typename Format::Long held;             // x2 - x1 of a ball that sticks
+    typename Format::Long main_push, ball_push;  // the last impulse, in dx1 and dx2
+    typename Format::Value impulse;              // the same
+    typename Format::Value lasting;              // where y is more in the same direction, it is the next one as well
   };
   template <class Plan, class State>
-  static constexpr bool is_sound(const Plan&, const State& state) {
-    using Format = typename Plan::FormatType;
-    return Format::is_sound(state.sliding) && Format::is_sound(state.ahead);
+  static constexpr bool is_sound(const Plan& plan, const State& state) {
+    return plan.units.in_range({}, {}, state.main_push, state.ball_push) && plan.units.is_sound(state.main_push) &&
+           plan.units.is_sound(state.ball_push) && Plan::FormatType::is_sound(state.impulse) &&
+           Plan::FormatType::is_sound(state.lasting);
   }
 
-  // From a rate of sliding, to which the coming step would add `way`.
+  // What the last impulse has dissipated at a rate of sliding, over R.
   template <class Plan, class State, class Value>
-  static constexpr void begin(const Plan& plan, State& state, Value rate, Value way) {
-    state.sliding = rate;
-    state.held = state.x2 - state.x1;
-    state.ahead = taken_ahead(plan, rate, rate + way);
-    act(plan, state, Value{}, state.ahead);
+  static constexpr Value dissipated(const Plan& plan, const State& state, Value rate) {
+    using Format = typename Plan::FormatType;
+    if (is_full(plan, state)) return mirrored(rate, !state.ball_push.is_negative());
+    return Format::value(twice(Format::rounded_product(plan.by_full * state.impulse, rate)));
   }
-  // The state without what was taken ahead.
+  // From a rest of both or a sliding, with half of the impulse; `way` is y.
+  template <class Plan, class State, class Value>
+  static constexpr void begin(const Plan& plan, State& state, Value way) {
+    set(plan, state, held(any_impulse(plan), way + way));
+    move(plan, state, state.impulse);
+  }
+  // The state without what the last impulse has taken ahead.
   template <class Plan, class State>
   static constexpr void undo(const Plan& plan, State& state) {
-    act(plan, state, decltype(state.ahead){}, -state.ahead);
-    state.ahead = {};
+    move(plan, state, -state.impulse);
   }
 
-  // At the end of a step in flight: whether the sliding went on through it, and will through the coming one.
-  template <class Plan, class State>
-  [[gnu::always_inline]] static constexpr bool slides_on(const Plan& plan, State& state) {
-    if (plan.units.is_above(state.dx2, state.dx1, plan.lasting)) {
-      if (is_positive(plan.before - state.ahead)) return false;
-      slide(plan, state, false);
-    } else {
-      if (!plan.units.is_above(state.dx1, state.dx2, plan.lasting) || is_positive(plan.before + state.ahead))
-        return false;
-      slide(plan, state, true);
-    }
-    state.sliding = state.ahead;
+  // After a step: whether the sliding goes on. `ball`: dx2, with what contact will add to it in the coming step.
+  template <class Plan, class State, class Long>
+  [[gnu::always_inline]] static constexpr bool slides_on(const Plan& plan, State& state, Long ball) {
+    if (!plan.units.is_beyond(state.dx1, ball, state.ball_push, state.lasting)) return false;
+    push(state);
     return true;
   }
-  // The rate before a step, where it was not kept, from its way in flight.
-  template <class Plan, class State, class Value>
-  static constexpr void recall(const Plan& plan, State& state, Value way) {
-    const bool is_full = !is_positive(plan.before - state.ahead) || !is_positive(plan.before + state.ahead);
-    if (is_full && is_zero(state.sliding - state.ahead)) state.sliding = way + state.ahead;
+  // Between which an impulse may be.
+  template <class Value>
+  struct Limits {
+    Value least, most;
+  };
+  template <class Plan>
+  static constexpr auto any_impulse(const Plan& plan) {
+    return Limits<decltype(plan.full)>{-plan.full, plan.full};
   }
-
-  // At the end of any step, which ends with this rate; `way()` is what the coming step would add to the way at that
-  // rate. Returns what friction does to the rate.
-  template <bool is_counted, class Plan, class State, class Value, class Way>
-  [[gnu::always_inline]] static constexpr Value rub(const Plan& plan, State& state, Value rate, const Way& way) {
-    const Value unrubbed = rate + state.ahead;  // s + a
-    const bool back = is_negative(unrubbed);
-    const Value end = mirrored(unrubbed, back) - plan.both;
-    const bool was_full = !is_positive(plan.before - mirrored(state.ahead, back));
-    // Far from its end: a ball that the coming step turns has a load that it slides back under.
-    if (was_full && is_positive(end - plan.both)) {
-      if constexpr (is_counted) state.slid.add(half_sum(plan, mirrored(state.sliding, back), end));
-      state.sliding = mirrored(end, back);
-      slide(plan, state, back);
-      return state.sliding - state.ahead - rate;
+  // Of a ball that has met a stop in the step: those that take energy at the rate that it then slides with.
+  template <class Plan, class Value>
+  static constexpr Limits<Value> passive(const Plan& plan, Value rate) {
+    const Value most = held(any_impulse(plan), rate + rate);
+    return is_negative(most) ? Limits<Value>{most, Value{}} : Limits<Value>{Value{}, most};
+  }
+  // After any step. `slid`: y0; `ahead`: y.
+  template <class Plan, class State, class Value, class Long>
+  [[gnu::always_inline]] static constexpr void rub(const Plan& plan, State& state, Value slid, Long ahead,
+                                                   const Limits<Value>& limits) {
+    using Format = typename Plan::FormatType;
+    const Value way = plan.units.relative(ahead);
+    const bool back = is_negative(is_positive(slid) || is_negative(slid) ? slid : way);
+    const Value end = mirrored(way, back) - plan.full;
+    const Value change = way - slid, size = mirrored(change, is_negative(change)), beyond = size - plan.full;
+    if (!is_negative(end)) {
+      const Value impulse = mirrored(plan.full, back);
+      if (is_within(limits, impulse))
+        slide(plan, state, back);
+      else
+        set(plan, state, held(limits, impulse));
+    } else if (is_positive(beyond)) {
+      const auto share = Format::rough_quotient(without_sign(beyond), without_sign(size) + without_sign(plan.full));
+      set(plan, state, held(limits, way + mirrored(Format::value(share * positive_part(-end)), back)));
+    } else {
+      set(plan, state, held(limits, way));
+      if (is_within(limits, way)) {
+        state.main_push = plan.units.part(plan.main_share, ahead, plan.spare_places);
+        state.ball_push = state.main_push - ahead;
+      }
     }
-    return end_sliding<is_counted>(plan, state, rate, way());
+    push(state);
   }
 
  private:
   template <class Plan, class State>
+  static constexpr bool is_full(const Plan& plan, const State& state) {
+    return !is_positive(state.lasting - plan.lasting);
+  }
+  template <class State>
+  [[gnu::always_inline]] static constexpr void push(State& state) {
+    state.dx1.advance(state.main_push);
+    state.dx2.advance(state.ball_push);
+  }
+  template <class Plan, class State>
   [[gnu::always_inline]] static constexpr void slide(const Plan& plan, State& state, bool back) {
-    state.dx1.advance(mirrored(plan.main_sliding, back));
-    state.dx2.advance(mirrored(plan.ball_sliding, !back));
-  }
-  template <bool is_counted, class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr Value end_sliding(const Plan& plan, State& state, Value rate, Value way) {
-    const Value change = rate - state.sliding + state.ahead;
-    const bool was_still = is_zero(state.sliding);
-    const bool back = is_negative(was_still ? change : state.sliding);
-    const Value end = mirrored(state.sliding + change, back) - plan.both;
-    const bool was_full = !is_positive(plan.before - mirrored(state.ahead, back));
-    const bool slides = !is_negative(end);
-    const Value before = mirrored(state.sliding, back);
-    state.sliding = slides ? mirrored(end, back) : turned(plan, change, mirrored(end, back));
-    if constexpr (is_counted)
-      state.slid.add(slides ? half_sum(plan, before, end) : slid_to_and_fro(plan, before, -end, state.sliding));
-    way = way + state.sliding;
-    if (is_zero(state.sliding)) {
-      const auto at = state.x2 - state.x1;
-      if (was_still && state.contact.phase == Phase::apart)
-        way = way + plan.units.relative(at - state.held);
-      else
-        state.held = at;
-    }
-    const Value ahead = taken_ahead(plan, state.sliding, way);
-    const bool is_full = !is_positive(plan.before - mirrored(ahead, back));
-    if (slides && was_full && is_full)
-      slide(plan, state, back);
-    else
-      act(plan, state, rate - state.sliding, ahead);
-    state.ahead = ahead;
-    return state.sliding - ahead - rate;
-  }
-  template <class Value>
-  static constexpr bool is_zero(Value x) {
-    return !is_positive(x) && !is_negative(x);
+    state.main_push = mirrored(plan.main_sliding, back);
+    state.ball_push = mirrored(plan.ball_sliding, back);
+    state.impulse = mirrored(plan.full, back);
+    state.lasting = plan.lasting;
   }
   template <class Plan, class State, class Value>
-  static constexpr void act(const Plan& plan, State& state, Value after, Value before) {
-    plan.units.displace(state.dx1, plan.main_after, after);
-    plan.units.displace(state.dx1, plan.main_before, before);
-    plan.units.displace(state.dx2, plan.ball_after, -after);
-    plan.units.displace(state.dx2, plan.ball_before, -before);
+  [[gnu::always_inline]] static constexpr void set(const Plan& plan, State& state, Value impulse) {
+    state.main_push = state.ball_push = {};
+    plan.units.displace(state.main_push, plan.main_share, impulse);
+    plan.units.displace(state.ball_push, -impulse);
+    state.ball_push.advance(state.main_push);
+    state.impulse = impulse;
+    state.lasting = Plan::FormatType::largest_sample(1e30);  // never
   }
-  template <class Plan, class Value>
-  static constexpr Value half_sum(const Plan&, Value a, Value b) {
-    return Plan::FormatType::value(half(a + b));
+  // By half a step of this impulse.
+  template <class Plan, class State, class Value>
+  static constexpr void move(const Plan& plan, State& state, Value impulse) {
+    plan.units.displace(state.dx1, plan.main_ahead, impulse);
+    plan.units.displace(state.dx2, plan.ball_ahead, -impulse);
   }
-  // From `before` to 0 in a part of the step, and for the rest of it, as `beyond` is of `before` + `beyond`, to
-  // `after`.
-  template <class Plan, class Value>
-  static constexpr Value slid_to_and_fro(const Plan& plan, Value before, Value beyond, Value after) {
-    using Format = typename Plan::FormatType;
-    const Value size = mirrored(after, is_negative(after));
-    const auto rest = Format::quotient(positive_part(beyond), positive_part(before + beyond));
-    return half_sum(plan, before, Format::value(rest * size) - Format::value(rest * before));
+  template <class Value>
+  [[gnu::always_inline]] static constexpr Value held(const Limits<Value>& limits, Value impulse) {
+    return is_positive(impulse - limits.most)    ? limits.most
+           : is_negative(impulse - limits.least) ? limits.least
+                                                 : impulse;
   }
-  // The rate of a ball whose sliding has turned within the step, from that of one whose friction has not.
-  template <class Plan, class Value>
-  static constexpr Value turned(const Plan& plan, Value change, Value end) {
-    using Format = typename Plan::FormatType;
-    const Value size = mirrored(change, is_negative(change)), beyond = size - plan.both;
-    if (!is_positive(beyond)) return Value{};
-    const auto share = Format::quotient(positive_part(beyond), positive_part(size + plan.both));
-    const bool back = is_negative(end);
-    return mirrored(Format::value(share * positive_part(mirrored(end, back))), back);
-  }
-  // `way`: of the sliding in the coming step, without friction. Where that turns, friction takes nothing ahead, unless
-  // it is to hold the ball.
-  template <class Plan, class Value>
-  static constexpr Value taken_ahead(const Plan& plan, Value rate, Value way) {
-    const bool back = is_negative(way);
-    const Value size = mirrored(way, back), load = way - rate;
-    const bool is_full = is_positive(size - plan.before);
-    const bool turns = back ? is_positive(rate) : is_negative(rate);
-    if (turns && (is_full || is_positive(mirrored(load, is_negative(load)) - plan.before))) return Value{};
-    return is_full ? mirrored(plan.before, back) : way;
+  template <class Value>
+  [[gnu::always_inline]] static constexpr bool is_within(const Limits<Value>& limits, Value impulse) {
+    return !is_positive(impulse - limits.most) && !is_negative(impulse - limits.least);
   }
 };
 

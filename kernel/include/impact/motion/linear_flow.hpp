@@ -34,7 +34,8 @@ struct LinearFlow {
 
   constexpr double stiffness() const { return e11 * e22 - e12 * e21; }
   constexpr double damping() const { return -(e11 + e22) - stiffness(); }
-  // What a constant force adds to dx in a step, m/N.
+  // What a constant force has in dx from the start, and what it adds to dx in a step, m/N.
+  constexpr double constant_start() const { return b0 + b1; }
   constexpr double constant_increment() const { return e12 * (c0 + c1) - e22 * (b0 + b1); }
 };
 

@@ -128,12 +128,21 @@ struct Fixed32Units {
   }
   // By gain times a penetration with all the places of a state, so that what one mass gains the other loses.
   constexpr void displace(Long& x, Fixed32Numbers::Gain gain, Value penetration) const {
-    const uint32_t low = static_cast<uint32_t>(penetration.raw) * static_cast<uint32_t>(gain.mantissa);
-    const auto high = static_cast<uint64_t>(static_cast<int64_t>(high_product(penetration.raw, gain.mantissa)));
+    const Long way = product(gain, penetration, penetration_shift);
+    x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way.raw));
+  }
+  // gain x of an x that is a number in 2^-spare_places of the penetrations' unit.
+  constexpr Long part(Fixed32Numbers::Gain gain, Long x, int spare_places) const {
+    const int shift = spare_places < penetration_shift ? penetration_shift - spare_places : 1;
+    return product(gain, {static_cast<int32_t>((x.raw + (int64_t{1} << (shift - 1))) >> shift)}, shift);
+  }
+  // gain x with all the places of a state; x counts in 2^shift of them.
+  static constexpr Long product(Fixed32Numbers::Gain gain, Value x, int shift) {
+    const uint32_t low = static_cast<uint32_t>(x.raw) * static_cast<uint32_t>(gain.mantissa);
+    const auto high = static_cast<uint64_t>(static_cast<int64_t>(high_product(x.raw, gain.mantissa)));
     const auto product = static_cast<int64_t>(high << 32 | low);
-    const int places = 32 + gain.shift - penetration_shift;
-    const int64_t way = places >= 0 ? product >> places : product * (int64_t{1} << -places);
-    x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way));
+    const int places = 32 + gain.shift - shift;
+    return {places >= 0 ? product >> places : product * (int64_t{1} << -places)};
   }
   constexpr void push(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift); }
   constexpr void push(Long& x, Signed<32> increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
@@ -159,8 +168,11 @@ struct Fixed32Units {
     const int32_t apart = upper_difference(x2, x1);
     return (apart ^ apart >> 31) >= static_cast<int32_t>(gap >> 32) - 1;
   }
-  // Of displacements per step, by more than `least`, on the upper words alone.
-  static constexpr bool is_above(Long w, Long other, Value least) { return upper_difference(w, other) > least.raw; }
+  // Whether w less `other` is more than `least`, or where the sign is negative less than its opposite; on the upper
+  // words alone, at times two last places late.
+  static constexpr bool is_beyond(Long w, Long other, Long sign, Value least) {
+    return (upper_difference(w, other) ^ static_cast<int32_t>(sign.raw >> 63)) > least.raw;
+  }
   static constexpr int32_t upper_difference(Long x2, Long x1) {
     return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
   }

@@ -128,12 +128,19 @@ struct RealFormat {
     static constexpr void add(Long& x, Value increment) { x.add(increment); }
     static constexpr void displace(Long& x, Value penetration) { x.add(penetration); }
     static constexpr void displace(Long& x, Gain gain, Value penetration) { x.add(gain * penetration); }
+    static constexpr Long part(Gain gain, Long x, int) {
+      Long result{};
+      result.add(gain * x.value());
+      return result;
+    }
     static constexpr void push(Long& x, Value increment) { x.add(increment); }
     static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
     constexpr Value penetration(Long relative_displacement) const { return (relative_displacement - gap).value(); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
-    static constexpr bool is_above(Long w, Long other, Value least) { return w.sum - other.sum > least; }
+    static constexpr bool is_beyond(Long w, Long other, Long sign, Value least) {
+      return impact::mirrored(w.sum - other.sum, sign.is_negative()) > least;
+    }
     static constexpr bool fits(Long) { return true; }
     constexpr bool beyond_stops(Long x2, Long x1) const {
       const Real apart = x2.sum - x1.sum;

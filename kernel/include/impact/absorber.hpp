@@ -310,7 +310,7 @@ class Absorber
       const Reading now = reading();
       const double unit = plan.units.si_penetration_unit(), rate = (now.v2 - now.v1) * plan.step / unit;
       const double share = plan.units.fraction(state_.impulse) / plan.units.fraction(plan.full);
-      return plan.friction * unit / 2 * (state_.slid.total() - share * rate);
+      return plan.friction * unit * (state_.slid.total() - share / 2 * rate);
     } else {
       return 0;
     }

@@ -80,7 +80,7 @@
 //           begin(plan, state, way), undo(plan, state)    at the start, and around a change of plan
 //           slides_on(plan, state, ball)    after a step: true where the same impulse as the last has acted again
 //           rub(plan, state, slid, ahead, limits)    otherwise; limits: any_impulse(plan), passive(plan, rate)
-//           dissipated(plan, state, rate)    by the last impulse, over the force
+//           dissipated(plan, state, rate)    half of it by the last impulse, over the force
 
 #include <stddef.h>
 #include <stdint.h>

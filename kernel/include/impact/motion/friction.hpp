@@ -37,8 +37,8 @@ struct NoFriction {
   struct FrictionPlan {};
 };
 
-// Beside an EnergyLedger: twice the way that has been slid, which times R is what friction has dissipated. It counts
-// like a penetration.
+// Beside an EnergyLedger: the way that has been slid, which times R is what friction has dissipated. It counts like a
+// penetration.
 template <class Format, bool is_counted>
 struct SlidWay {};
 template <class Format>
@@ -61,7 +61,7 @@ struct DryFriction : ScenePart {
     Gain main_share;                  // of an impulse, in dx1
     Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
     Gain rate_ahead;                  // the same in h v1
-    Gain by_full;                     // 1/(2 r)
+    Gain half_by_full;                // 1/(2 r)
     int spare_places;                 // of an impulse that is no more than r
     Long main_sliding, ball_sliding;  // of a ball that slides forward
     double friction;                  // R, N
@@ -101,12 +101,13 @@ struct DryFriction : ScenePart {
            Plan::FormatType::is_sound(state.lasting);
   }
 
-  // What the last impulse has dissipated at a rate of sliding, over R.
+  // Half of what the last impulse dissipates at a rate of sliding, over R.
   template <class Plan, class State, class Value>
-  static constexpr Value dissipated(const Plan& plan, const State& state, Value rate) {
+  static constexpr auto dissipated(const Plan& plan, const State& state, Value rate) {
     using Format = typename Plan::FormatType;
-    if (is_full(plan, state)) return mirrored(rate, !state.ball_push.is_negative());
-    return Format::value(twice(Format::rounded_product(plan.by_full * state.impulse, rate)));
+    const bool is_full = !is_positive(state.lasting - plan.lasting), back = !state.ball_push.is_negative();
+    return work(is_full ? mirrored(Format::value(Format::constant(0.5)), back) : plan.half_by_full * state.impulse,
+                rate);
   }
   // From a rest of both or a sliding, with half of the impulse; `way` is y.
   template <class Plan, class State, class Value>
@@ -171,10 +172,6 @@ struct DryFriction : ScenePart {
   }
 
  private:
-  template <class Plan, class State>
-  static constexpr bool is_full(const Plan& plan, const State& state) {
-    return !is_positive(state.lasting - plan.lasting);
-  }
   template <class State>
   [[gnu::always_inline]] static constexpr void push(State& state) {
     state.dx1.advance(state.main_push);

@@ -22,17 +22,19 @@ constexpr double four_fifths_octave = 1.741101126592248;  // 2^(4/5)
 constexpr double four_fifths_slope = four_fifths_octave - 1;
 constexpr double four_fifths_bend = 0.0578083562, four_fifths_skew = 0.0142990512;
 
+// 2^(-4r/5) 2^31 and 2^(4r/5), r = 0..4. (A function's own table would be copied to the stack.)
+inline constexpr uint32_t four_fifths_octaves_q31[5] = {2147483648u, 1233405466u, 708405415u, 406872067u, 233686637u};
+inline constexpr float four_fifths_octaves[5] = {1.0f, 1.74110113f, 3.03143313f, 5.27803164f, 9.18958684f};
+
 // floor(x / 5) for x up to 260
 constexpr uint32_t fifth_of(uint32_t x) { return x * 205 >> 10; }
 
 // (x / 2^31)^(4/5) 2^31 for x > 0, within 2 (precise: 4) besides.
 template <bool is_precise = false>
 constexpr uint32_t power_four_fifths_q31(uint32_t x) {
-  // 2^(-4r/5) 2^31, r = 0..4
-  constexpr uint32_t octaves[5] = {2147483648u, 1233405466u, 708405415u, 406872067u, 233686637u};
   constexpr auto slope = static_cast<uint32_t>(four_fifths_slope * 4294967296.0 + 0.5);
   const auto zeros = static_cast<uint32_t>(normalise<1>(x)), q = fifth_of(zeros);
-  const uint32_t start = octaves[zeros - 5 * q] >> (4 * q);
+  const uint32_t start = four_fifths_octaves_q31[zeros - 5 * q] >> (4 * q);
   const uint32_t f = x << 1, line = high_product(f, slope);
   if constexpr (!is_precise) return start + high_product(start, line);
   constexpr auto bend = static_cast<uint32_t>(four_fifths_bend * 4294967296.0 + 0.5),
@@ -43,12 +45,11 @@ constexpr uint32_t power_four_fifths_q31(uint32_t x) {
 // For normal floats; 0 for what is smaller and for x < 0.
 template <bool is_precise = false>
 inline float power_four_fifths(float x) {
-  constexpr float octaves[5] = {1.0f, 1.74110113f, 3.03143313f, 5.27803164f, 9.18958684f};
   const uint32_t bits = bits_of(x), biased = bits >> 23;
   if (biased - 1 >= 254) return 0;
   // 2^(biased - 127) = 2^(5 (q - 26) + r), q and r of biased + 3
   const uint32_t q = fifth_of(biased + 3);
-  const float start = octaves[biased + 3 - 5 * q] * float_of((127 - 104 + 4 * q) << 23);
+  const float start = four_fifths_octaves[biased + 3 - 5 * q] * float_of((127 - 104 + 4 * q) << 23);
   const float mantissa = float_of((bits & 0x007fffff) | 0x3f800000);
   const float f = mantissa - 1, line = static_cast<float>(four_fifths_slope) * f;
   if constexpr (!is_precise) return start + start * line;

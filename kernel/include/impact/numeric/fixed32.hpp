@@ -155,7 +155,7 @@ struct Fixed32 : Fixed32Numbers {
   }
   // Of the unit in which a number up to `largest` is a Value.
   static constexpr int exponent_of(double largest) { return impact::constant::exponent_above(largest); }
-  static constexpr Value power_of_two(int exponent) { return {INT32_C(1) << (31 + exponent)}; }
+  static constexpr Value power_of_two(int exponent) { return {opaque(INT32_C(1) << (31 + exponent))}; }
   // x / (x + a) for x >= 0
   struct Balance {
     uint32_t a;
@@ -167,7 +167,7 @@ struct Fixed32 : Fixed32Numbers {
     return {static_cast<uint32_t>(impact::constant::smaller(raw, 2147483647.0)), places};
   }
   static constexpr Unsigned<32> share(Value x, Balance balance) {
-    const Unsigned<31> part = {static_cast<uint32_t>(x.raw >> balance.places)};
+    const Unsigned<31> part = {opaque(static_cast<uint32_t>(x.raw >> balance.places))};
     return quotient(part, part + Unsigned<31>{balance.a});
   }
   // Held at 1.

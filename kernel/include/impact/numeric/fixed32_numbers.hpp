@@ -75,6 +75,12 @@ struct Fixed32Numbers {
       const int32_t most = gain.shift < -1 ? INT32_MAX >> (-1 - gain.shift) : INT32_MAX;
       return static_cast<const Gain&>(gain) * Value{x.raw > most ? most : x.raw < -most ? -most : x.raw};
     }
+    // Of a number that is known not to be negative.
+    friend constexpr Value operator*(HeldGain gain, Unsigned<31> x) {
+      const int32_t most = gain.shift < -1 ? INT32_MAX >> (-1 - gain.shift) : INT32_MAX;
+      const auto known = static_cast<int32_t>(x.raw);
+      return static_cast<const Gain&>(gain) * Value{known > most ? most : known};
+    }
   };
 
   // A gain that, where it shifts left, rounds down to the middle of two places: two instructions less.
@@ -107,6 +113,33 @@ struct Fixed32Numbers {
   // A Value that counts in 2^from as one that counts in 2^(from + places).
   static constexpr Value moved(Value x, int places) {
     return {places > 0 ? x.raw >> places : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -places)};
+  }
+
+  // Numbers in a unit 2^places times as fine for a while, where places < 0 as coarse.
+  struct OwnUnit {
+    int left, right;
+
+    constexpr Value own(Value x) const { return {static_cast<int32_t>(static_cast<uint32_t>(x.raw >> right) << left)}; }
+    constexpr Value common(Value x) const {
+      return {static_cast<int32_t>(static_cast<uint32_t>(x.raw >> left) << right)};
+    }
+  };
+  static constexpr OwnUnit own_unit(int places) { return {places > 0 ? places : 0, places > 0 ? 0 : -places}; }
+
+  // At most 1.
+  static constexpr Gain held_gain(Gain gain) { return gain.shift < -1 ? Gain{INT32_MAX, -1} : gain; }
+  // A held gain over 2^places, places > 0, rounded down: a shift that is known to go right.
+  struct Fraction {
+    int32_t mantissa;
+    int shift;
+
+    [[gnu::always_inline]] friend constexpr Value operator*(Fraction fraction, Value x) {
+      return {high_product(x.raw, fraction.mantissa) >> fraction.shift};
+    }
+  };
+  static constexpr Fraction fraction(Gain gain, int places) {
+    const int shift = gain.shift + places;
+    return {gain.mantissa, shift < 31 ? shift : 31};
   }
 };
 

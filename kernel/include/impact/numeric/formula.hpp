@@ -34,6 +34,10 @@ constexpr Real work(Real x, Other y) {
   return x * y;
 }
 template <class Real>
+constexpr Real afresh(Real x) {
+  return x;
+}
+template <class Real>
 constexpr Real difference(Real x, Real y) {
   return x - y;
 }

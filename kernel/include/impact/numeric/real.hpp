@@ -198,6 +198,13 @@ struct RealFormat {
     return gain / (divisor > least ? divisor : least);
   }
   static constexpr Value moved(Value x, int) { return x; }
+  struct OwnUnit {
+    static constexpr Value own(Value x) { return x; }
+    static constexpr Value common(Value x) { return x; }
+  };
+  static constexpr OwnUnit own_unit(int) { return {}; }
+  static constexpr Gain held_gain(Gain gain) { return gain; }
+  static constexpr Gain fraction(Gain gain, int) { return gain; }
   // A converter's counts are numbers like others.
   static constexpr int count_exponent = 0;
   static constexpr Value counted(int32_t counts) { return static_cast<Real>(counts); }

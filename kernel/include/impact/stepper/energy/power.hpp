@@ -98,7 +98,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
                                          : terms.damping_time / terms.step * power_of_two(unit.penetration);
     terms.damping_exponent = Format::exponent_of(constant::smaller(constant::larger(largest, 1), 0x1p20));
     return {answer.gains<Format>(terms.force_unit, unit),
-            Weight{damping_gain<Format, ContactLaw>(terms, unit)},
+            Weight{Format::held_gain(damping_gain<Format, ContactLaw>(terms, unit))},
             {},
             false,
             Stiff::Plan::make(compliance * power_of_two(-unit.penetration),

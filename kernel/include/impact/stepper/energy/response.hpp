@@ -56,10 +56,9 @@ struct ConstantForceResponse {
 template <class Format>
 constexpr typename Format::Value positive_root(typename Format::Value b, typename Format::Value y,
                                                typename Format::Value z) {
-  const int places = Format::spare_places(b, y, z);
-  const auto moved = [places](auto x) { return Format::moved(x, -places); };
-  const auto squares = square(moved(b)) + without_sign(moved(y)) * without_sign(moved(z));
-  return Format::moved(Format::value(Format::root_of_product(squares)) - moved(b), places);
+  const auto unit = Format::own_unit(Format::spare_places(b, y, z));
+  const auto squares = square(unit.own(b)) + without_sign(unit.own(y)) * without_sign(unit.own(z));
+  return unit.common(Format::value(Format::root_of_product(squares)) - unit.own(b));
 }
 
 }  // namespace impact

@@ -16,8 +16,8 @@
 //
 // is the step whose force is the difference quotient of the potential. t hardly hangs on the end: t^2 = (5/8) G sqrt(d)
 // at the mean d of d0 and d1, or for a ball that enters from d0 < 0, (2/5) G sqrt(d1) times the square of
-// d1/(d1 - d0). d1 is taken for that as the free end d0 + D or, where that is beyond it, K (V0 + D/2)^(4/5), which no
-// step passes. An elastic contact ends late by less than a step, by 0.1 step where it lasts 5
+// d1/(d1 - d0). d1 is taken for that as the free end d0 + D or, where that is beyond it, K (V0 + D/2)^(4/5) to 1 %,
+// which no step passes. An elastic contact ends late by less than a step, by 0.1 step where it lasts 5
 // (tests/host/energy_test.cpp).
 //
 // Hunt-Crossley. Spring, drive and field change the rate by 2 p in the step, from D - p to D + p - 2 b. With the
@@ -33,7 +33,7 @@
 // the angle:
 //
 //     q = 2 W/(B + (B^2 + 4 C W cos^2)^(1/2))        B = 1 - C sin V0
-//     k = (x/3) (1 + n1 x^2 + n2 x^4)/(1 + d1 x^2 + d2 x^4)
+//     k = (x/3) (n0 + (1 - n0 - n1 x^2)/(1 - d1 x^2 + d2 x^4))
 //
 // k is right within 0.36 % up to x = 0.99, and x is held at 0.999. This costs the restitution less than 6e-4 at any
 // number of steps per contact, for restitutions from 0.05 to 1. 1 + A <= 0 says that the ball leaves faster than the
@@ -114,30 +114,48 @@ struct StiffContact {
     int places = Format::spare_places(travel, rate, press);
     if (is_in_field && Format::spare_places(field, field, field) < places)
       places = Format::spare_places(field, field, field);
-    const int exponent = is_per_impact || places < 0  ? plan.exponent
-                         : plan.exponent - places > 2 ? plan.exponent - places
-                                                      : 2;
-    return Scaled{
-        *this,    Format::moved(travel, -places), Format::moved(rate, -places), Format::moved(press, -places), places,
-        exponent, Format::power_of_two(-exponent)}
+    const int least = plan.exponent - places, exponent = is_per_impact ? plan.exponent : least > 2 ? least : 2;
+    const auto unit = Format::own_unit(places);
+    return Scaled{*this,
+                  unit,
+                  unit.own(travel),
+                  unit.own(rate),
+                  unit.own(press),
+                  factor(exponent - least),
+                  places,
+                  exponent,
+                  Format::power_of_two(-exponent)}
         .template end<is_in_field>();
   }
 
  private:
+  // Of a length in the step's own unit to a number in 2^exponent.
+  [[gnu::always_inline]] constexpr auto factor(int places) const {
+    if constexpr (is_per_impact)
+      return damping;
+    else
+      return Format::fraction(damping, 2 + places);
+  }
+
   struct Scaled {
     const StiffContact& step;
+    typename Format::OwnUnit unit;
     Value d, v, press;  // D, V0, p
+    decltype(step.factor(0)) damping;
     int places, exponent;
     Value one;
 
     // C x, in 2^exponent. The gain of a damping that is set per impact holds what would not fit as it is.
     [[gnu::always_inline]] constexpr Value number(Value x) const {
-      if constexpr (is_per_impact) return Format::moved(step.damping * unscaled(x), 2);
-      return Format::moved(step.damping * x, 2 + places + exponent - step.plan.exponent);
+      if constexpr (is_per_impact)
+        return Format::moved(damping * unscaled(x), 2);
+      else
+        return damping * x;
     }
-    [[gnu::always_inline]] constexpr Value unscaled(Value x) const { return Format::moved(x, places); }
+    [[gnu::always_inline]] constexpr Value unscaled(Value x) const { return unit.common(x); }
+    template <bool is_precise>
     [[gnu::always_inline]] constexpr Value depth_of(Value v1) const {
-      return step.plan.depth * Format::template power_four_fifths<true>(v1);
+      return step.plan.depth * without_sign(Format::template power_four_fifths<is_precise>(v1));
     }
 
     template <bool is_in_field>
@@ -156,7 +174,8 @@ struct StiffContact {
     template <bool is_in_field>
     [[gnu::always_inline]] constexpr bool stays(End& end, Value base) const {
       if (step.is_inside && !is_positive(step.trial)) return false;
-      const Value deepest = depth_of(unscaled(v + Format::value(half(is_positive(d) ? d : Value{}))));
+      const Value most = unscaled(v + Format::value(half(is_positive(d) ? d : Value{})));
+      const Value deepest = is_positive(most) ? depth_of<false>(most) : Value{};
       const auto sine =
           Format::share(phase_at(is_positive(step.trial - deepest) ? deepest : step.trial), step.plan.ease);
       const auto cosine = Format::constant(1) - sine;  // both squared, of half the angle
@@ -172,12 +191,12 @@ struct StiffContact {
       }
       end.recoil = unscaled(back);
       if (step.is_inside && is_positive(end.recoil - step.trial)) return false;
-      Value left = square_of(v) + Format::value(q * (d - back));
+      Value left = square_of(v) + Format::value(afresh(q) * (d - back));
       if constexpr (is_damped)
-        if (is_positive(left)) left = left - Format::value(q * correction(slowing_part(q, back)));
+        if (is_positive(left)) left = left - Format::value(afresh(q) * correction(slowing_part(q, back)));
       if (!is_positive(left)) return false;
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
-      end.penetration = depth_of(end.rate);
+      end.penetration = depth_of<true>(end.rate);
       if constexpr (is_in_field) pay_for_correction(end);
       end.is_inside = is_positive(end.rate);
       return true;
@@ -202,14 +221,14 @@ struct StiffContact {
       paid.rate = unscaled(half_rate - less);
       if (!is_positive(paid.rate)) return;
       paid.recoil = unscaled(back + more);
-      paid.penetration = depth_of(paid.rate);
+      paid.penetration = depth_of<true>(paid.rate);
       const Value moved_now = moved_to(paid);
       if (Format::spare_places(moved_now, moved_now, moved_now) < places) return;
       const Value left = -Format::value(less * (half_rate + half_rate - less)) -
                          Format::value(more * (d - back - back - more)) - Format::value(field * scaled(moved_now));
       if (!is_positive(mirrored(left, is_negative(left)) - gained)) end = paid;
     }
-    [[gnu::always_inline]] constexpr Value scaled(Value x) const { return Format::moved(x, -places); }
+    [[gnu::always_inline]] constexpr Value scaled(Value x) const { return unit.own(x); }
     // The correction.
     [[gnu::always_inline]] constexpr Value moved_to(const End& end) const {
       return end.penetration - (step.trial - end.recoil);
@@ -238,8 +257,8 @@ struct StiffContact {
       const auto squares = square(linear) + without_sign(one * Format::value(twice(twice(number(whole) * cosine))));
       const Value sum = linear + Format::value(Format::root_of_product(squares));
       const auto part = Format::rough_quotient(without_sign(one), without_sign(is_positive(sum - one) ? sum : one));
-      const Value q = Format::value(twice(whole * part));
-      const Value u = number(q), most = Format::value(one * Format::constant(0.999));
+      const Value q = Format::value(twice(afresh(whole) * part));
+      const Value u = number(q), most = most_slowing();
       if (!is_positive(u - most)) return q;
       // x of a u that is pressed: u (1 - P) - P, with P = C p/(1 + A)
       const Value room = is_positive(press) ? base - number(press) : base;
@@ -251,25 +270,26 @@ struct StiffContact {
     }
     // k(x) x/C from x/C
     [[gnu::always_inline]] constexpr Value correction(Value slowed) const {
-      const Value x = number(slowed), most = Format::value(one * Format::constant(0.999));
-      return Format::value(
-          twice(twice(slowed * quarter_correction(Format::moved(is_positive(x - most) ? most : x, -exponent)))));
+      const Value x = number(slowed), most = most_slowing();
+      return Format::value(twice(
+          twice(afresh(slowed) * quarter_correction(Format::moved(is_positive(x - most) ? most : x, -exponent)))));
     }
+    // 0.999
+    constexpr Value most_slowing() const { return Format::value(twice(one * Format::short_constant(0.4995))); }
     // x/C
     [[gnu::always_inline]] constexpr Value slowing_part(Value q, Value back) const {
       if (!is_positive(press)) return q;
       if (!is_positive(back - press)) return Value{};
-      return q - Format::value(q * Format::rough_quotient(without_sign(press), without_sign(back)));
+      return q - Format::value(afresh(q) * Format::rough_quotient(without_sign(press), without_sign(back)));
     }
 
-    // k(x)/4 = (2/3) x (1 + n1 x^2 + n2 x^4)/(8 + 8 d1 x^2 + 8 d2 x^4)
-    [[gnu::always_inline]] static constexpr Value quarter_correction(Value u) {
-      const auto v = square(u);
-      const auto upper =
-          Format::constant(1.0 / 16) - v * (Format::constant(1.049636 / 16) - Format::constant(0.116728 / 16) * v);
-      const auto lower =
-          Format::constant(0.5) - v * (Format::constant(1.649636 / 2) - Format::constant(0.659117 / 2) * v);
-      return Format::value(u * Format::rough_quotient(upper, lower) * Format::constant(2.0 / 3));
+    // k(x)/4, from w = x^2/4
+    [[gnu::always_inline]] static constexpr Value quarter_correction(Value x) {
+      constexpr double n0 = 0.1770975, n1 = 0.7574895, d1 = 1.649636, d2 = 0.659117;
+      const auto w = square(half(x));
+      const auto upper = Format::constant((1 - n0) / 192) - Format::constant(n1 / 48) * w;
+      const auto lower = Format::constant(1.0 / 16) - w * (Format::constant(d1 / 4) - Format::constant(d2) * w);
+      return Format::value(x * (Format::rough_quotient(upper, lower) + Format::constant(n0 / 12)));
     }
 
     [[gnu::always_inline]] constexpr End leave(Value damped, Value base) const {

@@ -112,21 +112,11 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
       break;
     }
   }
-  bounds = {1e-6, 1e-6, 1e-6, larger(1e-6, largest_sample(request)), base_bound(request)};
-  const auto note = [&bounds, &planned] {
-    const Sample now = planned.simulation->sample();
-    bounds.displacement = larger(bounds.displacement, margin * larger(std::abs(now.x1), std::abs(now.x2)));
-    bounds.speed = larger(bounds.speed, margin * larger(std::abs(now.v1), std::abs(now.v2)));
-    bounds.penetration = larger(bounds.penetration, margin * now.penetration);
-  };
-  const long steps = step_count(request);
-  note();
-  for (long i = 0; i < steps; ++i) {
-    const auto n = static_cast<size_t>(i);
-    planned.simulation->step(request.samples.empty() ? 0 : request.samples[n],
-                             request.base_samples.empty() ? 0 : request.base_samples[n]);
-    note();
-  }
+  const auto from = [](const std::vector<double>& samples) { return samples.empty() ? nullptr : samples.data(); };
+  const Reach reach = planned.simulation->reach(step_count(request), from(request.samples), from(request.base_samples));
+  const auto held = [](double reached) { return larger(1e-6, margin * reached); };
+  bounds = {held(reach.displacement), held(reach.speed), held(reach.penetration), larger(1e-6, largest_sample(request)),
+            base_bound(request)};
   bounds.displacement =
       std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * asked_step});
   for (double* bound : {&bounds.displacement, &bounds.speed, &bounds.penetration})
@@ -140,12 +130,15 @@ Settled settled(const Request& asked, bool may_run) {
   if (asked.drive == DriveKind::none) request.scene.drive_amplitude = 0;  // no plan is to make room for it
   if (!asked.bounds) request.bounds = estimated_bounds(asked);
   if (result.is_automatic) request.stepper = chosen(request);
-  // The speed is of no matter to a stepper that was named and may be taken, and none is finer than Moment.
-  result.planned = plan(request);
-  const PlanStatus status = result.planned.status;
-  const bool is_too_fast = status == PlanStatus::steps_per_contact || status == PlanStatus::contact_time;
-  const bool is_coarse = result.is_automatic && request.stepper != Stepper::moment;
-  if (asked.bounds || !may_run || !(request.numeric == Numeric::fixed32 || is_too_fast || is_coarse)) return result;
+  const bool may_measure = !asked.bounds && may_run;
+  if (!(may_measure && request.numeric == Numeric::fixed32)) {
+    // The speed is of no matter to a stepper that was named and may be taken, and none is finer than Moment.
+    result.planned = plan(request);
+    const PlanStatus status = result.planned.status;
+    const bool is_too_fast = status == PlanStatus::steps_per_contact || status == PlanStatus::contact_time;
+    const bool is_coarse = result.is_automatic && request.stepper != Stepper::moment;
+    if (!(may_measure && (is_too_fast || is_coarse))) return result;
+  }
 
   Bounds bounds{};
   result.planned.status = measure_bounds(request, bounds);

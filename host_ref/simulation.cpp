@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host_ref/extremes.hpp"
 #include "host_ref/limits.hpp"
 #include "host_ref/refusal.hpp"
 #include "host_ref/settled.hpp"
@@ -140,6 +141,18 @@ long Simulation::run(long steps, const double* forces, double* x1, const double*
     x1[n] = sample().x1;
   }
   return steps;
+}
+
+Reach Simulation::reach(long steps, const double* forces, const double* base) {
+  Reach reach;
+  for (long n = 0;; ++n) {
+    const Sample now = sample();
+    reach.displacement = larger(reach.displacement, larger(std::abs(now.x1), std::abs(now.x2)));
+    reach.speed = larger(reach.speed, larger(std::abs(now.v1), std::abs(now.v2)));
+    reach.penetration = larger(reach.penetration, now.penetration);
+    if (n == steps) return reach;
+    step(forces ? forces[n] : 0, base ? base[n] : 0);
+  }
 }
 
 Outcome make_simulation(const Request& request) {

@@ -51,6 +51,11 @@ struct Sample {
   double peak_force = 0;           // largest contact force since the start, N
 };
 
+// The largest of both masses' displacements and speeds, and the deepest penetration; m and m/s.
+struct Reach {
+  double displacement = 0, speed = 0, penetration = 0;
+};
+
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -58,6 +63,10 @@ class Simulation {
   virtual void step(double force, double base = 0) = 0;
   virtual Sample sample() const = 0;      // the state now
   virtual const char* fault() const = 0;  // nullptr, or why the state is no longer to be trusted
+
+  // Of as many steps at once, and of the state before them, whatever faults they raise; `forces` and `base` may be
+  // null.
+  virtual Reach reach(long steps, const double* forces, const double* base);
 
   // As many steps at once, with x1 at the end of each; `forces` and `base` may be null. Stops behind a step that raises
   // a fault, and returns how many raised none.

@@ -62,6 +62,23 @@ class KernelSimulation final : public Simulation {
     return steps;
   }
 
+  // The same as by sample(), without what that reads besides; only float64 runs for it.
+  Reach reach(long steps, const double* forces, const double* base) override {
+    if constexpr (!std::is_same_v<Format, Float64>) {
+      return Simulation::reach(steps, forces, base);
+    } else {
+      Reach reach;
+      for (long n = 0;; ++n) {
+        const auto now = kernel_.reading();
+        reach.displacement = larger(reach.displacement, larger(std::abs(now.x1), std::abs(now.x2)));
+        reach.speed = larger(reach.speed, larger(std::abs(now.v1), std::abs(now.v2)));
+        reach.penetration = larger(reach.penetration, penetration(now.x2 - now.x1));
+        if (n == steps) return reach;
+        advance(forces ? forces[n] : 0, base ? base[n] : 0);
+      }
+    }
+  }
+
   Sample sample() const override {
     const auto now = kernel_.reading();
     const auto& state = kernel_.state();
@@ -75,17 +92,13 @@ class KernelSimulation final : public Simulation {
     sample.v1 = now.v1;
     sample.x2 = now.x2;
     sample.v2 = now.v2;
-    const double y = now.x2 - now.x1, gap = scene.clearance / 2;
-    sample.penetration = scene.stops == Stops::right  ? y - gap
-                         : scene.stops == Stops::left ? -y - gap
-                                                      : std::abs(y) - gap;
+    sample.penetration = penetration(now.x2 - now.x1);
     if constexpr (detail::is_one_of<ContactForce, Parts...>) {
       sample.contact_force = std::abs(plan.units.fraction(state.contact_force)) * plan.force_unit;
     } else if constexpr (Kernel::Contact::is_instantaneous) {
       // The mean over the last step.
       sample.contact_force = scene.ball_mass * std::abs(now.v2 - v2_before_) / step_;
     } else if (kernel_.is_touching()) {
-      sample.penetration = side * y - gap;
       // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
       const double depth = ContactLaw::is_linear ? sample.penetration : larger(sample.penetration, 0.0);
       sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, side * (now.v2 - now.v1));
@@ -122,6 +135,13 @@ class KernelSimulation final : public Simulation {
   }
 
  private:
+  // By x2 - x1; of the stop that is touched, where one is.
+  double penetration(double y) const {
+    const double gap = scene_.clearance / 2;
+    constexpr bool is_impulse = detail::is_one_of<ContactForce, Parts...> || Kernel::Contact::is_instantaneous;
+    if (!is_impulse && kernel_.is_touching()) return (kernel_.state().at_left ? -1 : 1) * y - gap;
+    return scene_.stops == Stops::right ? y - gap : scene_.stops == Stops::left ? -y - gap : std::abs(y) - gap;
+  }
   // The mean force of an impact that may have come and gone within a step is had from what the ball has felt.
   void note_ball() {
     if constexpr (Kernel::Contact::is_instantaneous) v2_before_ = kernel_.reading().v2;

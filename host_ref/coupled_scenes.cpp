@@ -221,6 +221,15 @@ std::string text_of(const Request& request) {
   return text;
 }
 
+// What friction's ledger may have too much of in a step in which the sliding begins, turns or ends, or is about to:
+// that of R, over a way of no more than friction stops in a step, or of what the rate changes by in it.
+double missed_by_friction(const Scene& scene, double h, double slid, double slides) {
+  const double stopped = scene.ball_friction * h * (1 / scene.main_mass + 1 / scene.ball_mass), rest = stopped / 50;
+  const bool goes_on = slid * slides > 0 && std::abs(slid) > stopped && std::abs(slides) > stopped;
+  const bool is_held = std::abs(slid) <= rest && std::abs(slides) <= rest;
+  return goes_on || is_held ? 0 : scene.ball_friction * h * larger(std::abs(slides - slid), stopped) / 2;
+}
+
 CoupledRun run_coupled(const CoupledScene& found) {
   CoupledRun result;
   const Outcome outcome = make_simulation(found.request);
@@ -252,11 +261,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
     }
     if (is_in_field || drive != DriveKind::none)
       work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_to(now.x1, on_main);
-    const double slid = before.v2 - before.v1, slides = now.v2 - now.v1, change = std::abs(slides - slid),
-                 by_friction = scene.ball_friction * h * (1 / mass + 1 / ball);
-    const bool is_held = !(change > 1e-6 * by_friction);
-    if (scene.ball_friction > 0 && !(slides * slid > 0) && !is_held)
-      missed += scene.ball_friction * h * (change + by_friction) / 8;
+    missed += missed_by_friction(scene, h, before.v2 - before.v1, now.v2 - now.v1);
     most_work = larger(most_work, work);
     const double scale = found.energy + most_work, energy = energy_of(scene, now);
     // While touching some of it is in the contact; no number is a gain without end.

@@ -1,6 +1,7 @@
 #include "host_ref/refusal.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <impact/explain.hpp>
 #include <optional>
 #include <tuple>
@@ -130,6 +131,7 @@ Refusal refusal_of(const Request& asked, const Settled& settled) {
   const Values values{request.scene, *request.bounds, request.step};
   const Explanation found = explained(asked, settled);
   const std::string option = option_named(found.parameter), value = shortest_text(found.value);
+  if (std::isnan(found.value)) return {option, value, "a number"};
   if (!found.allowed.holds(found.value))
     if (const std::string allowed = allowed_text(asked, found); !allowed.empty()) return {option, value, allowed};
   if (const std::string step = shorter_step(asked); !step.empty())

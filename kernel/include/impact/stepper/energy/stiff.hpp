@@ -206,12 +206,12 @@ struct StiffContact {
     [[gnu::always_inline]] constexpr void pay_for_correction(End& end) const {
       const Value moved = moved_to(end);
       if (Format::spare_places(moved, moved, moved) < places || !is_positive(end.rate)) return;
-      const Value field = scaled(step.field), half_rate = scaled(end.rate), back = scaled(end.recoil),
-                  gained = -Format::value(field * scaled(moved));
-      const Value by_back = Format::value(quarter(d + field)) - Format::value(half(back));
+      const Value own_field = scaled(step.field), half_rate = scaled(end.rate), back = scaled(end.recoil),
+                  gained = -Format::value(own_field * scaled(moved));
+      const Value by_back = Format::value(quarter(d + own_field)) - Format::value(half(back));
       const Value by_rate =
           Format::value(half(half_rate)) -
-          Format::value(ratio(Format::value(field * end.penetration), end.rate) * Format::constant(0.2));
+          Format::value(ratio(Format::value(own_field * end.penetration), end.rate) * Format::constant(0.2));
       const Value steepest = Format::value(Format::root_of_product(square(by_back) + square(by_rate)));
       if (!is_positive(gained) || !is_positive(steepest)) return;
       const Value size = Format::value(quarter(ratio(gained, steepest)));
@@ -225,7 +225,7 @@ struct StiffContact {
       const Value moved_now = moved_to(paid);
       if (Format::spare_places(moved_now, moved_now, moved_now) < places) return;
       const Value left = -Format::value(less * (half_rate + half_rate - less)) -
-                         Format::value(more * (d - back - back - more)) - Format::value(field * scaled(moved_now));
+                         Format::value(more * (d - back - back - more)) - Format::value(own_field * scaled(moved_now));
       if (!is_positive(mirrored(left, is_negative(left)) - gained)) end = paid;
     }
     [[gnu::always_inline]] constexpr Value scaled(Value x) const { return unit.own(x); }

@@ -242,8 +242,9 @@ class Absorber
 
   // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
   // of displacement() and velocity(). At most half a unit of each; a state that leaves its range is held, with a fault.
-  // A contact under way goes on from the corrected penetration, with its damping; a ledger counts what a correction
-  // does to the stored energy as dissipated, and nothing as the drive's work.
+  // A contact under way goes on from the corrected penetration, with its damping: one that is set at each impact can be
+  // too much for the step where a correction takes a slow impact far deeper than it would go. A ledger counts what a
+  // correction does to the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;

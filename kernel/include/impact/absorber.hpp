@@ -242,9 +242,9 @@ class Absorber
 
   // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
   // of displacement() and velocity(). At most half a unit of each; a state that leaves its range is held, with a fault.
-  // A contact under way goes on from the corrected penetration, with its damping: one that is set at each impact can be
-  // too much for the step where a correction takes a slow impact far deeper than it would go. A ledger counts what a
-  // correction does to the stored energy as dissipated, and nothing as the drive's work.
+  // A contact under way goes on from the corrected penetration; a damping that was set at its impact is held to what a
+  // step bears there (law/impact_damping.hpp). A ball in flight that a correction puts into a stop stands at that stop.
+  // A ledger counts what a correction does to the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
@@ -254,7 +254,12 @@ class Absorber
     units.add_position(state_.x1, dx);
     units.add_displacement(state_.dx1, du);
     units.add(state_.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
-    if (!hold_in_range() && state_.contact.phase != Phase::apart) touch_anew();
+    if (!hold_in_range()) {
+      if (state_.contact.phase != Phase::apart)
+        touch_anew();
+      else
+        push_out();
+    }
     (Features::after_correction(state_), ...);
     publish();
   }
@@ -465,13 +470,21 @@ class Absorber
   }
   constexpr bool at_left() const { return plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop; }
 
-  // The contact under way as if it stood so from its beginning; its damping stays.
+  // A ball in flight that a correction has put into a stop stands at it.
+  constexpr void push_out() {
+    const bool left = is_at_left();
+    if (is_positive(plan.units.penetration(mirrored(state_.x2 - state_.x1, left))))
+      state_.x2 = plan.units.stop(state_.x1, left);
+  }
+
+  // The contact under way as if it stood so from its beginning; its damping stays, as far as a step bears it.
   constexpr void touch_anew() {
     const Contact before = state_.contact;
     const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left()));
     if (is_positive(inside)) {
-      state_.contact.start(plan.contact, plan.units, inside, relative_rate(at_left()));
-      if constexpr (has_own_damping) state_.contact.own_damping = before.own_damping;
+      const Value rate = relative_rate(at_left());
+      state_.contact.start(plan.contact, plan.units, inside, rate);
+      if constexpr (has_own_damping) state_.contact.keep_damping(plan.contact, before, inside, rate);
       state_.contact.phase = before.phase;
     } else {
       state_.contact.phase = Phase::apart;

@@ -19,6 +19,15 @@ constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const Un
 // The rate below which an impact is damped as one at this rate, in penetrations per step. A slow impact of the speed v
 // that is then pressed in by an acceleration A (depth.hpp) has at its deepest the damping h c/mu = (5/2) a h A/v: where
 // this would pass what the treatment bears (`largest`), the press has long outweighed the impact's own speed.
+//
+// A contact that a correction has put to the penetration d and the rate V is damped as an impact of at least the rate
+// (`rate_by_shape`) at which z = h c/mu = h c1 x^(3/2)/mu is no more than L' at x = d + V h. The damper alone stops it
+// at
+//
+//     z^(5/3) = z(d)^(5/3) + (5/2) z(V h)^(2/3) <= (5/2) L'^(2/3)        L' <= 5/2
+//
+// which is 4/5 of what the treatment bears, L, for L' = (2/5)^(3/2) (4 L/5)^(5/2); in a step it goes a fifth further.
+// No impact within the bounds is faster than the unit of rates.
 template <class Format, bool is_per_impact>
 struct SlowestImpact {
   static constexpr SlowestImpact make(const ContactTerms&, const UnitExponents&, double) { return {}; }
@@ -26,10 +35,15 @@ struct SlowestImpact {
 template <class Format>
 struct SlowestImpact<Format, true> {
   typename Format::Value rate;
+  typename Format::HeldGain rate_by_shape;
 
   static constexpr SlowestImpact make(const ContactTerms& terms, const UnitExponents& unit, double largest) {
-    const double rate = 2.5 * terms.damping_ratio * terms.pressing * terms.step * terms.step / largest;
-    return {Format::sample(rate * constant::power_of_two(-unit.penetration))};
+    const double impact = terms.damping_ratio * terms.step * terms.step,
+                 bears = 0.4 * constant::square_root(0.4) * constant::power(0.8 * largest, 2.5),
+                 shape = impact / bears * terms.stiffness / terms.reduced_mass(),
+                 penetration = constant::power_of_two(unit.penetration);
+    return {Format::sample(2.5 * impact * terms.pressing / largest / penetration),
+            {Format::gain(shape * constant::square_root(penetration), 0, 0)}};
   }
 };
 
@@ -58,6 +72,17 @@ struct ImpactDamping<Format, true> {
                        typename Format::Value rate) {
     const auto held = is_positive(rate - slowest.rate) ? rate : slowest.rate;
     own_damping = {is_positive(rate) ? Format::gain_over(share, held) : typename Format::Gain{}};
+  }
+  // The damping that the contact had, as far as a step bears it at the penetration `at` and this rate.
+  constexpr void keep(Damping before, const SlowestImpact<Format, true>& slowest, typename Format::Gain share,
+                      typename Format::Value at, typename Format::Value rate) {
+    const auto x = is_positive(rate) ? Format::Units::held_sum(at, rate) : at;
+    auto least = slowest.rate_by_shape * Format::value(Format::root(x) * without_sign(x));
+    if (is_positive(rate - least)) least = rate;
+    own_damping = before;
+    // c1 V/k1 of an impact at that rate, which is a where it is its own
+    if (is_positive(least) && !is_positive(share * Format::sample(1) - before * least))
+      own_damping = {Format::gain_over(share, least)};
   }
 };
 

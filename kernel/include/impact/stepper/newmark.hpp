@@ -125,6 +125,9 @@ struct Pointwise {
         force = Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate));
       }
     }
+    constexpr void keep_damping(const Plan&, const Contact& before, Value, Value) {
+      this->own_damping = before.own_damping;
+    }
 
    private:
     constexpr auto damping(const Plan& plan) const {

@@ -1,0 +1,141 @@
+// An observer's corrections at random, of any size within the bounds: in flight, into a stop, and in a contact whose
+// damping was set at its own impact and would be too much for a step where a correction takes it. What follows makes no
+// energy.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <impact/absorber.hpp>
+#include <random>
+#include <type_traits>
+
+#include "host_ref/extremes.hpp"
+
+namespace impact {
+namespace {
+
+template <class Format>
+typename Format::Value native(double x, double unit) {
+  if constexpr (std::is_same_v<Format, Fixed32>)
+    return {static_cast<int32_t>(std::lround(std::fmin(0.49, std::fmax(-0.49, x / unit)) * 0x1p31))};
+  else
+    return static_cast<typename Format::Value>(x / unit);
+}
+
+// Numbers from 0 to 1, the same on every machine.
+struct Chance {
+  std::mt19937 bits{5};
+
+  double operator()() { return static_cast<uint32_t>(bits()) * 0x1p-32; }
+  double between(double least, double most) { return least * std::pow(most / least, (*this)()); }
+  bool is(double share) { return (*this)() < share; }
+};
+
+struct Corrected {
+  Scene scene;
+  Bounds bounds;
+  double step;
+};
+// Undriven, by a main spring that is weak or none, and of 4 to 400 steps in the contact of the fastest impact; most
+// impacts are far slower.
+Corrected at_random(Chance& chance) {
+  Corrected result;
+  Scene& scene = result.scene;
+  scene.main_mass = chance.between(0.01, 100);
+  scene.ball_mass = scene.main_mass * chance.between(1e-3, 30);
+  scene.clearance = chance.between(1e-3, 0.1);
+  scene.restitution = chance.between(0.02, 0.98);
+  scene.stops = chance.is(0.5) ? Stops::both : Stops::right;
+  scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+  result.step = chance.between(1e-6, 1e-2);
+  const double w0 = chance.is(0.5) ? 0 : chance.between(1e-6, 0.5) / result.step;
+  scene.main_stiffness = scene.main_mass * w0 * w0;
+  Bounds& bounds = result.bounds;
+  bounds.displacement = chance.between(0.01, 1);
+  bounds.speed = chance.between(0.01, 5);
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), speed = 2 * bounds.speed;
+  const double contact_time = chance.between(4, 400) * result.step;
+  scene.contact_stiffness = mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(speed);
+  scene.x2 = scene.clearance / 2;
+  scene.v2 = bounds.speed * chance.between(1e-6, 0.9);
+  return result;
+}
+
+// Of both masses, the main spring and what the stop stores, J.
+double energy_of(const Scene& scene, double x1, double v1, double x2, double v2, bool is_touching) {
+  const double apart = scene.stops == Stops::right ? x2 - x1 : std::abs(x2 - x1), d = apart - scene.clearance / 2;
+  const double stored = is_touching && d > 0 ? 0.4 * scene.contact_stiffness * d * d * std::sqrt(d) : 0;
+  return (scene.main_mass * v1 * v1 + scene.ball_mass * v2 * v2 + scene.main_stiffness * x1 * x1) / 2 + stored;
+}
+
+template <class Format_, class ContactLaw_, class Stepper_>
+struct Case {
+  using Format = Format_;
+  using ContactLaw = ContactLaw_;
+  using Kernel = Absorber<AtRunTime, ContactLaw_, Stepper_, NoDrive, Format_>;
+};
+template <class Case>
+class Corrections : public testing::Test {};
+TYPED_TEST_SUITE_P(Corrections);
+
+TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
+  using Format = typename TypeParam::Format;
+  using Kernel = typename TypeParam::Kernel;
+  // Of the bounds' energy, what rounding may add up to.
+  constexpr double rounded = std::is_same_v<Format, Float64> ? 1e-7 : std::is_same_v<Format, Float32> ? 1e-6 : 1e-5;
+  Chance chance;
+  int accepted = 0, corrected = 0;
+  double worst = 0;
+  for (int index = 0; index < 400; ++index) {
+    const auto [scene, bounds, step] = at_random(chance);
+    Kernel kernel(Kernel::PlanType::make(scene, bounds, step));
+    if (kernel.fault() == Fault::plan) continue;
+    const double deepest = contact_terms<typename TypeParam::ContactLaw>(scene, bounds).deepest,
+                 gap = scene.clearance / 2;
+    // Float32Plain's positions must resolve a penetration.
+    if (std::is_same_v<Format, Float32Plain> && deepest < 1e-2 * gap) continue;
+    ++accepted;
+    const double of_bounds = (scene.main_mass + scene.ball_mass) * bounds.speed * bounds.speed / 2;
+    double energy = 1e300;
+    for (int i = 0; i < 500; ++i) {
+      if (chance.is(kernel.is_touching() ? 0.3 : 0.1)) {
+        const auto now = kernel.reading();
+        const double side = now.x2 < now.x1 ? -1 : 1, to_stop = now.x2 - now.x1 - side * gap;
+        const double depth = chance.is(0.7) ? deepest * chance.between(1e-4, 0.99) : 0;
+        double dx = depth > 0 ? to_stop - side * depth : 0;
+        if (std::abs(now.x1 + dx) > 0.95 * bounds.displacement) dx = 0;
+        const double speed = bounds.speed * chance.between(1e-3, 0.9);
+        const double dv = chance.is(0.5) ? (chance.is(0.5) ? speed : -speed) - now.v1 : 0;
+        kernel.correct(native<Format>(dx, kernel.displacement_unit()), native<Format>(dv, kernel.velocity_unit()));
+        const auto then = kernel.reading();
+        energy = energy_of(scene, then.x1, then.v1, then.x2, then.v2, kernel.is_touching());
+        ++corrected;
+      }
+      kernel.step();
+      const auto now = kernel.reading();
+      if (!(std::abs(now.v1) < bounds.speed && std::abs(now.v2) < bounds.speed &&
+            std::abs(now.x1) < bounds.displacement && std::abs(now.x2) < bounds.displacement))
+        break;
+      const double made = energy_of(scene, now.x1, now.v1, now.x2, now.v2, kernel.is_touching()) - energy;
+      const double gain = made / (energy + 100 * rounded * of_bounds);
+      worst = host::larger(worst, gain);
+      EXPECT_LE(gain, 0.01) << index << ", step " << i;
+      if (!(gain <= 0.01)) break;
+    }
+  }
+  std::printf("  %d scenes, %d corrections, largest gain %.2g\n", accepted, corrected, worst);
+  EXPECT_GE(accepted, 100);
+  EXPECT_GE(corrected, 5000);
+}
+REGISTER_TYPED_TEST_SUITE_P(Corrections, MakeNoEnergyBeyondTheirOwn);
+template <class Format>
+using CasesOf = testing::Types<Case<Format, Exact, Moment>, Case<Format, Exact, SubsteppedMoment<4>>,
+                               Case<Format, Exact, EnergyConsistent>, Case<Format, Hertz, Moment>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(InFixed32, Corrections, CasesOf<Fixed32>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, CasesOf<Float32>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, CasesOf<Float32Plain>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
+
+}  // namespace
+}  // namespace impact

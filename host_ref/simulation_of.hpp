@@ -172,7 +172,9 @@ class KernelSimulation final : public Simulation {
   }
   // reading().x1, without making its unit at every step.
   double displacement() const {
-    if constexpr (std::is_same_v<Format, Fixed32>)
+    if constexpr (Kernel::Field::is_sampled)
+      return kernel_.reading().x1;
+    else if constexpr (std::is_same_v<Format, Fixed32>)
       return static_cast<double>(kernel_.state().x1.raw - Format::Units::half_place) * position_unit_;
     else
       return kernel_.plan.units.si_at(kernel_.state().x1);

@@ -76,8 +76,8 @@ struct Allowance {
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State&) {}
-  template <class State>
-  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr void after_correction(const Plan&, State&) {}
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State&) {
     return true;
@@ -199,8 +199,8 @@ struct InDouble {
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State&) {}
-  template <class State>
-  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr void after_correction(const Plan&, State&) {}
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State&) {
     return true;

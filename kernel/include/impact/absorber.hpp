@@ -130,7 +130,7 @@ class Absorber
 
   // All that changes from step to step. Plain: it can be copied, kept and given back.
   struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
-    Long x1, dx1, x2, dx2;  // displacement and displacement per step: main mass, ball
+    Long x1, dx1, x2, dx2;  // displacement, as place() reads it, and displacement per step: main mass, ball
     typename Drive::template State<Format> drive;
     Contact contact;
     uint16_t at_left;  // the stop of the contact under way or last
@@ -193,15 +193,15 @@ class Absorber
     publish();
   }
 
-  // Now, in native numbers: valid in the context that steps. For any other, snapshot().
-  constexpr Value displacement() const { return plan.units.position(state_.x1); }  // of the main mass
+  // Now, in native numbers: valid in the context that steps. For any other, snapshot(). Of the main mass, and the ball.
+  constexpr Value displacement() const { return plan.units.position(place(state_.x1)); }
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(rate_ahead());
     if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
     if constexpr (Friction::is_friction) rate = rate - plan.units.as_displacement(plan.rate_ahead * state_.impulse);
     return plan.units.velocity(plan.units.displacement(state_.dx1) + rate);
   }
-  constexpr Value ball_displacement() const { return plan.units.position(state_.x2); }
+  constexpr Value ball_displacement() const { return plan.units.position(place(state_.x2)); }
   constexpr Value ball_velocity() const {
     Value rate = plan.units.displacement(state_.dx2);
     if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.dx2_share);
@@ -260,7 +260,7 @@ class Absorber
       else
         push_out();
     }
-    (Features::after_correction(state_), ...);
+    (Features::after_correction(plan, state_), ...);
     publish();
   }
 
@@ -269,7 +269,7 @@ class Absorber
   // version, the scene, the bounds, the step or a type differ, or when no step can have left the state: displacements,
   // drive or kind of contact are out of range. (What a contact remembers of its forces is not judged: it cannot do
   // more than raise a fault.)
-  static constexpr uint32_t state_version = 2;
+  static constexpr uint32_t state_version = 3;
   struct Saved {
     uint32_t version, plan_identity;
     State state;
@@ -339,7 +339,7 @@ class Absorber
       u1 -= side * plan.units.si_penetration(plan.contact.dx1_share * state_.contact.force);
       u2 += side * plan.units.si_penetration(plan.contact.dx2_share * state_.contact.force);
     }
-    return {plan.units.si_at(state_.x1), u1 / plan.step, plan.units.si_at(state_.x2), u2 / plan.step};
+    return {plan.units.si_at(place(state_.x1)), u1 / plan.step, plan.units.si_at(place(state_.x2)), u2 / plan.step};
   }
 
  private:
@@ -360,13 +360,13 @@ class Absorber
     state_.x2 = plan.x2;
     state_.dx2 = plan.dx2;
     state_.drive = decltype(state_.drive)::start(plan.drive);
+    (Features::start(plan, state_), ...);
     const bool left = is_at_left();
     const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, left));
     if (is_positive(inside)) {
       state_.at_left = left;
       state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
     }
-    (Features::start(plan, state_), ...);
     if constexpr (Friction::is_friction)
       if (rubs()) begin_to_rub();
   }
@@ -492,6 +492,9 @@ class Absorber
     }
   }
 
+  // A position, of what the state keeps in its stead: in a sampled field less what the last sample gave at once.
+  constexpr Long place(Long x) const { return Field::place(plan, state_, x); }
+
   // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
   constexpr Value rate_ahead() const {
     Value ahead =
@@ -588,8 +591,7 @@ class Absorber
   constexpr Long way_ahead() const {
     Long way = state_.dx2 - state_.dx1;
     if constexpr (Drive::is_sampled) plan.units.add(way, -state_.drive.at_once(plan.drive, state_.drive.sample));
-    if constexpr (Field::is_sampled)
-      plan.units.add(way, Field::ball_at_once(plan, state_.downwards) - Field::at_once(plan, state_.downwards));
+    if constexpr (Field::is_sampled) plan.units.add(way, -Field::at_once(plan, state_.downwards));
     return way;
   }
   // What a step's flight has added to x2 - x1.

@@ -49,8 +49,8 @@
 // Feature   kind                       uint32_t, not 0, another one for each
 //           is_bound                   what it records depends on the plan's forces
 //           State<Format>              a base of the absorber's state
-//           start(plan, state), after_contact(plan, state, step), after_step(plan, state), after_correction(state),
-//           is_sound(plan, state)      see features.hpp
+//           start(plan, state), after_contact(plan, state, step), after_step(plan, state), after_correction(plan,
+//           state), is_sound(plan, state)      see features.hpp
 //
 // Part      of the scene, named among the features and derived from ScenePart: Gravity, BaseAcceleration, DryFriction.
 //           It has a kind and a State<Format> as a feature has. Below, `rate` is a Value that counts as a penetration
@@ -61,7 +61,8 @@
 //           FieldPlan<Format>          a base of the plan
 //           make_plan<Format>(scene, bounds, main, ball, exponents, units)    the two flows before the exponents
 //           largest(scene, bounds)     m/s^2, of either sign
-//           at_start(flow)             m/N: what a force at the start adds to the first step's displacement
+//           at_once<Units>(scene, bounds, main, ball, exponents)    s^2: what a sample adds to what stands for x1
+//           place(plan, state, x)      Long: a position, of what the state keeps in its stead
 //           main_rate(plan, state)     rate: the field's share in the displacement of the coming step; ball_rate too
 //           main_increment(plan, state, next)    increment: what the step adds to dx1
 //           fly(plan, state, next)     moves x2 and dx2 by the step's flight; then, until the next,
@@ -71,7 +72,7 @@
 //           and if sampled
 //           accepts(plan, sample)      bool; held(plan, sample) is a sample in place of a bad one
 //           at_end(plan, sample)       `next`
-//           at_once(plan, next)        increment: to x1, in the step that the sample ends; ball_at_once to x2
+//           at_once(plan, next)        increment: to x1, in the step that the sample ends
 //
 // Friction  is_friction                a part whose force acts between ball and main mass, against y' or at rest
 //           FrictionPlan<Format>       a base of the plan, with `full`, rate: 0 where it does nothing

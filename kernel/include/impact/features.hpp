@@ -45,7 +45,7 @@ struct EnergyLedger {
 
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
-    state.x1_before = state.x1;
+    state.x1_before = Plan::FieldType::place(plan, state, state.x1);
     state.drive_force = state.drive.force(plan.drive);
   }
   template <class Plan, class State, class Step>
@@ -60,14 +60,15 @@ struct EnergyLedger {
   template <class Plan, class State>
   static constexpr void after_step(const Plan& plan, State& state) {
     const auto force = state.drive.force(plan.drive);
-    const auto moved = plan.units.relative(state.x1 - state.x1_before);
+    const auto x1 = Plan::FieldType::place(plan, state, state.x1);
+    const auto moved = plan.units.relative(x1 - state.x1_before);
     state.drive_work.add(work(half(force), moved) + work(half(state.drive_force), moved));
     state.drive_force = force;
-    state.x1_before = state.x1;
+    state.x1_before = x1;
   }
-  template <class State>
-  static constexpr void after_correction(State& state) {
-    state.x1_before = state.x1;
+  template <class Plan, class State>
+  static constexpr void after_correction(const Plan& plan, State& state) {
+    state.x1_before = Plan::FieldType::place(plan, state, state.x1);
   }
   // Whether a state from elsewhere can be gone on with.
   template <class Plan, class State>
@@ -103,8 +104,8 @@ struct ImpactLog {
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State&) {}
-  template <class State>
-  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr void after_correction(const Plan&, State&) {}
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
     using Format = typename Plan::FormatType;
@@ -133,8 +134,8 @@ struct ContactForce {
     state.contact_force = state.force_of_step;
     state.force_of_step = {};
   }
-  template <class State>
-  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr void after_correction(const Plan&, State&) {}
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
     using Format = typename Plan::FormatType;
@@ -160,8 +161,8 @@ struct Snapshots {
   static constexpr void after_step(const Plan&, State& state) {
     ++state.steps;
   }
-  template <class State>
-  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr void after_correction(const Plan&, State&) {}
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State&) {
     return true;

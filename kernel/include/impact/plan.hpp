@@ -244,8 +244,9 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   plan.right_stop = scene.stops != Stops::left;
   plan.crosses = terms.crosses && Treatment::meets_both_stops;
   plan.x1 = units.state_at(scene.x1);
-  const double main_in_field = Field::is_field ? scene.main_mass * scene.gravity * Field::at_start(flow) : 0;
-  const double ball_in_field = Field::is_field ? scene.ball_mass * scene.gravity * Field::at_start(ball) : 0;
+  const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
+  const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);
+  const double ball_in_field = scene.gravity * scene.ball_mass * ball.constant_start();
   plan.dx1 =
       units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0) + main_in_field);
   plan.x2 = units.state_at(scene.x2);
@@ -262,11 +263,8 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   if constexpr (Field::is_field)
     static_cast<FieldConstants&>(plan) = Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
   // What a sample may add to x2 - x1 at once.
-  const double at_once =
-      (Drive::is_sampled ? bounds.force * flow.b1 : 0) +
-      (Field::is_sampled
-           ? Field::largest(scene, bounds) * constant::magnitude(scene.main_mass * flow.b1 - scene.ball_mass * ball.b1)
-           : 0);
+  const double at_once = (Drive::is_sampled ? bounds.force * flow.b1 : 0) +
+                         Field::largest(scene, bounds) * constant::magnitude(field_at_once);
   if constexpr (Friction::is_friction)
     static_cast<FrictionConstants&>(plan) =
         Friction::template make_plan<Format>(scene, flow, ball, at_once, exponents, units);

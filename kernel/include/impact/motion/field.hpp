@@ -7,9 +7,17 @@
 //     BaseAcceleration    a = Scene::gravity - the base's acceleration, a sample a step, linear between samples
 //
 // Exact with the exact flow. Under a constant field a displacement per step starts at h v + a h^2/2 and grows by a h^2;
-// the main mass's by its flow's response to a constant force. Between samples a0 and a1 the ball moves by h v +
-// (a0/3 + a1/6) h^2, of which a1's part comes with the sample, as for a sampled drive. The accelerations vanish from
-// the relative motion of two free masses: contact sees the difference of both increments.
+// the main mass's by its flow's response to a constant force. The accelerations vanish from the relative motion of two
+// free masses: contact sees the difference of both increments.
+//
+// Between samples a0 and a1 the ball moves by h v + (a0/3 + a1/6) h^2. Of X = x - a h^2/6, from which the last sample's
+// part is taken that comes at once with it, this is the same as under a constant field:
+//
+//     X' = X + w        w' = w + h^2 a1        w = h v + a0 h^2/2
+//
+// Positions of both masses are kept so, and their difference is x2 - x1 (with Newmark's beta for 1/6). To the main
+// mass a sample gives a little less at once, by spring and damper. Where that is below a place of a position, its X is
+// x less its own part; otherwise the rest comes with the sample.
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/scene_part.hpp>
@@ -32,9 +40,17 @@ struct NoField {
 
   template <class Format>
   struct FieldPlan {};
-  static constexpr double at_start(const LinearFlow&) { return 0; }
   static constexpr double largest(const Scene&, const Bounds&) { return 0; }
+  template <class Units>
+  static constexpr double at_once(const Scene&, const Bounds&, const LinearFlow&, const LinearFlow&,
+                                  const UnitExponents&) {
+    return 0;
+  }
 
+  template <class Plan, class State, class Long>
+  static constexpr Long place(const Plan&, const State&, Long x) {
+    return x;
+  }
   template <class Plan, class State>
   static constexpr typename Plan::FormatType::Value main_rate(const Plan&, const State&) {
     return {};
@@ -74,12 +90,19 @@ struct Gravity : ScenePart {
             in(main_start, unit.increment),   in(ball_start, unit.increment)};
   }
   static constexpr double largest(const Scene& scene, const Bounds&) { return constant::magnitude(scene.gravity); }
-  // m/N: of the force at the start, in the displacement that the first step will make.
-  static constexpr double at_start(const LinearFlow& flow) { return flow.constant_start(); }
+  template <class Units>
+  static constexpr double at_once(const Scene&, const Bounds&, const LinearFlow&, const LinearFlow&,
+                                  const UnitExponents&) {
+    return 0;
+  }
 
   template <class Format>
   struct State {};
 
+  template <class Plan, class State, class Long>
+  static constexpr Long place(const Plan&, const State&, Long x) {
+    return x;
+  }
   template <class Plan, class State>
   static constexpr auto main_rate(const Plan& plan, const State&) {
     return plan.main_rate;
@@ -131,13 +154,16 @@ struct BaseAcceleration : ScenePart {
   struct FieldPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
-    struct Shares {
-      Gain at_once, before, now, rate, ahead, behind;
-    };
     bool has_gravity;
     Gain by_sample;
     Value gravity, largest_base;
-    Shares main, ball;
+    struct {
+      Gain at_once, before, now, rate, ahead, behind;
+    } main;
+    struct {
+      Gain now, rate;
+    } ball;
+    Gain offset;          // x - X
     float per_base_unit;  // native numbers
     double base_unit;     // m/s^2
   };
@@ -148,37 +174,44 @@ struct BaseAcceleration : ScenePart {
     const double base = Format::sample_unit(bounds.base_acceleration), g = scene.gravity;
     const double largest_sum = g < 0 || g > 0 ? 1.0001 * (base + constant::magnitude(g)) : base;
     const double counts = Format::sample_unit(largest_sum);  // m/s^2
-    const auto shares = [&unit](const LinearFlow& flow, double force) {
-      const SampledForce share = sampled_force(flow);
-      return typename FieldPlan<Format>::Shares{Format::gain(-force * share.at_once, 0, unit.increment),
-                                                Format::gain(-force * share.before, 0, unit.increment),
-                                                Format::gain(-force * share.now, 0, unit.increment),
-                                                Format::gain(-force * flow.b0 / flow.e12, 0, unit.penetration),
-                                                Format::gain(-force * flow.b0 / flow.e12, 0, unit.increment),
-                                                Format::gain(-force * flow.b0, 0, unit.increment)};
-    };
+    const double M = scene.main_mass, m = scene.ball_mass;
+    const SampledForce share = sampled_force(main);
+    const double rest = at_once<Units>(scene, bounds, main, ball, unit), taken = M * main.b1 - rest;
+    const double in_displacement = M * main.b0 + (1 + main.e11) * taken;
+    const auto gain = [counts](double by, int exponent) { return Format::gain(-counts * by, 0, exponent); };
     return {g < 0 || g > 0,
             Format::gain(counts > 0 ? base / counts : 0, 0, 0),
             Format::sample(counts > 0 ? -g / counts : 0),
             Format::largest_sample(bounds.base_acceleration),
-            shares(main, scene.main_mass * counts),
-            shares(ball, scene.ball_mass * counts),
+            {gain(rest, unit.increment), gain(M * share.before - (1 - main.damping()) * taken, unit.increment),
+             gain(M * share.now + (1 - main.stiffness()) * taken, unit.increment),
+             gain(in_displacement / main.e12, unit.penetration), gain(in_displacement / main.e12, unit.increment),
+             gain(in_displacement, unit.increment)},
+            {gain(m * ball.constant_increment(), unit.increment), gain(m * ball.constant_start(), unit.penetration)},
+            gain(m * ball.b1, unit.increment),
             static_cast<float>(base > 0 ? 1 / base : 0),
             base};
   }
   static constexpr double largest(const Scene& scene, const Bounds& bounds) {
     return constant::magnitude(scene.gravity) + bounds.base_acceleration;
   }
-  static constexpr double at_start(const LinearFlow& flow) { return flow.b0; }
+  // s^2: what a sample adds to X1 at once.
+  template <class Units>
+  static constexpr double at_once(const Scene& scene, const Bounds& bounds, const LinearFlow& main,
+                                  const LinearFlow& ball, const UnitExponents& unit) {
+    const double rest = scene.main_mass * main.b1 - scene.ball_mass * ball.b1;
+    return Units::resolves(largest(scene, bounds) * constant::magnitude(rest), unit.position) ? rest : 0;
+  }
 
   template <class Format>
   struct State {
-    typename Format::Value downwards;       // the acceleration at the last sample
-    typename Format::Value ball_increment;  // of dx2 in the last step's flight
+    typename Format::Value downwards;  // the acceleration at the last sample
   };
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
     state.downwards = plan.gravity;
+    plan.units.add(state.x1, -(plan.offset * state.downwards));
+    plan.units.add(state.x2, -(plan.offset * state.downwards));
   }
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
@@ -199,6 +232,12 @@ struct BaseAcceleration : ScenePart {
     return plan.has_gravity ? plan.by_sample * sample + plan.gravity : sample;
   }
 
+  // A position, of what is kept in its stead.
+  template <class Plan, class State, class Long>
+  static constexpr Long place(const Plan& plan, const State& state, Long x) {
+    plan.units.add(x, plan.offset * state.downwards);
+    return x;
+  }
   template <class Plan, class State>
   static constexpr auto main_rate(const Plan& plan, const State& state) {
     return plan.main.rate * state.downwards;
@@ -212,32 +251,25 @@ struct BaseAcceleration : ScenePart {
   [[gnu::always_inline]] static constexpr Value at_once(const Plan& plan, Value next) {
     return plan.main.at_once * next;
   }
-  template <class Plan, class Value>
-  [[gnu::always_inline]] static constexpr Value ball_at_once(const Plan& plan, Value next) {
-    return plan.ball.at_once * next;
-  }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State& state, Value next) {
     return plan.main.before * state.downwards + plan.main.now * next;
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
-    auto travel = state.dx2;
-    plan.units.add(travel, ball_at_once(plan, next));
-    state.x2.advance(travel);
-    state.ball_increment = plan.ball.before * state.downwards + plan.ball.now * next;
-    plan.units.add(state.dx2, state.ball_increment);
+    state.x2.advance(state.dx2);
     state.downwards = next;
+    plan.units.add(state.dx2, ball_increment(plan, state));
   }
   template <class Plan, class State>
   static constexpr auto ball_travel(const Plan& plan, const State& state) {
     auto travel = state.dx2;
-    plan.units.add(travel, ball_at_once(plan, state.downwards) - state.ball_increment);
+    plan.units.add(travel, -ball_increment(plan, state));
     return travel;
   }
   template <class Plan, class State>
-  static constexpr auto ball_increment(const Plan&, const State& state) {
-    return state.ball_increment;
+  static constexpr auto ball_increment(const Plan& plan, const State& state) {
+    return plan.ball.now * state.downwards;
   }
   template <class Plan, class State>
   static constexpr auto ahead(const Plan& plan, const State& state) {
@@ -246,10 +278,6 @@ struct BaseAcceleration : ScenePart {
   template <class Plan, class State>
   static constexpr auto behind(const Plan& plan, const State& state) {
     return plan.main.behind * state.downwards;
-  }
-  template <class Plan, class State>
-  static constexpr auto ball_start(const Plan& plan, const State& state) {
-    return plan.ball.behind * state.downwards;
   }
 };
 

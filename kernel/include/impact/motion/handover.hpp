@@ -62,8 +62,10 @@ constexpr void hand_over(const Plan& from, const Plan& to, State& state) {
                          drive.ahead);
   if constexpr (Field::is_field) {
     from.units.add(u1, -Field::ahead(from, state));
-    from.units.add(state.dx2, -Field::ball_start(from, state));
-    to.units.add(state.dx2, Field::ball_start(to, state));
+    if constexpr (!Field::is_sampled) {  // a sample acts on the ball alike under both plans
+      from.units.add(state.dx2, -Field::ball_start(from, state));
+      to.units.add(state.dx2, Field::ball_start(to, state));
+    }
   }
   state.dx1 = u1;
   to.units.add(state.dx1,

@@ -15,8 +15,8 @@ struct ScenePart {
   static constexpr void after_contact(const Plan&, State&, const Step&) {}
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State&) {}
-  template <class State>
-  static constexpr void after_correction(State&) {}
+  template <class Plan, class State>
+  static constexpr void after_correction(const Plan&, State&) {}
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State&) {
     return true;

@@ -221,15 +221,6 @@ std::string text_of(const Request& request) {
   return text;
 }
 
-// What friction's ledger may have too much of in a step in which the sliding begins, turns or ends, or is about to:
-// that of R, over a way of no more than friction stops in a step, or of what the rate changes by in it.
-double missed_by_friction(const Scene& scene, double h, double slid, double slides) {
-  const double stopped = scene.ball_friction * h * (1 / scene.main_mass + 1 / scene.ball_mass), rest = stopped / 50;
-  const bool goes_on = slid * slides > 0 && std::abs(slid) > stopped && std::abs(slides) > stopped;
-  const bool is_held = std::abs(slid) <= rest && std::abs(slides) <= rest;
-  return goes_on || is_held ? 0 : scene.ball_friction * h * larger(std::abs(slides - slid), stopped) / 2;
-}
-
 CoupledRun run_coupled(const CoupledScene& found) {
   CoupledRun result;
   const Outcome outcome = make_simulation(found.request);
@@ -239,7 +230,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
   const double h = found.request.step, size = found.request.bounds->force, largest_base = found.base;
   const DriveKind drive = found.request.drive;
   const bool is_in_field = largest_base > 0 || scene.gravity < 0 || scene.gravity > 0;
-  double dissipated = 0, rubbed = 0, missed = 0, work = 0, most_work = 0, force = 0, base = 0;
+  double dissipated = 0, rubbed = 0, work = 0, most_work = 0, force = 0, base = 0;
   Sample now = outcome.simulation->sample();
   for (long i = 0; i < found.steps; ++i) {
     const double t = static_cast<double>(i) * h;
@@ -261,14 +252,13 @@ CoupledRun run_coupled(const CoupledScene& found) {
     }
     if (is_in_field || drive != DriveKind::none)
       work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_to(now.x1, on_main);
-    missed += missed_by_friction(scene, h, before.v2 - before.v1, now.v2 - now.v1);
     most_work = larger(most_work, work);
     const double scale = found.energy + most_work, energy = energy_of(scene, now);
     // While touching some of it is in the contact; no number is a gain without end.
     if (now.penetration < 0 || !(energy < 2 * scale)) {
       const double gain = (energy - found.energy - work) / scale;
       if (!(gain <= result.gain)) result.gain = gain;
-      const double with_friction = gain + (now.friction_dissipated - missed) / scale;
+      const double with_friction = gain + now.friction_dissipated / scale;
       if (!(with_friction <= result.rubbed)) result.rubbed = with_friction;
     }
     const double back = (dissipated - now.energy_dissipated) / scale;

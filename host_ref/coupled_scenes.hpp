@@ -50,8 +50,7 @@ struct CoupledRun {
   bool is_accepted = false, has_fault = false;
   double gain = 0;
   double returned = 0;  // what the ledger ever went back by, over the same
-  // The same gain with what friction's ledger has taken, less what that misses of each step in which the sliding
-  // begins, turns or ends (soak_test.cpp), and what it ever went back by.
+  // The same gain with what friction's ledger has taken, and what that ever went back by.
   double rubbed = 0;
 };
 CoupledRun run_coupled(const CoupledScene& scene);

@@ -23,12 +23,4 @@ inline double most_energy_made(const CoupledScene& found) {
   return (is_named_moment ? 0.02 : 0.01) + energy_rounded(found);
 }
 
-// With what friction's ledger has taken, which takes the rate of sliding to change evenly over a step: of a main mass
-// that turns by w0 h in it, (w0 h)^2/12 of the way is missed.
-inline double most_made_with_friction(const CoupledScene& found) {
-  const Scene& scene = found.request.scene;
-  return most_energy_made(found) +
-         scene.main_stiffness / scene.main_mass * found.request.step * found.request.step / 12;
-}
-
 }  // namespace impact::host

@@ -78,7 +78,7 @@ double badness(const CoupledScene& scene) {
   const CoupledRun run = run_coupled(scene);
   if (!run.is_accepted) return -1e300;
   if (run.has_fault || !(run.gain < 1e9) || !(run.rubbed < 1e9)) return 1e9;
-  return std::max(run.gain / most_energy_made(scene), run.rubbed / most_made_with_friction(scene));
+  return std::max(run.gain, run.rubbed) / most_energy_made(scene);
 }
 
 // Found once, by this search or by twenty thousand scenes a format. Each is refused or holds now.

@@ -77,11 +77,8 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
         Absorber::Field::at_end(plan, Absorber::base_sample_of(random.scattered(bounds.base_acceleration)));
   if constexpr (Absorber::Friction::is_friction) {
     // Sliding either way, on or from a turn of the sliding.
-    const bool back = random.below(2) != 0;
-    state.main_push = mirrored(plan.main_sliding, back);
-    state.ball_push = mirrored(plan.ball_sliding, back);
-    state.impulse = mirrored(plan.full, back);
-    state.lasting = random.below(3) == 0 ? Absorber::Format::largest_sample(1e30) : plan.lasting;
+    DryFriction::slide(plan, state, random.below(2) != 0);
+    if (random.below(3) == 0) state.lasting = Absorber::Format::largest_sample(1e30);
   }
   const auto inside = plan.units.penetration(mirrored(state.x2 - state.x1, left));
   if (is_positive(inside) && random.below(3) != 0) {

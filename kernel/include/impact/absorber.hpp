@@ -312,11 +312,8 @@ class Absorber
   constexpr double friction_dissipated() const {
     if constexpr (counts_slid_way) {
       if (!rubs()) return 0;
-      // Half of the last impulse is still to come.
-      const Reading now = reading();
-      const double unit = plan.units.si_penetration_unit(), rate = (now.v2 - now.v1) * plan.step / unit;
-      const double share = plan.units.fraction(state_.impulse) / plan.units.fraction(plan.full);
-      return plan.friction * unit * (state_.slid.total() - share / 2 * rate);
+      const double taken = state_.slid.total() - plan.units.fraction(still_to_rub());
+      return plan.friction * plan.units.si_penetration_unit() * taken;
     } else {
       return 0;
     }
@@ -386,9 +383,8 @@ class Absorber
     }
   }
   constexpr void begin_to_rub() {
-    [[maybe_unused]] const Value rate = relative_rate(false);
     Friction::begin(plan, state_, plan.units.relative(way_ahead()));
-    if constexpr (counts_slid_way) state_.slid.add(Friction::dissipated(plan, state_, rate));
+    if constexpr (counts_slid_way) state_.slid.add(still_to_rub());
   }
 
   constexpr void advance(Value sample, Value base) {
@@ -603,7 +599,7 @@ class Absorber
   [[gnu::always_inline]] constexpr void rub(Long main_travel) {
     if (!rubs()) return;
     [[maybe_unused]] Value rate{};
-    if constexpr (counts_slid_way) rate = relative_rate(false);
+    if constexpr (counts_slid_way) rate = rubbing_rate();
     if (!Friction::slides_on(plan, state_, state_.dx2))
       rub_anew(Field::ball_travel(plan, state_) - main_travel, {}, Friction::any_impulse(plan));
     if constexpr (counts_slid_way) count_slid_way(rate);
@@ -620,13 +616,7 @@ class Absorber
     const bool touches = state_.contact.phase != Phase::apart;
     if (!touches) taken = {};
     [[maybe_unused]] Value rate{};
-    if constexpr (counts_slid_way) {
-      rate = relative_rate(false);
-      if constexpr (Contact::keeps_force)
-        rate = rate + mirrored((plan.contact.dx1_share * state_.contact.force) +
-                                   (plan.contact.dx2_share * state_.contact.force),
-                               at_left());
-    }
+    if constexpr (counts_slid_way) rate = rubbing_rate();
     if (!Friction::slides_on(plan, state_, state_.dx2 - taken)) {
       // An impact at an instant does not turn the sliding at a rate linear in time.
       if constexpr (Contact::is_instantaneous)
@@ -640,10 +630,26 @@ class Absorber
     state_.contact.change_rate(plan.contact, towards_stop);
     if constexpr (counts_slid_way) state_.rate = state_.rate + towards_stop;
   }
-  // The work of an impulse is at the mean of the rates before and after it.
+  // The work of an impulse is at the mean of the rates before and after it: what both masses lose, exactly.
   constexpr void count_slid_way(Value before) {
     state_.slid.add(Friction::dissipated(plan, state_, before));
-    state_.slid.add(Friction::dissipated(plan, state_, before - state_.impulse));
+    state_.slid.add(Friction::dissipated(plan, state_, rubbing_rate()));
+  }
+  constexpr Value rubbing_rate() const {
+    Value main = plan.units.relative(state_.dx1) + rate_ahead(), sliding = relative_rate(false);
+    if constexpr (Contact::keeps_force) {
+      const Value main_carried = plan.contact.dx1_share * state_.contact.force,
+                  ball_carried = plan.contact.dx2_share * state_.contact.force;
+      main = main - mirrored(main_carried, at_left());
+      sliding = sliding + mirrored(main_carried + ball_carried, at_left());
+    }
+    return Friction::rubbing_rate(plan, sliding, main);
+  }
+  // The half of the last impulse that acts in the step ahead.
+  constexpr auto still_to_rub() const {
+    const Value main = plan.rate_ahead * state_.impulse, ball = plan.ball_ahead * state_.impulse;
+    const Value more = Friction::rubbing_rate(plan, main + ball, -main);
+    return Friction::dissipated(plan, state_, rubbing_rate() + Format::value(half(more)));
   }
 
   constexpr bool is_beyond_stop() const {

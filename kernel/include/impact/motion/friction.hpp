@@ -62,6 +62,7 @@ struct DryFriction : ScenePart {
     Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
     Gain rate_ahead;                  // the same in h v1
     Gain half_by_full;                // 1/(2 r)
+    Gain excess;                      // of the main mass's momentum by an impulse over the ball's
     int spare_places;                 // of an impulse that is no more than r
     Long main_sliding, ball_sliding;  // of a ball that slides forward
     double friction;                  // R, N
@@ -75,17 +76,21 @@ struct DryFriction : ScenePart {
   static constexpr FrictionPlan<Format> make_plan(const Scene& scene, const LinearFlow& main, const LinearFlow& ball,
                                                   double at_once, const UnitExponents& unit, const Units& units) {
     const double friction = scene.ball_friction, both = increment(main, ball), full = friction * both;
-    return {Format::sample(full * constant::power_of_two(-unit.penetration)),
-            Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
-            Format::gain(main.constant_increment() / both, 0, 0),
-            Format::gain(main.constant_start() / both, 0, 0),
-            Format::gain(ball.constant_start() / both, 0, 0),
-            Format::gain(main.constant_start() / main.e12 / both, 0, 0),
-            Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
-            unit.penetration - constant::exponent_above(2 * full),
-            units.state(friction * main.constant_increment()),
-            units.state(-friction * ball.constant_increment()),
-            friction};
+    return {
+        Format::sample(full * constant::power_of_two(-unit.penetration)),
+        Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
+        Format::gain(main.constant_increment() / both, 0, 0),
+        Format::gain(main.constant_start() / both, 0, 0),
+        Format::gain(ball.constant_start() / both, 0, 0),
+        Format::gain(main.constant_start() / main.e12 / both, 0, 0),
+        Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
+        Format::gain(
+            scene.main_mass * main.constant_increment() / main.e12 / (scene.ball_mass * ball.constant_increment()) - 1,
+            unit.penetration, unit.penetration),
+        unit.penetration - constant::exponent_above(2 * full),
+        units.state(friction * main.constant_increment()),
+        units.state(-friction * ball.constant_increment()),
+        friction};
   }
 
   template <class Format>
@@ -101,7 +106,13 @@ struct DryFriction : ScenePart {
            Plan::FormatType::is_sound(state.lasting);
   }
 
-  // Half of what the last impulse dissipates at a rate of sliding, over R.
+  // What the last impulse works against: the rate of sliding, and since spring and damper act while a force does, a
+  // little of the main mass's own.
+  template <class Plan, class Value>
+  static constexpr Value rubbing_rate(const Plan& plan, Value sliding, Value main) {
+    return sliding - plan.excess * main;
+  }
+  // Half of what the last impulse dissipates at such a rate, over R.
   template <class Plan, class State, class Value>
   static constexpr auto dissipated(const Plan& plan, const State& state, Value rate) {
     using Format = typename Plan::FormatType;
@@ -170,19 +181,20 @@ struct DryFriction : ScenePart {
     }
     push(state);
   }
-
- private:
-  template <class State>
-  [[gnu::always_inline]] static constexpr void push(State& state) {
-    state.dx1.advance(state.main_push);
-    state.dx2.advance(state.ball_push);
-  }
+  // The full impulse, on and on.
   template <class Plan, class State>
   [[gnu::always_inline]] static constexpr void slide(const Plan& plan, State& state, bool back) {
     state.main_push = mirrored(plan.main_sliding, back);
     state.ball_push = mirrored(plan.ball_sliding, back);
     state.impulse = mirrored(plan.full, back);
     state.lasting = plan.lasting;
+  }
+
+ private:
+  template <class State>
+  [[gnu::always_inline]] static constexpr void push(State& state) {
+    state.dx1.advance(state.main_push);
+    state.dx2.advance(state.ball_push);
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void set(const Plan& plan, State& state, Value impulse) {

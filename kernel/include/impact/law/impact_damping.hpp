@@ -20,14 +20,10 @@ constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const Un
 // that is then pressed in by an acceleration A (depth.hpp) has at its deepest the damping h c/mu = (5/2) a h A/v: where
 // this would pass what the treatment bears (`largest`), the press has long outweighed the impact's own speed.
 //
-// A contact that a correction has put to the penetration d and the rate V is damped as an impact of at least the rate
-// (`rate_by_shape`) at which z = h c/mu = h c1 x^(3/2)/mu is no more than L' at x = d + V h. The damper alone stops it
-// at
-//
-//     z^(5/3) = z(d)^(5/3) + (5/2) z(V h)^(2/3) <= (5/2) L'^(2/3)        L' <= 5/2
-//
-// which is 4/5 of what the treatment bears, L, for L' = (2/5)^(3/2) (4 L/5)^(5/2); in a step it goes a fifth further.
-// No impact within the bounds is faster than the unit of rates.
+// A contact that a correction has put to the penetration d and the rate V is damped as an impact no slower than V, nor
+// than one whose damping at d is z = h c/mu = `largest`/4 (`rate_by_shape`, over d^(3/2)). From d on the damper alone
+// stops it where z^(5/3) has grown by what an impact at V from the stop's face would reach, which the plan has judged:
+// by (1 + 4^(-5/3))^(3/5) = 1.06 times `largest` at most.
 template <class Format, bool is_per_impact>
 struct SlowestImpact {
   static constexpr SlowestImpact make(const ContactTerms&, const UnitExponents&, double) { return {}; }
@@ -38,11 +34,10 @@ struct SlowestImpact<Format, true> {
   typename Format::HeldGain rate_by_shape;
 
   static constexpr SlowestImpact make(const ContactTerms& terms, const UnitExponents& unit, double largest) {
-    const double impact = terms.damping_ratio * terms.step * terms.step,
-                 bears = 0.4 * constant::square_root(0.4) * constant::power(0.8 * largest, 2.5),
-                 shape = impact / bears * terms.stiffness / terms.reduced_mass(),
+    const double impact = terms.damping_ratio * terms.step * terms.step / largest,
+                 shape = 4 * impact * terms.stiffness / terms.reduced_mass(),
                  penetration = constant::power_of_two(unit.penetration);
-    return {Format::sample(2.5 * impact * terms.pressing / largest / penetration),
+    return {Format::sample(2.5 * impact * terms.pressing / penetration),
             {Format::gain(shape * constant::square_root(penetration), 0, 0)}};
   }
 };
@@ -76,8 +71,7 @@ struct ImpactDamping<Format, true> {
   // The damping that the contact had, as far as a step bears it at the penetration `at` and this rate.
   constexpr void keep(Damping before, const SlowestImpact<Format, true>& slowest, typename Format::Gain share,
                       typename Format::Value at, typename Format::Value rate) {
-    const auto x = is_positive(rate) ? Format::Units::held_sum(at, rate) : at;
-    auto least = slowest.rate_by_shape * Format::value(Format::root(x) * without_sign(x));
+    auto least = slowest.rate_by_shape * Format::value(Format::root(at) * without_sign(at));
     if (is_positive(rate - least)) least = rate;
     own_damping = before;
     // c1 V/k1 of an impact at that rate, which is a where it is its own

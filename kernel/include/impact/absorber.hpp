@@ -601,13 +601,12 @@ class Absorber
     [[maybe_unused]] Value rate{};
     if constexpr (counts_slid_way) rate = rubbing_rate();
     if (!Friction::slides_on(plan, state_, state_.dx2))
-      rub_anew(Field::ball_travel(plan, state_) - main_travel, {}, Friction::any_impulse(plan));
+      rub_anew(flown(main_travel), way_ahead(), typename Friction::Any{});
     if constexpr (counts_slid_way) count_slid_way(rate);
   }
-  // `slid`: in this step; `taken`: by contact of x2 - x1, in the coming one.
-  template <class Limits>
-  [[gnu::noinline]] constexpr void rub_anew(Long slid, Long taken, Limits limits) {
-    Friction::rub(plan, state_, plan.units.relative(slid), way_ahead() - taken, limits);
+  template <class Allowed>
+  [[gnu::noinline]] constexpr void rub_anew(Value slid, Long ahead, Allowed allowed) {
+    Friction::rub(plan, state_, slid, ahead, allowed);
   }
   // And of one in which the ball has met a stop: where it still touches it, contact will take as much of x2 - x1 in the
   // coming step as it did in this one.
@@ -620,9 +619,9 @@ class Absorber
     if (!Friction::slides_on(plan, state_, state_.dx2 - taken)) {
       // An impact at an instant does not turn the sliding at a rate linear in time.
       if constexpr (Contact::is_instantaneous)
-        rub_anew(slid, taken, Friction::passive(plan, relative_rate(false)));
+        rub_anew(plan.units.relative(slid), way_ahead() - taken, Friction::passive(plan, relative_rate(false)));
       else
-        rub_anew(slid, taken, Friction::any_impulse(plan));
+        rub_anew(plan.units.relative(slid), way_ahead() - taken, typename Friction::Any{});
     }
     if constexpr (counts_slid_way) count_slid_way(rate);
     if (!touches) return;

@@ -80,7 +80,7 @@
 //           make_plan<Format>(scene, main, ball, at_once, exponents, units)    at_once: what a sample adds to that, m
 //           begin(plan, state, way), undo(plan, state)    at the start, and around a change of plan
 //           slides_on(plan, state, ball)    after a step: true where the same impulse as the last has acted again
-//           rub(plan, state, slid, ahead, limits)    otherwise; limits: any_impulse(plan), passive(plan, rate)
+//           rub(plan, state, slid, ahead, allowed)    otherwise; allowed: Any{}, passive(plan, rate)
 //           dissipated(plan, state, rate)    half of it by the last impulse, over the force
 
 #include <stddef.h>

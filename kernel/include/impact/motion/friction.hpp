@@ -123,7 +123,7 @@ struct DryFriction : ScenePart {
   // From a rest of both or a sliding, with half of the impulse; `way` is y.
   template <class Plan, class State, class Value>
   static constexpr void begin(const Plan& plan, State& state, Value way) {
-    set(plan, state, held(any_impulse(plan), way + way));
+    set(plan, state, held(plan, Any{}, way + way));
     move(plan, state, state.impulse);
   }
   // The state without what the last impulse has taken ahead.
@@ -139,45 +139,40 @@ struct DryFriction : ScenePart {
     push(state);
     return true;
   }
-  // Between which an impulse may be.
+  // Which impulses may be: any; and of a ball that has met a stop as an instant, those that take energy at the rate
+  // that it then slides with.
+  struct Any {};
   template <class Value>
-  struct Limits {
+  struct Passive {
     Value least, most;
   };
-  template <class Plan>
-  static constexpr auto any_impulse(const Plan& plan) {
-    return Limits<decltype(plan.full)>{-plan.full, plan.full};
-  }
-  // Of a ball that has met a stop in the step: those that take energy at the rate that it then slides with.
   template <class Plan, class Value>
-  static constexpr Limits<Value> passive(const Plan& plan, Value rate) {
-    const Value most = held(any_impulse(plan), rate + rate);
-    return is_negative(most) ? Limits<Value>{most, Value{}} : Limits<Value>{Value{}, most};
+  static constexpr Passive<Value> passive(const Plan& plan, Value rate) {
+    const Value most = held(plan, Any{}, rate + rate);
+    return is_negative(most) ? Passive<Value>{most, Value{}} : Passive<Value>{Value{}, most};
   }
   // After any step. `slid`: y0; `ahead`: y.
-  template <class Plan, class State, class Value, class Long>
+  template <class Plan, class State, class Value, class Long, class Allowed>
   [[gnu::always_inline]] static constexpr void rub(const Plan& plan, State& state, Value slid, Long ahead,
-                                                   const Limits<Value>& limits) {
+                                                   const Allowed& allowed) {
     using Format = typename Plan::FormatType;
     const Value way = plan.units.relative(ahead);
     const bool back = is_negative(is_positive(slid) || is_negative(slid) ? slid : way);
-    const Value end = mirrored(way, back) - plan.full;
-    const Value change = way - slid, size = mirrored(change, is_negative(change)), beyond = size - plan.full;
+    const Value y = mirrored(way, back), end = y - plan.full;
+    const Value fall = mirrored(slid, back) - y, beyond = fall - plan.full;
     if (!is_negative(end)) {
       const Value impulse = mirrored(plan.full, back);
-      if (is_within(limits, impulse))
+      if (allows(allowed, impulse))
         slide(plan, state, back);
       else
-        set(plan, state, held(limits, impulse));
+        set(plan, state, held(plan, allowed, impulse));
     } else if (is_positive(beyond)) {
-      const auto share = Format::rough_quotient(without_sign(beyond), without_sign(size) + without_sign(plan.full));
-      set(plan, state, held(limits, way + mirrored(Format::value(share * positive_part(-end)), back)));
+      const auto share = Format::rough_quotient(without_sign(beyond), without_sign(fall) + without_sign(plan.full));
+      set(plan, state, held(plan, allowed, way + mirrored(Format::value(share * without_sign(-end)), back)));
+    } else if (allows(allowed, way)) {
+      stick(plan, state, way, ahead);
     } else {
-      set(plan, state, held(limits, way));
-      if (is_within(limits, way)) {
-        state.main_push = plan.units.part(plan.main_share, ahead, plan.spare_places);
-        state.ball_push = state.main_push - ahead;
-      }
+      set(plan, state, held(plan, allowed, way));
     }
     push(state);
   }
@@ -203,7 +198,7 @@ struct DryFriction : ScenePart {
     plan.units.displace(state.ball_push, -impulse);
     state.ball_push.advance(state.main_push);
     state.impulse = impulse;
-    state.lasting = Plan::FormatType::largest_sample(1e30);  // never
+    state.lasting = never<Plan>();
   }
   // By half a step of this impulse.
   template <class Plan, class State, class Value>
@@ -211,15 +206,35 @@ struct DryFriction : ScenePart {
     plan.units.displace(state.dx1, plan.main_ahead, impulse);
     plan.units.displace(state.dx2, plan.ball_ahead, -impulse);
   }
-  template <class Value>
-  [[gnu::always_inline]] static constexpr Value held(const Limits<Value>& limits, Value impulse) {
-    return is_positive(impulse - limits.most)    ? limits.most
-           : is_negative(impulse - limits.least) ? limits.least
-                                                 : impulse;
+  template <class Plan>
+  static constexpr auto never() {
+    return Plan::FormatType::largest_sample(1e30);
+  }
+  // No way at all.
+  template <class Plan, class State, class Value, class Long>
+  [[gnu::always_inline]] static constexpr void stick(const Plan& plan, State& state, Value way, Long ahead) {
+    state.main_push = plan.units.part(plan.main_share, ahead, plan.spare_places);
+    state.ball_push = state.main_push - ahead;
+    state.impulse = way;
+    state.lasting = never<Plan>();
+  }
+  template <class Plan, class Value>
+  [[gnu::always_inline]] static constexpr Value held(const Plan& plan, Any, Value impulse) {
+    return held(plan, Passive<Value>{-plan.full, plan.full}, impulse);
+  }
+  template <class Plan, class Value>
+  [[gnu::always_inline]] static constexpr Value held(const Plan&, const Passive<Value>& passive, Value impulse) {
+    return is_positive(impulse - passive.most)    ? passive.most
+           : is_negative(impulse - passive.least) ? passive.least
+                                                  : impulse;
   }
   template <class Value>
-  [[gnu::always_inline]] static constexpr bool is_within(const Limits<Value>& limits, Value impulse) {
-    return !is_positive(impulse - limits.most) && !is_negative(impulse - limits.least);
+  static constexpr bool allows(Any, Value) {
+    return true;
+  }
+  template <class Value>
+  [[gnu::always_inline]] static constexpr bool allows(const Passive<Value>& passive, Value impulse) {
+    return !is_positive(impulse - passive.most) && !is_negative(impulse - passive.least);
   }
 };
 

@@ -32,12 +32,11 @@ constexpr double rounded_by_sum = std::is_same_v<Format, Fixed32>        ? 0
 //                 down to 2^-31 in a unit of which the largest of lengths is an eighth: 4 * 64 * 2^-31. In floating
 //                 point sixteen operations
 //     sum         of what is dissipated, by the addition itself: none in Fixed32
-//     left over   f times what a resolved contact's equation leaves over, way - (d1 - d0): as far as its sum has
-//     fallen.
-//                 Over a whole contact it is a loss (stepper/energy/power.hpp)
+//     left over   f times what a resolved contact's equation leaves over, way - (d1 - d0), as far as
+//                 its sum has fallen: over a whole contact it is a loss (stepper/energy/power.hpp)
 //     place       of a length, 2^-31: what the force is computed from and what it does, four of them; Hooke-Newton's
 //                 own equation is out by three of them, (1 + G (1/2 + C)) f = .. (stepper/energy/linear.hpp)
-struct Allowance {
+struct Allowance : SilentFeature {
   static constexpr uint32_t kind = 99;
   static constexpr bool is_bound = true;
 
@@ -47,8 +46,6 @@ struct Allowance {
     double left_over, most_left_over;
   };
 
-  template <class Plan, class State>
-  static constexpr void start(const Plan&, State&) {}
   template <class Plan, class State, class Step>
   static void after_contact(const Plan& plan, State& state, const Step& step) {
     using Format = typename Plan::FormatType;
@@ -73,14 +70,6 @@ struct Allowance {
       state.depth_before = depth;
     }
     state.stored_before = stored;
-  }
-  template <class Plan, class State>
-  static constexpr void after_step(const Plan&, State&) {}
-  template <class Plan, class State>
-  static constexpr void after_correction(const Plan&, State&) {}
-  template <class Plan, class State>
-  static constexpr bool is_sound(const Plan&, const State&) {
-    return true;
   }
 };
 
@@ -174,7 +163,7 @@ TYPED_TEST(EnergyLedgerIn, ImpulsiveNeverFalls) {
 }
 
 // In Fixed32 the sum of what the features see, in double, by any stepper.
-struct InDouble {
+struct InDouble : SilentFeature {
   static constexpr uint32_t kind = 98;
   static constexpr bool is_bound = true;
 
@@ -183,8 +172,6 @@ struct InDouble {
     double sum, size, rate_before, stored_before;
   };
 
-  template <class Plan, class State>
-  static constexpr void start(const Plan&, State&) {}
   template <class Plan, class State, class Step>
   static void after_contact(const Plan& plan, State& state, const Step& step) {
     const auto number = [&plan](auto x) { return plan.units.fraction(x); };
@@ -196,14 +183,6 @@ struct InDouble {
     state.size += std::abs(force * rate) + std::abs(work) + stored;
     state.rate_before = rate;
     state.stored_before = stored;
-  }
-  template <class Plan, class State>
-  static constexpr void after_step(const Plan&, State&) {}
-  template <class Plan, class State>
-  static constexpr void after_correction(const Plan&, State&) {}
-  template <class Plan, class State>
-  static constexpr bool is_sound(const Plan&, const State&) {
-    return true;
   }
 };
 template <class Stepper, class ContactLaw>

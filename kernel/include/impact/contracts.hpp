@@ -49,8 +49,9 @@
 // Feature   kind                       uint32_t, not 0, another one for each
 //           is_bound                   what it records depends on the plan's forces
 //           State<Format>              a base of the absorber's state
-//           start(plan, state), after_contact(plan, state, step), after_step(plan, state), after_correction(plan,
-//           state), is_sound(plan, state)      see features.hpp
+//           start(plan, state), after_contact(plan, state, step), after_step(plan, state),
+//           after_correction(plan, state), is_sound(plan, state)    see features.hpp; what is derived from SilentFeature
+//                                      has those that it does not use
 //
 // Part      of the scene, named among the features and derived from ScenePart: Gravity, BaseAcceleration, DryFriction.
 //           It has a kind and a State<Format> as a feature has. Below, `rate` is a Value that counts as a penetration

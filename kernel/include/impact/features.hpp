@@ -6,6 +6,7 @@
 
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
+#include <impact/silent_feature.hpp>
 #include <impact/stepper/treatment.hpp>
 
 namespace impact {
@@ -82,7 +83,7 @@ struct EnergyLedger {
 
 // Contacts begun, the rate at which the last one began (2^penetration metres per step), and the largest mean force over
 // a step (force_unit).
-struct ImpactLog {
+struct ImpactLog : SilentFeature {
   static constexpr uint32_t kind = 2;
   static constexpr bool is_bound = true;
 
@@ -92,8 +93,6 @@ struct ImpactLog {
     typename Format::Value impact_rate, peak_force;
   };
 
-  template <class Plan, class State>
-  static constexpr void start(const Plan&, State&) {}
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     if (step.begins) {
@@ -103,10 +102,6 @@ struct ImpactLog {
     if (is_positive(step.force.j0 - state.peak_force)) state.peak_force = step.force.j0;
   }
   template <class Plan, class State>
-  static constexpr void after_step(const Plan&, State&) {}
-  template <class Plan, class State>
-  static constexpr void after_correction(const Plan&, State&) {}
-  template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
     using Format = typename Plan::FormatType;
     return Format::is_sound(state.impact_rate) && Format::is_sound(state.peak_force);
@@ -114,7 +109,7 @@ struct ImpactLog {
 };
 
 // The mean contact force of the last step: contact_force().
-struct ContactForce {
+struct ContactForce : SilentFeature {
   static constexpr uint32_t kind = 3;
   static constexpr bool is_bound = true;
 
@@ -123,8 +118,6 @@ struct ContactForce {
     typename Format::Value contact_force, force_of_step;  // force_unit, on the main mass along x
   };
 
-  template <class Plan, class State>
-  static constexpr void start(const Plan&, State&) {}
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     state.force_of_step = state.force_of_step + mirrored(step.force.j0, state.at_left & 1);
@@ -135,8 +128,6 @@ struct ContactForce {
     state.force_of_step = {};
   }
   template <class Plan, class State>
-  static constexpr void after_correction(const Plan&, State&) {}
-  template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
     using Format = typename Plan::FormatType;
     return Format::is_sound(state.contact_force) && Format::is_sound(state.force_of_step);
@@ -144,7 +135,7 @@ struct ContactForce {
 };
 
 // A window for snapshot(), of two snapshots: see snapshot.hpp. Of it a saved state has the number of steps.
-struct Snapshots {
+struct Snapshots : SilentFeature {
   static constexpr uint32_t kind = 4;
   static constexpr bool is_bound = false;
 
@@ -154,18 +145,8 @@ struct Snapshots {
   };
 
   template <class Plan, class State>
-  static constexpr void start(const Plan&, State&) {}
-  template <class Plan, class State, class Step>
-  static constexpr void after_contact(const Plan&, State&, const Step&) {}
-  template <class Plan, class State>
   static constexpr void after_step(const Plan&, State& state) {
     ++state.steps;
-  }
-  template <class Plan, class State>
-  static constexpr void after_correction(const Plan&, State&) {}
-  template <class Plan, class State>
-  static constexpr bool is_sound(const Plan&, const State&) {
-    return true;
   }
 };
 

@@ -182,7 +182,7 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
     // An impulse of friction acts forward, and in part ahead.
     if (!(flow.e12 > 0 && flow.constant_start() > 0 && flow.constant_increment() > flow.constant_start()))
       return refused(PlanStatus::step);
-    if (!(scene.ball_friction * DryFriction::increment(flow, ball) <= terms.largest_rate * h))
+    if (!(scene.ball_friction * Friction::increment(flow, ball) <= terms.largest_rate * h))
       return refused(PlanStatus::ball_friction);
   }
   // An impact changes the rate of sliding by twice the largest, and friction by no more than the largest in a step.
@@ -221,7 +221,7 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
 
   if constexpr (Friction::is_friction) {
     // What is below 64 of a rate's last places has no size of its own.
-    const double impulse = scene.ball_friction * DryFriction::increment(flow, ball);
+    const double impulse = scene.ball_friction * Friction::increment(flow, ball);
     if (scene.ball_friction > 0 && !Format::Units::resolves(impulse / 64, exponents.penetration))
       return refused(PlanStatus::ball_friction);
   }
@@ -262,12 +262,13 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   }
   if constexpr (Field::is_field)
     static_cast<FieldConstants&>(plan) = Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
-  // What a sample may add to x2 - x1 at once.
-  const double at_once = (Drive::is_sampled ? bounds.force * flow.b1 : 0) +
-                         Field::largest(scene, bounds) * constant::magnitude(field_at_once);
-  if constexpr (Friction::is_friction)
+  if constexpr (Friction::is_friction) {
+    // What a sample may add to x2 - x1 at once.
+    const double at_once = (Drive::is_sampled ? bounds.force * flow.b1 : 0) +
+                           Field::largest(scene, bounds) * constant::magnitude(field_at_once);
     static_cast<FrictionConstants&>(plan) =
         Friction::template make_plan<Format>(scene, flow, ball, at_once, exponents, units);
+  }
   if (!units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return refused(PlanStatus::displacement_bound);
   if (!units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return refused(PlanStatus::speed_bound);
   return plan;

@@ -27,7 +27,7 @@ struct Fixed32Numbers {
     constexpr bool is_negative() const { return raw < 0; }
   };
 
-  // A sum of energies, or of Values, without end and without rounding: 2^33 of the largest fit.
+  // A sum of energies without end and without rounding: 2^33 of the largest fit.
   struct Tally {
     uint32_t low, middle;
     int32_t high;
@@ -38,7 +38,6 @@ struct Fixed32Numbers {
       middle = static_cast<uint32_t>(after >> 32);
       high += static_cast<int32_t>(x.raw >> 63) + (after < before);
     }
-    constexpr void add(Value x) { add(Energy{shifted_left(x.raw, 31)}); }
     constexpr double total() const {
       const auto upper = static_cast<int64_t>(uint64_t{static_cast<uint32_t>(high)} << 32 | middle);
       return static_cast<double>(upper) * constant::power_of_two(-30) + low * constant::power_of_two(-62);
@@ -72,15 +71,18 @@ struct Fixed32Numbers {
   // A gain of numbers that it may carry out of range: they are held where the largest mantissa would not.
   struct HeldGain : Gain {
     friend constexpr Value operator*(HeldGain gain, Value x) {
-      const int32_t most = gain.shift < -1 ? INT32_MAX >> (-1 - gain.shift) : INT32_MAX;
+      const int32_t most = gain.most();
       return static_cast<const Gain&>(gain) * Value{x.raw > most ? most : x.raw < -most ? -most : x.raw};
     }
     // Of a number that is known not to be negative.
     friend constexpr Value operator*(HeldGain gain, Unsigned<31> x) {
-      const int32_t most = gain.shift < -1 ? INT32_MAX >> (-1 - gain.shift) : INT32_MAX;
+      const int32_t most = gain.most();
       const auto known = static_cast<int32_t>(x.raw);
       return static_cast<const Gain&>(gain) * Value{known > most ? most : known};
     }
+
+   private:
+    constexpr int32_t most() const { return shift < -1 ? INT32_MAX >> (-1 - shift) : INT32_MAX; }
   };
 
   // A gain that, where it shifts left, rounds down to the middle of two places: two instructions less.

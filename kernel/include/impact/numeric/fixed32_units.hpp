@@ -138,9 +138,7 @@ struct Fixed32Units {
   }
   // gain x with all the places of a state; x counts in 2^shift of them.
   static constexpr Long product(Fixed32Numbers::Gain gain, Value x, int shift) {
-    const uint32_t low = static_cast<uint32_t>(x.raw) * static_cast<uint32_t>(gain.mantissa);
-    const auto high = static_cast<uint64_t>(static_cast<int64_t>(high_product(x.raw, gain.mantissa)));
-    const auto product = static_cast<int64_t>(high << 32 | low);
+    const int64_t product = full_product(x.raw, gain.mantissa);
     const int places = 32 + gain.shift - shift;
     return {places >= 0 ? product >> places : product * (int64_t{1} << -places)};
   }

@@ -112,10 +112,18 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
       break;
     }
   }
-  const auto from = [](const std::vector<double>& samples) { return samples.empty() ? nullptr : samples.data(); };
-  const Reach reach = planned.simulation->reach(step_count(request), from(request.samples), from(request.base_samples));
+  const long steps = step_count(request);
+  double displacement = 0, speed = 0, penetration = 0;
+  for (long n = 0;; ++n) {  // whatever faults it raises
+    const MotionSample now = planned.simulation->motion();
+    displacement = larger(displacement, larger(std::abs(now.x1), std::abs(now.x2)));
+    speed = larger(speed, larger(std::abs(now.v1), std::abs(now.v2)));
+    penetration = larger(penetration, now.penetration);
+    if (n == steps) break;
+    planned.simulation->step(sample_at(n, request.samples), sample_at(n, request.base_samples));
+  }
   const auto held = [](double reached) { return larger(1e-6, margin * reached); };
-  bounds = {held(reach.displacement), held(reach.speed), held(reach.penetration), larger(1e-6, largest_sample(request)),
+  bounds = {held(displacement), held(speed), held(penetration), larger(1e-6, largest_sample(request)),
             base_bound(request)};
   bounds.displacement =
       std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * asked_step});

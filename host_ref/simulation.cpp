@@ -143,16 +143,9 @@ long Simulation::run(long steps, const double* forces, double* x1, const double*
   return steps;
 }
 
-Reach Simulation::reach(long steps, const double* forces, const double* base) {
-  Reach reach;
-  for (long n = 0;; ++n) {
-    const Sample now = sample();
-    reach.displacement = larger(reach.displacement, larger(std::abs(now.x1), std::abs(now.x2)));
-    reach.speed = larger(reach.speed, larger(std::abs(now.v1), std::abs(now.v2)));
-    reach.penetration = larger(reach.penetration, now.penetration);
-    if (n == steps) return reach;
-    step(forces ? forces[n] : 0, base ? base[n] : 0);
-  }
+MotionSample Simulation::motion() const {
+  const Sample now = sample();
+  return {now.x1, now.v1, now.x2, now.v2, now.penetration};
 }
 
 Outcome make_simulation(const Request& request) {

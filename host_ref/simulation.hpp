@@ -51,10 +51,19 @@ struct Sample {
   double peak_force = 0;           // largest contact force since the start, N
 };
 
-// The largest of both masses' displacements and speeds, and the deepest penetration; m and m/s.
-struct Reach {
-  double displacement = 0, speed = 0, penetration = 0;
+// Of a sample what moves, m and m/s.
+struct MotionSample {
+  double x1, v1, x2, v2;
+  double penetration;  // as a sample's
 };
+
+// The samples of the next steps, where n have been made; nullptr where there are none. One of them, or 0.
+inline const double* samples_after(long n, const std::vector<double>& samples) {
+  return samples.empty() ? nullptr : samples.data() + n;
+}
+inline double sample_at(long n, const std::vector<double>& samples) {
+  return samples.empty() ? 0 : samples[static_cast<size_t>(n)];
+}
 
 class Simulation {
  public:
@@ -62,11 +71,8 @@ class Simulation {
   // Advances by h; `force` and `base` (its acceleration) are the samples at the end of the step.
   virtual void step(double force, double base = 0) = 0;
   virtual Sample sample() const = 0;      // the state now
+  virtual MotionSample motion() const;          // the same, without what a sample reads besides
   virtual const char* fault() const = 0;  // nullptr, or why the state is no longer to be trusted
-
-  // Of as many steps at once, and of the state before them, whatever faults they raise; `forces` and `base` may be
-  // null.
-  virtual Reach reach(long steps, const double* forces, const double* base);
 
   // As many steps at once, with x1 at the end of each; `forces` and `base` may be null. Stops behind a step that raises
   // a fault, and returns how many raised none.

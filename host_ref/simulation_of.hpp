@@ -62,21 +62,9 @@ class KernelSimulation final : public Simulation {
     return steps;
   }
 
-  // The same as by sample(), without what that reads besides; only float64 runs for it.
-  Reach reach(long steps, const double* forces, const double* base) override {
-    if constexpr (!std::is_same_v<Format, Float64>) {
-      return Simulation::reach(steps, forces, base);
-    } else {
-      Reach reach;
-      for (long n = 0;; ++n) {
-        const auto now = kernel_.reading();
-        reach.displacement = larger(reach.displacement, larger(std::abs(now.x1), std::abs(now.x2)));
-        reach.speed = larger(reach.speed, larger(std::abs(now.v1), std::abs(now.v2)));
-        reach.penetration = larger(reach.penetration, penetration(now.x2 - now.x1));
-        if (n == steps) return reach;
-        advance(forces ? forces[n] : 0, base ? base[n] : 0);
-      }
-    }
+  MotionSample motion() const override {
+    const auto now = kernel_.reading();
+    return {now.x1, now.v1, now.x2, now.v2, penetration(now.x2 - now.x1)};
   }
 
   Sample sample() const override {

@@ -34,9 +34,7 @@ bool RecordedRun::is_done() const { return done_ >= steps_ || simulation_->fault
 
 void RecordedRun::advance(long steps) {
   for (; steps > 0 && !is_done(); --steps) {
-    const auto n = static_cast<size_t>(done_);
-    simulation_->step(request_.samples.empty() ? 0 : request_.samples[n],
-                      request_.base_samples.empty() ? 0 : request_.base_samples[n]);
+    simulation_->step(sample_at(done_, request_.samples), sample_at(done_, request_.base_samples));
     if (simulation_->fault()) return;
     ++done_;
     const Sample now = simulation_->sample();

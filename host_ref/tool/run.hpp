@@ -22,10 +22,8 @@ const char* run(Simulation& simulation, const Request& request, long every, Obse
   const long steps = step_count(request);
   for (long n = 0; n < steps;) {
     const long count = std::min({every - n % every, steps - n, static_cast<long>(x1.size())});
-    const auto from = [n](const std::vector<double>& samples) {
-      return samples.empty() ? nullptr : samples.data() + n;
-    };
-    const long good = simulation.run(count, from(request.samples), x1.data(), from(request.base_samples));
+    const long good =
+        simulation.run(count, samples_after(n, request.samples), x1.data(), samples_after(n, request.base_samples));
     n += good;
     if (good > 0) observe(n, x1.data(), good);
     if (good < count) return simulation.fault();

@@ -34,7 +34,7 @@ inline Samples kernel_samples(const Request& request, double interval, double du
   const long every = std::lround(interval / request.step), steps = std::lround(duration / request.step);
   Samples samples = {simulation.sample()};
   for (long n = 1; n <= steps; ++n) {
-    simulation.step(request.samples.empty() ? 0 : request.samples[static_cast<size_t>(n - 1)]);
+    simulation.step(sample_at(n - 1, request.samples));
     if (n % every == 0) samples.push_back(simulation.sample());
   }
   EXPECT_EQ(simulation.fault(), nullptr);

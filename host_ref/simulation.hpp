@@ -71,7 +71,7 @@ class Simulation {
   // Advances by h; `force` and `base` (its acceleration) are the samples at the end of the step.
   virtual void step(double force, double base = 0) = 0;
   virtual Sample sample() const = 0;      // the state now
-  virtual MotionSample motion() const;          // the same, without what a sample reads besides
+  virtual MotionSample motion() const;    // the same, without what a sample reads besides
   virtual const char* fault() const = 0;  // nullptr, or why the state is no longer to be trusted
 
   // As many steps at once, with x1 at the end of each; `forces` and `base` may be null. Stops behind a step that raises

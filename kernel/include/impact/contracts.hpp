@@ -50,8 +50,7 @@
 //           is_bound                   what it records depends on the plan's forces
 //           State<Format>              a base of the absorber's state
 //           start(plan, state), after_contact(plan, state, step), after_step(plan, state),
-//           after_correction(plan, state), is_sound(plan, state)    see features.hpp; what is derived from SilentFeature
-//                                      has those that it does not use
+//           after_correction(plan, state), is_sound(plan, state)    see features.hpp; SilentFeature, a base, has them
 //
 // Part      of the scene, named among the features and derived from ScenePart: Gravity, BaseAcceleration, DryFriction.
 //           It has a kind and a State<Format> as a feature has. Below, `rate` is a Value that counts as a penetration

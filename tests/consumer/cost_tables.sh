@@ -1,5 +1,5 @@
 #!/bin/sh
-# The tables of costs in README.md and tests/README.md are what tests/target/budgets.csv says: cost_tables.sh PROJECT [renew]
+# The tables of costs in README.md, kernel/README.md and tests/README.md are what tests/target/budgets.csv says: cost_tables.sh PROJECT [renew]
 # A table comes after a line <!-- budgets.csv | CELL | CELL.. -->, a cell being law,newmark,numeric,drive:quantity,quantity..
 # Its rows begin with a target. `renew` writes them anew.
 set -eu
@@ -7,7 +7,7 @@ cd "$1"
 renewed=$(mktemp)
 trap 'rm "$renewed"' EXIT
 status=0
-for file in README.md tests/README.md; do
+for file in README.md kernel/README.md tests/README.md; do
   awk -F' *[|] *' '
     FILENAME ~ /csv$/ { split($0, part, ","); budget[part[1] "," part[2] "," part[3] "," part[4] "," part[5] ":" part[6]] = part[7]; next }
     /^<!-- budgets.csv/ { sub(/ *-->/, ""); cells = NF; for (i = 2; i <= cells; ++i) cell[i] = $i; $0 = $0 " -->" }

@@ -115,8 +115,9 @@ struct Impulsive {
     [[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left) const {
       if (rests) state.x2 = units.stop(state.x1, left);
     }
-    constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&, const Contact& before,
-                                        const SplitImpulse<Value>& given) const {
+    [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&,
+                                                               const Contact& before,
+                                                               const SplitImpulse<Value>& given) const {
       const Value impulse = given.ball.j0;
       ContactStep<Value> result{{impulse, Format::value(half(impulse))},
                                 {},

@@ -95,8 +95,9 @@ struct Pointwise {
     }
     constexpr void drop_force() { force = Value{}; }
     // The force, linear over the step between its values before and after.
-    constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                        const Contact& before, const Impulse<Value>& impulse) const {
+    [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
+                                                               const Approach<Value>& step, const Contact& before,
+                                                               const Impulse<Value>& impulse) const {
       const Impulse<Value> mean = {
           Format::value(half(before.force + force)),
           Format::value(Format::constant(0.5 - beta) * before.force) + Format::value(Format::constant(beta) * force)};

@@ -88,9 +88,11 @@ struct ContactStep {
 
 // The step of a treatment whose impulse acts on both masses alike, by its response.
 template <class Format, class ContactLaw, class Response, class Value>
-constexpr ContactStep<Value> recorded(const Response& response, const typename Format::Units& units,
-                                      const Approach<Value>& step, const Impulse<Value>& impulse,
-                                      const Impulse<Value>& force, bool begins, bool is_touching) {
+[[gnu::always_inline]] constexpr ContactStep<Value> recorded(const Response& response,
+                                                             const typename Format::Units& units,
+                                                             const Approach<Value>& step, const Impulse<Value>& impulse,
+                                                             const Impulse<Value>& force, bool begins,
+                                                             bool is_touching) {
   const Value rate = step.rate - response.rate * impulse.j0 - response.rate_by_moment * impulse.j1;
   typename Format::Energy stored{};
   if (is_touching)

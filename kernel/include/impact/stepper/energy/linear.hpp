@@ -56,8 +56,9 @@ struct EnergyLinear : ResolvedForces {
                                                             bool left) {
     return put_back(units, state, step, left);
   }
-  constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                      const EnergyLinear& before, const Impulse<Value>& impulse) const {
+  [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
+                                                             const Approach<Value>& step, const EnergyLinear& before,
+                                                             const Impulse<Value>& impulse) const {
     const bool begins = before.phase == Phase::apart;
     ContactStep<Value> result =
         recorded<Format, HookeNewton>(plan.response, units, step, impulse,

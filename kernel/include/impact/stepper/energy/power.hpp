@@ -135,8 +135,9 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left) const {
     units.displace(state.x2, -mirrored(correction, left));
   }
-  constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                      const EnergyPower& before, const Impulse<Value>& impulse) const {
+  [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
+                                                             const Approach<Value>& step, const EnergyPower& before,
+                                                             const Impulse<Value>& impulse) const {
     const bool begins = before.phase == Phase::apart;
     ContactStep<Value> result = recorded<Format, ContactLaw>(
         plan.response, units, step, impulse, {impulse.j0, Format::value(half(impulse.j0))}, begins, false);

@@ -82,8 +82,9 @@ struct MomentLinear : ResolvedForces {
     phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
   constexpr void change_rate(const Plan&, Value by) { rate = rate + by; }
-  constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                      const MomentLinear& before, const Impulse<Value>& impulse) const {
+  [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
+                                                             const Approach<Value>& step, const MomentLinear& before,
+                                                             const Impulse<Value>& impulse) const {
     return recorded<Format, HookeNewton>(plan.response, units, step, impulse, impulse, before.phase == Phase::apart,
                                          phase == Phase::touching);
   }

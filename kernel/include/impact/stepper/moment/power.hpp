@@ -79,8 +79,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   constexpr void keep_damping(const Plan& plan, const MomentPower& before, Value at, Value rate) {
     this->keep(before.own_damping, plan.slowest, plan.damping, at, rate);
   }
-  constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                      const MomentPower& before, const Impulse<Value>& impulse) const {
+  [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
+                                                             const Approach<Value>& step, const MomentPower& before,
+                                                             const Impulse<Value>& impulse) const {
     return recorded<Format, ContactLaw>(plan.response, units, step, impulse,
                                         {plan.force * impulse.j0, plan.force * impulse.j1},
                                         before.phase == Phase::apart, phase == Phase::touching);

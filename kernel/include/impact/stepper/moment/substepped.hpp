@@ -119,8 +119,9 @@ struct SubsteppedMoment {
       Inner::change_rate(plan.inner, plan.part * by);
     }
     // For the ledger: J0 (v0 + v1)/2 is a free pair's to_penetration work, however the force runs.
-    constexpr ContactStep<Value> record(const Plan& plan, const Units& units, const Approach<Value>& step,
-                                        const Contact& before, const SplitImpulse<Value>& impulse) const {
+    [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
+                                                               const Approach<Value>& step, const Contact& before,
+                                                               const SplitImpulse<Value>& impulse) const {
       const Value force = plan.force * impulse.ball.j0;
       typename Format::Energy stored{};
       if (this->phase == Phase::touching) stored = ContactLaw::template stored<Format>(units, this->penetration);

@@ -72,7 +72,7 @@ struct ImpactDamping<Format, true> {
   constexpr void keep(Damping before, const SlowestImpact<Format, true>& slowest, typename Format::Gain share,
                       typename Format::Value at, typename Format::Value rate) {
     auto least = slowest.rate_by_shape * Format::value(Format::root(at) * without_sign(at));
-    if (is_positive(rate - least)) least = rate;
+    if (is_positive(rate) && is_positive(rate - least)) least = rate;
     own_damping = before;
     // c1 V/k1 of an impact at that rate, which is a where it is its own
     if (is_positive(least) && !is_positive(share * Format::sample(1) - before * least))

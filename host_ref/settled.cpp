@@ -92,6 +92,7 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
   constexpr double margin = 1.5, longest_phase = 0.3, restitution_error = 1e-3;
   const double asked_step = request.step;
   request.numeric = Numeric::float64;
+  request.counts_drive_work = false;
   Planned planned = plan(request);
   if (planned.status == PlanStatus::steps_per_contact || planned.status == PlanStatus::contact_time) {
     request.stepper = chosen(request);

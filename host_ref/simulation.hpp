@@ -30,6 +30,7 @@ struct Request {
   std::vector<double> samples{};       // drive samples, N, used only to find bounds
   bool is_shaken = false;              // the base accelerates:
   std::vector<double> base_samples{};  // m/s^2, used only to find bounds
+  bool counts_drive_work = true;       // for Sample::drive_work
 };
 long step_count(const Request& request);  // duration / step to the nearest whole number
 
@@ -44,7 +45,7 @@ struct Sample {
   double contact_force = 0;        // >= 0 when tension is clamped, N
   double energy_dissipated = 0;    // by contact since the start, J
   double energy_stored = 0;        // by contact now, J
-  double drive_work = 0;           // by the drive since the start, J
+  double drive_work = 0;           // by the drive since the start, J, where it is counted
   double friction_dissipated = 0;  // by dry friction since the start, J
   long impacts = 0;                // contacts begun since the start
   double impact_speed = 0;         // rate of penetration at which the last one began, m/s

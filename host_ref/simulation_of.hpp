@@ -32,10 +32,22 @@ double law_force(const Scene& scene, double damping, double penetration, double 
   return elastic + damping * shape * rate;
 }
 
+// The kernel's ledger, with the drive's work where it is asked for.
+struct Ledger : EnergyLedger {
+  template <class Format>
+  struct State : EnergyLedger::State<Format> {
+    bool counts_drive_work;
+  };
+  template <class Plan, class State>
+  static constexpr void after_step(const Plan& plan, State& state) {
+    if (state.counts_drive_work) EnergyLedger::after_step(plan, state);
+  }
+};
+
 template <class Format, class ContactLaw, class Stepper, class Drive, class... Parts>
 class KernelSimulation final : public Simulation {
  public:
-  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, EnergyLedger, ImpactLog, Parts...>;
+  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, Ledger, ImpactLog, Parts...>;
 
   KernelSimulation(const Request& request, const Bounds& bounds, const typename Kernel::PlanType& plan)
       : scene_(request.scene),
@@ -44,7 +56,11 @@ class KernelSimulation final : public Simulation {
         sample_unit_(Format::sample_unit(bounds.force)),
         largest_base_(bounds.base_acceleration),
         position_unit_(constant::power_of_two(position_exponent(plan) - 63)),
-        kernel_(plan) {}
+        kernel_(plan) {
+    auto start = kernel_.save();
+    start.state.counts_drive_work = request.counts_drive_work;
+    kernel_.restore(start);
+  }
 
   void step(double force, double base) override {
     double x1 = 0;

@@ -17,7 +17,8 @@ double largest_alone(const Request& bare) {
 }  // namespace
 
 double BareRuns::largest(const Request& request, const std::string& drive_file) {
-  const Request bare = without_absorber(request);
+  Request bare = without_absorber(request);
+  bare.counts_drive_work = false;
   const Scene& scene = bare.scene;
   const bool is_sine = bare.drive == DriveKind::sine;
   const Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration,

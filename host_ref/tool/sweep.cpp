@@ -154,6 +154,7 @@ std::string one_cell(std::string text) {
 std::string results_of(const SweptScene& scene, BareRuns& bare_runs) {
   Request request = scene.settings.request;
   if (request.drive == DriveKind::sampled || request.is_shaken) request = settings_from(scene.arguments).request;
+  request.counts_drive_work = false;
   const Outcome outcome = make_simulation(request);
   if (!outcome.simulation) return ",,,,," + one_cell(BadInput(outcome.refusal).what()) + "\n";
   const Summary summary = summary_of(*outcome.simulation, request);

@@ -50,6 +50,7 @@ struct Fixed32Numbers {
     int shift;
 
     [[gnu::always_inline]] friend constexpr Value operator*(Gain gain, Value x) {
+      if (is_wide && gain.shift >= 0) return {instruction::rounded_product(x.raw, gain.mantissa, gain.shift)};
       if (gain.mantissa == 0) return {0};
       const bool is_power_of_two = gain.mantissa == (1 << 30);
       const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
@@ -88,6 +89,7 @@ struct Fixed32Numbers {
   // A gain that, where it shifts left, rounds down to the middle of two places: two instructions less.
   struct Weight : Gain {
     [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
+      if (is_wide && weight.shift >= 0) return {instruction::rounded_product(x.raw, weight.mantissa, weight.shift)};
       const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
       const int32_t product =
           high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
@@ -114,6 +116,8 @@ struct Fixed32Numbers {
   static constexpr Weight weight(double factor, int from, int to) { return {gain(factor, from, to)}; }
   // A Value that counts in 2^from as one that counts in 2^(from + places).
   static constexpr Value moved(Value x, int places) {
+    if constexpr (is_wide)
+      return {static_cast<int32_t>(static_cast<int64_t>(static_cast<uint64_t>(x.raw) << 32) >> (32 + places))};
     return {places > 0 ? x.raw >> places : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -places)};
   }
 

@@ -19,6 +19,13 @@
 
 namespace impact {
 
+// Whether a processor has 64 bits in a register, and takes states and full products in one piece.
+#if UINTPTR_MAX > UINT32_MAX || defined(__wasm__)
+inline constexpr bool is_wide = true;
+#else
+inline constexpr bool is_wide = false;
+#endif
+
 // The same number, of which the compiler knows nothing. GCC multiplies a number that it knows not to be negative, or to
 // be the upper word of a longer one, by a signed number in four instructions instead of one.
 inline int32_t veiled(int32_t x) {
@@ -33,7 +40,7 @@ inline void refreshed(State& x) {
 constexpr int32_t opaque(int32_t x) { return x; }
 #else
 constexpr int32_t opaque(int32_t x) {
-  return __builtin_constant_p(x) || __builtin_is_constant_evaluated() ? x : veiled(x);
+  return is_wide || __builtin_constant_p(x) || __builtin_is_constant_evaluated() ? x : veiled(x);
 }
 #endif
 
@@ -69,6 +76,10 @@ constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
 constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
   return static_cast<uint32_t>((uint64_t{a} * b + UINT64_C(0x80000000)) >> 32);
 }
+// floor(a b / 2^(32 + places) + 1/2) for places from 0 to 31, where is_wide: there one shift serves for all.
+constexpr int32_t rounded_product(int32_t a, int32_t b, int places) {
+  return static_cast<int32_t>(((int64_t{a} * b >> (31 + places)) + 1) >> 1);
+}
 
 constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(static_cast<unsigned>(x)); }
 
@@ -92,7 +103,7 @@ constexpr int normalise(uint32_t& x) {
 
 // x 2^places for places from 1 to 63, in two words where that takes fewer instructions than a long shift.
 constexpr int64_t shifted_left(int32_t x, int places) {
-  if (places > 31) return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(x)) << places);
+  if (is_wide || places > 31) return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(x)) << places);
   const uint32_t low = static_cast<uint32_t>(x) << places, high = static_cast<uint32_t>((x >> 1) >> (31 - places));
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }

@@ -282,6 +282,40 @@ INSTANTIATE_TEST_SUITE_P(Found, KeptPlaceIn,
                          testing::Combine(testing::ValuesIn(kept_places),
                                           testing::Values(Numeric::float64, Numeric::float32, Numeric::fixed32)));
 
+// Bounds a hundred times what the masses reach, in a field of 0.5 % of their rate a step: a light main mass whose
+// spring presses it onto a heavy ball. The ball was put back to its stop at each step, against the field: 5.4 times the
+// energy.
+TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
+  CoupledScene found;
+  Request& request = found.request;
+  request.law = Law::hunt_crossley;
+  request.drive = DriveKind::none;
+  request.step = 0.00057952589894404681;
+  Scene& scene = request.scene;
+  scene.main_mass = 0.10790493541273041;
+  scene.ball_mass = 45.215146309253321;
+  scene.main_stiffness = 192429.83725367085;
+  scene.main_damping = 0;
+  scene.clearance = 0.40645705237653706;
+  scene.contact_stiffness = 9378602185.8448792;
+  scene.contact_damping = 66625942548.262146;
+  scene.x2 = 0.19916395566450318;
+  scene.v2 = 0.15407195473359786;
+  scene.gravity = found.base = 3.5696041023607634;
+  request.is_shaken = true;
+  request.bounds = Bounds{0.43785109405877398, 174.46799130268562, 0, 0, found.base};
+  found.energy = scene.ball_mass * scene.v2 * scene.v2 / 2;
+  found.steps = 2000;
+  for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32}) {
+    request.numeric = numeric;
+    for (const Samples samples : {Samples::noise, Samples::square_wave, Samples::along}) {
+      found.samples = samples;
+      EXPECT_TRUE(run_coupled(found).is_accepted || numeric == Numeric::fixed32);
+      EXPECT_LE(badness(found), 1) << static_cast<int>(samples);
+    }
+  }
+}
+
 class CoupledSearch : public testing::TestWithParam<Searched> {};
 
 TEST_P(CoupledSearch, FindsNoSceneThatGainsEnergyOrRaisesAFault) {

@@ -59,8 +59,10 @@
 //
 //     V1^2 - b (D - b) - g (d1 - d0 - D + b)        by b: 2 b - D - g, by V1: 2 V1 - (4/5) g d1/V1
 //
-// where this leaves less of it. The ledger counts what is taken as dissipated, with its sign: it falls by that.
-// tests/host/coupled_search_test.cpp has what a ball of many main masses gained otherwise.
+// where this leaves less of it. A ball that enters and leaves in one step is put back to its stop from D - b inside,
+// and has lost b (D - b): with b no less than g, or D, it gains nothing by that. The ledger counts what is taken as
+// dissipated, with its sign: it falls by that. tests/host/coupled_search_test.cpp has what a ball of many main masses
+// gained otherwise.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -168,7 +170,7 @@ struct StiffContact {
       const Value damped = is_damped ? number(d) : Value{}, base = one + damped;  // A, 1 + A
       if (is_damped && !is_positive(base)) return left_behind();
       End end{};
-      return stays<is_in_field>(end, base) ? end : leave(damped, base);
+      return stays<is_in_field>(end, base) ? end : leave<is_in_field>(damped, base);
     }
 
     constexpr End left_behind() const {
@@ -298,6 +300,7 @@ struct StiffContact {
       return Format::value(x * (Format::rough_quotient(upper, lower) + Format::constant(n0 / 12)));
     }
 
+    template <bool is_in_field>
     [[gnu::always_inline]] constexpr End leave(Value damped, Value base) const {
       const Value elastic = Format::value(Format::root_of_product(square(half(d)) + square(v)));
       Value half_rate = elastic;  // -w1/2
@@ -306,7 +309,11 @@ struct StiffContact {
         if (is_positive(elastic - slowed)) half_rate = slowed;
       }
       // Outside by no more than it can go in the step.
-      const Value recoil = unscaled(Format::value(half(d)) + half_rate);
+      Value recoil = unscaled(Format::value(half(d)) + half_rate);
+      if constexpr (is_in_field) {
+        const Value least = is_positive(step.travel - step.field) ? step.field : step.travel;
+        if (is_positive(least - recoil)) recoil = least;
+      }
       if (!step.is_inside) return {recoil, Value{}, Value{}, false};
       const Value end = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
       return {recoil, Value{}, is_positive(end) ? Value{} : is_positive(end - farthest) ? end : farthest, false};

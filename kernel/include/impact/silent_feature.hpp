@@ -2,6 +2,8 @@
 #pragma once
 // What a feature says where it has nothing to say: a base of features, which declare only the calls that they use.
 
+#include <impact/requirements.hpp>
+
 namespace impact {
 
 struct SilentFeature {

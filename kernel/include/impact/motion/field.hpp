@@ -174,21 +174,22 @@ struct BaseAcceleration : ScenePart {
     const double base = Format::sample_unit(bounds.base_acceleration), g = scene.gravity;
     const double largest_sum = g < 0 || g > 0 ? 1.0001 * (base + constant::magnitude(g)) : base;
     const double counts = Format::sample_unit(largest_sum);  // m/s^2
-    const double M = scene.main_mass, m = scene.ball_mass;
+    const double main_mass = scene.main_mass, ball_mass = scene.ball_mass;
     const SampledForce share = sampled_force(main);
-    const double rest = at_once<Units>(scene, bounds, main, ball, unit), taken = M * main.b1 - rest;
-    const double in_displacement = M * main.b0 + (1 + main.e11) * taken;
+    const double rest = at_once<Units>(scene, bounds, main, ball, unit), taken = main_mass * main.b1 - rest;
+    const double in_displacement = main_mass * main.b0 + (1 + main.e11) * taken;
     const auto gain = [counts](double by, int exponent) { return Format::gain(-counts * by, 0, exponent); };
     return {g < 0 || g > 0,
             Format::gain(counts > 0 ? base / counts : 0, 0, 0),
             Format::sample(counts > 0 ? -g / counts : 0),
             Format::largest_sample(bounds.base_acceleration),
-            {gain(rest, unit.increment), gain(M * share.before - (1 - main.damping()) * taken, unit.increment),
-             gain(M * share.now + (1 - main.stiffness()) * taken, unit.increment),
+            {gain(rest, unit.increment), gain(main_mass * share.before - (1 - main.damping()) * taken, unit.increment),
+             gain(main_mass * share.now + (1 - main.stiffness()) * taken, unit.increment),
              gain(in_displacement / main.e12, unit.penetration), gain(in_displacement / main.e12, unit.increment),
              gain(in_displacement, unit.increment)},
-            {gain(m * ball.constant_increment(), unit.increment), gain(m * ball.constant_start(), unit.penetration)},
-            gain(m * ball.b1, unit.increment),
+            {gain(ball_mass * ball.constant_increment(), unit.increment),
+             gain(ball_mass * ball.constant_start(), unit.penetration)},
+            gain(ball_mass * ball.b1, unit.increment),
             static_cast<float>(base > 0 ? 1 / base : 0),
             base};
   }

@@ -50,7 +50,7 @@ struct Fixed32Numbers {
     int shift;
 
     [[gnu::always_inline]] friend constexpr Value operator*(Gain gain, Value x) {
-      if (is_wide && gain.shift >= 0) return {rounded_product(x.raw, gain.mantissa, gain.shift)};
+      if (is_wide && gain.shift >= 0) return {instruction::rounded_product(x.raw, gain.mantissa, gain.shift)};
       if (gain.mantissa == 0) return {0};
       const bool is_power_of_two = gain.mantissa == (1 << 30);
       const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
@@ -89,9 +89,13 @@ struct Fixed32Numbers {
   // A gain that, where it shifts left, rounds down to the middle of two places: two instructions less.
   struct Weight : Gain {
     [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
-      if (weight.shift >= 0) return {rounded_product(x.raw, weight.mantissa, weight.shift)};
-      const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (-1 - weight.shift));
-      return {static_cast<int32_t>(static_cast<uint32_t>(high_product(ahead, weight.mantissa)) << 1) + 1};
+      if (is_wide && weight.shift >= 0) return {instruction::rounded_product(x.raw, weight.mantissa, weight.shift)};
+      const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
+      const int32_t product =
+          high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
+      if (after > 0) return {(product + (1 << (after - 1))) >> after};
+      if (after == 0) return {rounded_high_product(x.raw, weight.mantissa)};
+      return {static_cast<int32_t>(static_cast<uint32_t>(product) << 1) + 1};
     }
   };
 

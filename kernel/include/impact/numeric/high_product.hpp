@@ -76,6 +76,10 @@ constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
 constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
   return static_cast<uint32_t>((uint64_t{a} * b + UINT64_C(0x80000000)) >> 32);
 }
+// floor(a b / 2^(32 + places) + 1/2) for places from 0 to 31, where is_wide: there one shift serves for all.
+constexpr int32_t rounded_product(int32_t a, int32_t b, int places) {
+  return static_cast<int32_t>(((int64_t{a} * b >> (31 + places)) + 1) >> 1);
+}
 
 constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(static_cast<unsigned>(x)); }
 
@@ -295,12 +299,5 @@ using composed::normalise;
 using instruction::leading_zeros;
 using instruction::normalise;
 #endif
-
-// floor(a b / 2^(32 + places) + 1/2) for places from 0 to 31.
-[[gnu::always_inline]] constexpr int32_t rounded_product(int32_t a, int32_t b, int places) {
-  if (is_wide) return static_cast<int32_t>(((instruction::full_product(a, b) >> (31 + places)) + 1) >> 1);
-  if (places == 0) return rounded_high_product(a, b);
-  return (high_product(a, b) + (1 << (places - 1))) >> places;
-}
 
 }  // namespace impact

@@ -117,6 +117,26 @@ TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
 // still for the 0.05 rad of its vibration that a contact lasts, and the energy step's force is constant over a step:
 // where the main mass swings by 0.7 rad in a step of a contact, 0.13. In Fixed32 the motion is rounded, and its ledger
 // as well.
+// Far from the stops, so that what both masses have lost is what friction has taken.
+TEST(CoupledSceneOfFriction, LosesWhatASampleSaysThatFrictionHasTaken) {
+  for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32}) {
+    Request request;
+    request.numeric = numeric;
+    request.drive = DriveKind::none;
+    request.scene.main_damping = 0;
+    request.scene.clearance = 1;
+    request.scene.v2 = 0.3;
+    request.scene.ball_friction = 0.2;
+    const Outcome outcome = make_simulation(request);
+    ASSERT_TRUE(outcome.simulation) << outcome.refusal.field;
+    const double start = energy_of(request.scene, outcome.simulation->sample());
+    for (int i = 0; i < 500; ++i) outcome.simulation->step(0);
+    const Sample now = outcome.simulation->sample();
+    EXPECT_GT(now.friction_dissipated, 0.1 * start);
+    EXPECT_NEAR(now.friction_dissipated, start - energy_of(request.scene, now), 1e-4 * start);
+  }
+}
+
 TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   if (GetParam().numeric == Numeric::float32 || GetParam().numeric == Numeric::float32_plain)
     GTEST_SKIP() << "float64 shows the method and fixed32 the format";

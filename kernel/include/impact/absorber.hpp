@@ -126,7 +126,8 @@ class Absorber
   // The same of an acceleration of the base, m/s^2.
   using Source::base_sample_of;
 
-  static constexpr bool counts_slid_way = Friction::is_friction && detail::is_one_of<EnergyLedger, Features...>;
+  // Beside an EnergyLedger, or a feature derived from it.
+  static constexpr bool counts_slid_way = Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
 
   // All that changes from step to step. Plain: it can be copied, kept and given back.
   struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {

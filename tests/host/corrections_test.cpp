@@ -114,6 +114,7 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
       }
       kernel.step();
       const auto now = kernel.reading();
+      EXPECT_FALSE(std::isnan(now.x1 + now.v1 + now.x2 + now.v2)) << index << ", step " << i;
       if (!(std::abs(now.v1) < bounds.speed && std::abs(now.v2) < bounds.speed &&
             std::abs(now.x1) < bounds.displacement && std::abs(now.x2) < bounds.displacement))
         break;

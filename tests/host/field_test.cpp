@@ -121,21 +121,24 @@ Scene narrow_and_damped() {
   return scene;
 }
 
-// A ball at rest on its stop, the main mass in its equilibrium: the penetration (m g/k1)^(2/3) or m g/k1 stays, for
-// 10 s. What a format rounds in a penetration of 2 mm and its rate is the rest.
+// A ball at rest on its stop, the main mass in its equilibrium.
+void put_to_rest(Scene& scene, double penetration) {
+  scene.x1 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
+  scene.x2 = scene.x1 + scene.clearance / 2 + penetration;
+}
+constexpr Bounds bounds_at_rest{0.05, 0.3};
+
+// There the penetration (m g/k1)^(2/3) or m g/k1 stays, for 10 s. What a format rounds in a penetration of 2 mm and its
+// rate is the rest.
 template <class Law, class Stepper, class Format>
 void rest(double tolerance, int lead) {
   Scene scene = narrow_and_damped();
   if (Law::is_linear) scene.contact_damping = 5;
   const double ratio = scene.ball_mass * weight / scene.contact_stiffness;
   const double penetration = Law::is_linear ? ratio : std::pow(ratio, 2.0 / 3);
-  scene.x1 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
-  scene.x2 = scene.x1 + scene.clearance / 2 + penetration;
-  Bounds bounds;
-  bounds.displacement = 0.05;
-  bounds.speed = 0.3;
+  put_to_rest(scene, penetration);
   using Absorber = Absorber<AtRunTime, Law, Stepper, NoDrive, Format, Gravity>;
-  const auto plan = Absorber::PlanType::make(scene, bounds, 1e-4);
+  const auto plan = Absorber::PlanType::make(scene, bounds_at_rest, 1e-4);
   ASSERT_EQ(plan.status, PlanStatus::ok);
   Absorber absorber(plan);
   for (int n = 0; n < lead; ++n) absorber.step();
@@ -176,13 +179,9 @@ void rest_in_stiff_contact() {
     scene.contact_stiffness = stiffness;
     scene.contact_damping = Law::is_damped ? 2 * stiffness : 0;
     const double penetration = std::pow(scene.ball_mass * weight / stiffness, 2.0 / 3);
-    scene.x1 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
-    scene.x2 = scene.x1 + scene.clearance / 2 + penetration;
-    Bounds bounds;
-    bounds.displacement = 0.05;
-    bounds.speed = 0.3;
+    put_to_rest(scene, penetration);
     using Absorber = Absorber<AtRunTime, Law, EnergyConsistent, NoDrive, Format, Gravity>;
-    const auto plan = Absorber::PlanType::make(scene, bounds, 1e-4);
+    const auto plan = Absorber::PlanType::make(scene, bounds_at_rest, 1e-4);
     ASSERT_EQ(plan.status, PlanStatus::ok);
     ASSERT_FALSE(plan.contact.is_resolved);
     Absorber absorber(plan);

@@ -68,7 +68,8 @@
 //           fly(plan, state, next)     moves x2 and dx2 by the step's flight; then, until the next,
 //           ball_travel(plan, state)   Long: by how much x2,
 //           ball_increment             increment: by how much dx2
-//           ahead, behind, ball_start  increments, for a change of plan: motion/handover.hpp
+//           ahead, behind              increments, for a change of plan: motion/handover.hpp
+//           ball_start                 the same of the ball, if not sampled
 //           and if sampled
 //           accepts(plan, sample)      bool; held(plan, sample) is a sample in place of a bad one
 //           at_end(plan, sample)       `next`

@@ -123,9 +123,6 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
   }
-  constexpr void keep_damping(const Plan& plan, const EnergyPower& before, Value at, Value rate) {
-    this->keep(before.own_damping, plan.slowest, plan.damping, at, rate);
-  }
   template <class State>
   [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
                                                             bool left) {

@@ -76,9 +76,6 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     phase = Phase::touching;
     if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
   }
-  constexpr void keep_damping(const Plan& plan, const MomentPower& before, Value at, Value rate) {
-    this->keep(before.own_damping, plan.slowest, plan.damping, at, rate);
-  }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                              const Approach<Value>& step, const MomentPower& before,
                                                              const Impulse<Value>& impulse) const {

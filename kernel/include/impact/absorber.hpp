@@ -617,13 +617,10 @@ class Absorber
     if (!touches) taken = {};
     [[maybe_unused]] Value rate{};
     if constexpr (counts_slid_way) rate = rubbing_rate();
-    if (!Friction::slides_on(plan, state_, state_.dx2 - taken)) {
-      // An impact at an instant does not turn the sliding at a rate linear in time.
-      if constexpr (Contact::is_instantaneous)
-        rub_anew(plan.units.relative(slid), way_ahead() - taken, Friction::passive(plan, relative_rate(false)));
-      else
-        rub_anew(plan.units.relative(slid), way_ahead() - taken, typename Friction::Any{});
-    }
+    if (Contact::is_sudden(plan.contact))
+      rub_anew(plan.units.relative(slid), way_ahead() - taken, Friction::passive(plan, rubbing_rate()));
+    else if (!Friction::slides_on(plan, state_, state_.dx2 - taken))
+      rub_anew(plan.units.relative(slid), way_ahead() - taken, typename Friction::Any{});
     if constexpr (counts_slid_way) count_slid_way(rate);
     if (!touches) return;
     const Value towards_stop = mirrored(-state_.impulse, at_left());

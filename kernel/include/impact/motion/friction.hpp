@@ -17,8 +17,8 @@
 // where y counts with the way that contact has added in this step, if the ball still touches the stop. In a step
 // friction does the work -(p0 + p1)/2 y0 of the impulses at both of its ends: never positive where the ball has slid on
 // until then, p0 = r. A ball at rest has no way; while its load changes, friction takes and gives back up to
-// R^2 h^2/8 (1/m + 1/M). Where an impact is an instant the rate is not linear in time, and the impulse is held to what
-// takes energy at that instant. Second order where the sliding begins, turns or ends.
+// R^2 h^2/8 (1/m + 1/M). Where a contact turns the rate at once (Treatment::is_sudden) that is not linear in time, and
+// the impulse is held to what takes energy at that instant. Second order where the sliding begins, turns or ends.
 //
 // While the sliding lasts a step adds the same two constants again: they stand in the state.
 
@@ -62,6 +62,7 @@ struct DryFriction : ScenePart {
     Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
     Gain rate_ahead;                  // the same in h v1
     Gain half_by_full;                // 1/(2 r)
+    Gain stopping;                    // the impulse that takes all of a rubbing rate, over it
     Gain excess;                      // of the main mass's momentum by an impulse over the ball's
     int spare_places;                 // of an impulse that is no more than r
     Long main_sliding, ball_sliding;  // of a ball that slides forward
@@ -76,21 +77,22 @@ struct DryFriction : ScenePart {
   static constexpr FrictionPlan<Format> make_plan(const Scene& scene, const LinearFlow& main, const LinearFlow& ball,
                                                   double at_once, const UnitExponents& unit, const Units& units) {
     const double friction = scene.ball_friction, both = increment(main, ball), full = friction * both;
-    return {
-        Format::sample(full * constant::power_of_two(-unit.penetration)),
-        Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
-        Format::gain(main.constant_increment() / both, 0, 0),
-        Format::gain(main.constant_start() / both, 0, 0),
-        Format::gain(ball.constant_start() / both, 0, 0),
-        Format::gain(main.constant_start() / main.e12 / both, 0, 0),
-        Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
-        Format::gain(
-            scene.main_mass * main.constant_increment() / main.e12 / (scene.ball_mass * ball.constant_increment()) - 1,
-            unit.penetration, unit.penetration),
-        unit.penetration - constant::exponent_above(2 * full),
-        units.state(friction * main.constant_increment()),
-        units.state(-friction * ball.constant_increment()),
-        friction};
+    const double main_momentum = scene.main_mass * main.constant_increment() / main.e12,
+                 momentum_ratio = main_momentum / (scene.ball_mass * ball.constant_increment()),
+                 stopped = (ball.constant_increment() + momentum_ratio * main.constant_increment() / main.e12) / both;
+    return {Format::sample(full * constant::power_of_two(-unit.penetration)),
+            Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
+            Format::gain(main.constant_increment() / both, 0, 0),
+            Format::gain(main.constant_start() / both, 0, 0),
+            Format::gain(ball.constant_start() / both, 0, 0),
+            Format::gain(main.constant_start() / main.e12 / both, 0, 0),
+            Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
+            Format::gain(1 / stopped, 0, 0),
+            Format::gain(momentum_ratio - 1, unit.penetration, unit.penetration),
+            unit.penetration - constant::exponent_above(2 * full),
+            units.state(friction * main.constant_increment()),
+            units.state(-friction * ball.constant_increment()),
+            friction};
   }
 
   template <class Format>
@@ -139,8 +141,7 @@ struct DryFriction : ScenePart {
     push(state);
     return true;
   }
-  // Which impulses may be: any; and of a ball that has met a stop as an instant, those that take energy at the rate
-  // that it then slides with.
+  // Which impulses may be: any; and after a sudden contact those that take energy at the rubbing rate that it has left.
   struct Any {};
   template <class Value>
   struct Passive {
@@ -148,7 +149,10 @@ struct DryFriction : ScenePart {
   };
   template <class Plan, class Value>
   static constexpr Passive<Value> passive(const Plan& plan, Value rate) {
-    const Value most = held(plan, Any{}, rate + rate);
+    using Format = typename Plan::FormatType;
+    const Value half_full = Format::value(half(plan.full));
+    const Value half_most = held(plan, Passive<Value>{-half_full, half_full}, plan.stopping * rate);
+    const Value most = half_most + half_most;
     return is_negative(most) ? Passive<Value>{most, Value{}} : Passive<Value>{Value{}, most};
   }
   // After any step. `slid`: y0; `ahead`: y.

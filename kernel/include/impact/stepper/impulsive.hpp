@@ -105,6 +105,7 @@ struct Impulsive {
     }
 
     static constexpr bool is_instantaneous = true;
+    static constexpr bool is_sudden(const Plan&) { return true; }
 
     Phase phase;
     uint32_t rests;  // put on the stop by the last step

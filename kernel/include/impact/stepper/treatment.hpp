@@ -106,6 +106,11 @@ struct Treatment {
   static constexpr bool meets_both_stops = false;
   // Whether it keeps a force from step to step, in its plan's units.
   static constexpr bool keeps_force = false;
+  // Whether it may change the rate of penetration in a step as no force over that step does.
+  template <class Plan>
+  static constexpr bool is_sudden(const Plan&) {
+    return false;
+  }
 
   // The smallest change of a penetration that a plan's units must tell, m.
   static constexpr double finest_penetration(const ContactTerms&) { return 1e300; }

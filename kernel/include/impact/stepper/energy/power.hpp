@@ -56,6 +56,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
 
+  static constexpr bool is_sudden(const Plan& plan) { return !plan.is_resolved; }
   // Whether a contact lasts 20 steps and u stays below 1/2, at the deepest penetration and at the peak of an elastic
   // impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d), and u = h c/(2 mu).
   static constexpr double largest_ratio = 0.5;  // of u

@@ -54,15 +54,15 @@
 // beyond. -w1 is at most the elastic one, so that none makes energy here either.
 //
 // In a field of acceleration a towards the stop the correction, from d0 + D - b to d1, gives the ball by the field, as
-// a square of rates, -g (d1 - d0 - D + b) with g = G m a. What it gains is taken out of b and V1, by one step of
-// Newton's method along the steepest of
+// a square of rates, -g (d1 - d0 - D + b) with g = G m a. What it gains is taken out of b or V1, by one step of
+// Newton's method on
 //
 //     V1^2 - b (D - b) - g (d1 - d0 - D + b)        by b: 2 b - D - g, by V1: 2 V1 - (4/5) g d1/V1
 //
-// where this leaves less of it. A ball that enters and leaves in one step is put back to its stop from D - b inside,
-// and has lost b (D - b): with b no less than g, or D, it gains nothing by that. The ledger counts what is taken as
-// dissipated, with its sign: it falls by that. tests/host/coupled_search_test.cpp has what a ball of many main masses
-// gained otherwise.
+// where this leaves less of it: by b where |2 b - D - g| > 2 V1, as at both ends of a contact, where the slope by V1
+// has no bound. A ball that enters and leaves in one step is put back to its stop from D - b inside, and has lost b (D
+// - b): with b no less than g, or D, it gains nothing by that. The ledger counts what is taken as dissipated, with its
+// sign: it falls by that. tests/host/coupled_search_test.cpp has what a ball of many main masses gained otherwise.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -210,30 +210,32 @@ struct StiffContact {
       return true;
     }
 
-    // What the correction has gained by the field, out of b and V1.
+    // What the correction has gained by the field, out of b or V1.
     [[gnu::always_inline]] constexpr void pay_for_correction(End& end) const {
       const Value moved = moved_to(end);
       if (Format::spare_places(moved, moved, moved) < places || !is_positive(end.rate)) return;
-      const Value own_field = scaled(step.field), half_rate = scaled(end.rate), back = scaled(end.recoil),
-                  gained = -Format::value(own_field * scaled(moved));
+      const Value own_field = scaled(step.field), rate = scaled(end.rate), back = scaled(end.recoil),
+                  gained = -Format::value(own_field * scaled(moved)), half_rate = Format::value(half(rate));
       const Value by_back = Format::value(quarter(d + own_field)) - Format::value(half(back));
-      const Value by_rate =
-          Format::value(half(half_rate)) -
-          Format::value(ratio(Format::value(own_field * end.penetration), end.rate) * Format::constant(0.2));
-      const Value steepest = Format::value(Format::root_of_product(square(by_back) + square(by_rate)));
-      if (!is_positive(gained) || !is_positive(steepest)) return;
-      const Value size = Format::value(quarter(ratio(gained, steepest)));
-      const Value less = Format::value(size * ratio(by_rate, steepest)),
-                  more = Format::value(size * ratio(by_back, steepest));
+      const bool is_by_back = is_positive(mirrored(by_back, is_negative(by_back)) - half_rate);
+      const Value slope = is_by_back
+                              ? by_back
+                              : half_rate - Format::value(ratio(Format::value(own_field * end.penetration), end.rate) *
+                                                          Format::constant(0.2));
+      const bool is_falling = is_negative(slope);
+      const Value steepness = mirrored(slope, is_falling);
+      if (!is_positive(gained) || !is_positive(steepness)) return;
+      const Value change = mirrored(Format::value(quarter(ratio(gained, steepness))), is_falling);
+      const Value more = is_by_back ? change : Value{}, less = is_by_back ? Value{} : change;
       End paid = end;
-      paid.rate = unscaled(half_rate - less);
+      paid.rate = unscaled(rate - less);
       if (!is_positive(paid.rate)) return;
       paid.recoil = unscaled(back + more);
       paid.penetration = depth_of<true>(paid.rate);
       const Value moved_now = moved_to(paid);
       if (Format::spare_places(moved_now, moved_now, moved_now) < places) return;
-      const Value left = -Format::value(less * (half_rate + half_rate - less)) -
-                         Format::value(more * (d - back - back - more)) - Format::value(own_field * scaled(moved_now));
+      const Value left = -Format::value(less * (rate + rate - less)) - Format::value(more * (d - back - back - more)) -
+                         Format::value(own_field * scaled(moved_now));
       if (!is_positive(mirrored(left, is_negative(left)) - gained)) end = paid;
     }
     [[gnu::always_inline]] constexpr Value scaled(Value x) const { return unit.own(x); }

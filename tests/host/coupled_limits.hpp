@@ -1,17 +1,42 @@
 #pragma once
 // What a coupled scene may gain, in the suite of random ones and in the search for the worst.
 
+#include <algorithm>
+#include <cmath>
+#include <impact/law/depth.hpp>
+
 #include "host_ref/coupled_scenes.hpp"
 
 namespace impact::host {
 
-// Of the scene's energy, what Fixed32 rounds: a share of what the bounds allow, not of what a scene has, 1e-4 of the
-// energy of both masses at the largest speed, which a light ball's far exceeds.
+// Of the scene's energy, what Fixed32 rounds: kinetic energy, by displacements per step that are wrong by some last
+// places each step.
+//
+// In flight a step forms up to six products for dx1 (spring, damper, drive, field). Each counts in increments, whose
+// unit is at most twice the largest of them, I: the spring at twice the bound of displacement X, twice the drive, twice
+// the field. The spring's reads x1 to half a place of positions, whose unit has room for twice X, and for four pushes.
+// In contact as many products count in pushes. With D the deepest penetration, four of the fastest impact's ways in a
+// step and what increments add, a push is at most 4 D: no stepper takes steps in which a contact does more.
+//
+// A rounding by a place p has the variance p^2/12 and is as often for as against the motion: a mass M of the energy E
+// or less, M v <= (2 M E)^(1/2), has after N steps of n roundings the standard deviation (2 M E)^(1/2) (n N/12)^(1/2)
+// p/h. Both masses feel those of contact. Of 10^6 scenes none should pass five of them.
 inline double energy_rounded(const CoupledScene& found) {
   if (found.request.numeric != Numeric::fixed32) return 0;
   const Scene& scene = found.request.scene;
-  const double speed = found.request.bounds->speed;
-  return 1e-4 * (scene.main_mass + scene.ball_mass) * speed * speed / 2 / found.energy;
+  const Bounds& bounds = *found.request.bounds;
+  const double h = found.request.step, way = 2 * bounds.speed * h, mass = scene.main_mass;
+  const double turn = scene.main_stiffness / mass * h * h;
+  const double force = std::max(scene.drive_amplitude, bounds.force);
+  const double field = std::abs(scene.gravity) + bounds.base_acceleration;
+  const double increment = 2 * (turn * bounds.displacement + h * h * (force / mass + field));
+  const double deepest =
+      std::max(deepest_penetration(scene, bounds, found.request.law == Law::hooke_newton, 0), 4 * way) + 2 * increment;
+  const double push = 4 * deepest;
+  const double in_flight = 0x1p-31 * (2 * increment + turn * std::max(4 * bounds.displacement, 8 * push)),
+               in_contact = 0x1p-31 * 2 * push;
+  const double places = std::sqrt(mass) * in_flight + std::sqrt(mass + scene.ball_mass) * in_contact;
+  return 5 * std::sqrt(static_cast<double>(6 * found.steps) / 12) * std::sqrt(2 / found.energy) * places / h;
 }
 
 // Of the scene's energy. The moment-fitted steppers create up to 1e-5 of it in each of some hundred contacts, named

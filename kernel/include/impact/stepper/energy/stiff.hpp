@@ -54,12 +54,12 @@
 // beyond. -w1 is at most the elastic one, so that none makes energy here either.
 //
 // In a field of acceleration a towards the stop the correction, from d0 + D - b to d1, gives the ball by the field, as
-// a square of rates, -g (d1 - d0 - D + b) with g = G m a. What it gains is taken out of b or V1, by one step of
+// a square of rates, -g (d1 - d0 - D + b) with g = G m a. What it gains is taken out of b or V1, by two steps of
 // Newton's method on
 //
 //     V1^2 - b (D - b) - g (d1 - d0 - D + b)        by b: 2 b - D - g, by V1: 2 V1 - (4/5) g d1/V1
 //
-// where this leaves less of it: by b where |2 b - D - g| > 2 V1, as at both ends of a contact, where the slope by V1
+// where a step leaves less of it: by b where |2 b - D - g| > 2 V1, as at both ends of a contact, where the slope by V1
 // has no bound. A ball that enters and leaves in one step is put back to its stop from D - b inside, and has lost b (D
 // - b): with b no less than g, or D, it gains nothing by that. The ledger counts what is taken as dissipated, with its
 // sign: it falls by that. tests/host/coupled_search_test.cpp has what a ball of many main masses gained otherwise.
@@ -205,17 +205,20 @@ struct StiffContact {
       if (!is_positive(left)) return false;
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of<true>(end.rate);
-      if constexpr (is_in_field) pay_for_correction(end);
+      if constexpr (is_in_field) {
+        Value taken{};
+        for (int pass = 0; pass < 2; ++pass) pay_for_correction(end, taken);
+      }
       end.is_inside = is_positive(end.rate);
       return true;
     }
 
-    // What the correction has gained by the field, out of b or V1.
-    [[gnu::always_inline]] constexpr void pay_for_correction(End& end) const {
+    // What the correction has gained by the field and `taken` has not yet, out of b or V1.
+    [[gnu::always_inline]] constexpr void pay_for_correction(End& end, Value& taken) const {
       const Value moved = moved_to(end);
       if (Format::spare_places(moved, moved, moved) < places || !is_positive(end.rate)) return;
       const Value own_field = scaled(step.field), rate = scaled(end.rate), back = scaled(end.recoil),
-                  gained = -Format::value(own_field * scaled(moved)), half_rate = Format::value(half(rate));
+                  gained = -Format::value(own_field * scaled(moved)) - taken, half_rate = Format::value(half(rate));
       const Value by_back = Format::value(quarter(d + own_field)) - Format::value(half(back));
       const bool is_by_back = is_positive(mirrored(by_back, is_negative(by_back)) - half_rate);
       const Value slope = is_by_back
@@ -234,9 +237,12 @@ struct StiffContact {
       paid.penetration = depth_of<true>(paid.rate);
       const Value moved_now = moved_to(paid);
       if (Format::spare_places(moved_now, moved_now, moved_now) < places) return;
-      const Value left = -Format::value(less * (rate + rate - less)) - Format::value(more * (d - back - back - more)) -
-                         Format::value(own_field * scaled(moved_now));
-      if (!is_positive(mirrored(left, is_negative(left)) - gained)) end = paid;
+      const Value by_both =
+          taken + Format::value(less * (rate + rate - less)) + Format::value(more * (d - back - back - more));
+      const Value left = -by_both - Format::value(own_field * scaled(moved_now));
+      if (is_positive(mirrored(left, is_negative(left)) - gained)) return;
+      end = paid;
+      taken = by_both;
     }
     [[gnu::always_inline]] constexpr Value scaled(Value x) const { return unit.own(x); }
     // The correction.

@@ -388,6 +388,35 @@ TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
   }
 }
 
+// On a base that shakes a ball of 800 main masses gains 5 % of the energy by being put into its stop. Of what is paid
+// for that one step of Newton's method leaves a square, a second one the square of that.
+TEST(FoundInAField, WhatABallGainsByItsStopIsPaidForToTheSecondOrder) {
+  const Everywhere at = {1,
+                         0.9869875330067599,
+                         1,
+                         0.64729916253687747,
+                         1,
+                         0,
+                         1,
+                         1,
+                         0,
+                         0.35744453478244798,
+                         0.99237002075362835,
+                         1,
+                         0.99734956338331215,
+                         0.94163691008981298,
+                         0.30209607280327472,
+                         0.18031668536024631,
+                         0.92473774659018393,
+                         0.29490809602390566,
+                         0.23092883313144685,
+                         0.97648966748162846,
+                         0.98157180543121925};
+  const CoupledRun run = run_coupled(scene_at({Law::hunt_crossley, false, Stepper::energy, Numeric::float64}, at));
+  EXPECT_TRUE(run.is_accepted);
+  EXPECT_LE(run.gain, 4 * 0.05 * 0.05 * 0.05 * 0.05);
+}
+
 class CoupledSearch : public testing::TestWithParam<Searched> {};
 
 TEST_P(CoupledSearch, FindsNoSceneThatGainsEnergyOrRaisesAFault) {

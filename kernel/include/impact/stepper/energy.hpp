@@ -23,8 +23,8 @@ struct EnergyConsistent {
   // Hooke-Newton's quadratic is the difference of two numbers, of which a stop much stiffer than the step leaves
   // nothing but their rounding. The power laws are stepped at any stiffness; in a field, where the contact is not
   // resolved, up to this share of the fastest impact's rate that weight and base add in a step, (1 + m/M) a h/V: the
-  // position correction (stepper/energy/stiff.hpp) then gains up to 1.4e-3 of the energy, at twice the share half of it
-  // (coupled_search_test.cpp).
+  // position correction (stepper/energy/stiff.hpp) then gains up to 7e-4 of the energy, at twice the share 3e-3, at ten
+  // times 4e-2 (searches as in coupled_search_test.cpp).
   static constexpr double largest_field_share = 0.005;
   static constexpr Range steps(const Resolution& contact) {
     using constant::smaller;

@@ -217,28 +217,28 @@ struct StiffContact {
     [[gnu::always_inline]] constexpr void pay_for_correction(End& end, Value& taken) const {
       const Value moved = moved_to(end);
       if (Format::spare_places(moved, moved, moved) < places || !is_positive(end.rate)) return;
-      const Value own_field = scaled(step.field), rate = scaled(end.rate), back = scaled(end.recoil),
-                  gained = -Format::value(own_field * scaled(moved)) - taken, half_rate = Format::value(half(rate));
+      const Value own_field = scaled(step.field), v1 = scaled(end.rate), back = scaled(end.recoil),
+                  gained = -Format::value(own_field * scaled(moved)) - taken, half_v1 = Format::value(half(v1));
       const Value by_back = Format::value(quarter(d + own_field)) - Format::value(half(back));
-      const bool is_by_back = is_positive(mirrored(by_back, is_negative(by_back)) - half_rate);
+      const bool is_by_back = is_positive(mirrored(by_back, is_negative(by_back)) - half_v1);
       const Value slope = is_by_back
                               ? by_back
-                              : half_rate - Format::value(ratio(Format::value(own_field * end.penetration), end.rate) *
-                                                          Format::constant(0.2));
+                              : half_v1 - Format::value(ratio(Format::value(own_field * end.penetration), end.rate) *
+                                                        Format::constant(0.2));
       const bool is_falling = is_negative(slope);
       const Value steepness = mirrored(slope, is_falling);
       if (!is_positive(gained) || !is_positive(steepness)) return;
       const Value change = mirrored(Format::value(quarter(ratio(gained, steepness))), is_falling);
       const Value more = is_by_back ? change : Value{}, less = is_by_back ? Value{} : change;
       End paid = end;
-      paid.rate = unscaled(rate - less);
+      paid.rate = unscaled(v1 - less);
       if (!is_positive(paid.rate)) return;
       paid.recoil = unscaled(back + more);
       paid.penetration = depth_of<true>(paid.rate);
       const Value moved_now = moved_to(paid);
       if (Format::spare_places(moved_now, moved_now, moved_now) < places) return;
       const Value by_both =
-          taken + Format::value(less * (rate + rate - less)) + Format::value(more * (d - back - back - more));
+          taken + Format::value(less * (v1 + v1 - less)) + Format::value(more * (d - back - back - more));
       const Value left = -by_both - Format::value(own_field * scaled(moved_now));
       if (is_positive(mirrored(left, is_negative(left)) - gained)) return;
       end = paid;

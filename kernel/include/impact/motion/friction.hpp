@@ -62,7 +62,6 @@ struct DryFriction : ScenePart {
     Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
     Gain rate_ahead;                  // the same in h v1
     Gain half_by_full;                // 1/(2 r)
-    Gain stopping;                    // the impulse that takes all of a rubbing rate, over it
     Gain excess;                      // of the main mass's momentum by an impulse over the ball's
     int spare_places;                 // of an impulse that is no more than r
     Long main_sliding, ball_sliding;  // of a ball that slides forward
@@ -78,8 +77,7 @@ struct DryFriction : ScenePart {
                                                   double at_once, const UnitExponents& unit, const Units& units) {
     const double friction = scene.ball_friction, both = increment(main, ball), full = friction * both;
     const double main_momentum = scene.main_mass * main.constant_increment() / main.e12,
-                 momentum_ratio = main_momentum / (scene.ball_mass * ball.constant_increment()),
-                 stopped = (ball.constant_increment() + momentum_ratio * main.constant_increment() / main.e12) / both;
+                 momentum_ratio = main_momentum / (scene.ball_mass * ball.constant_increment());
     return {Format::sample(full * constant::power_of_two(-unit.penetration)),
             Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
             Format::gain(main.constant_increment() / both, 0, 0),
@@ -87,7 +85,6 @@ struct DryFriction : ScenePart {
             Format::gain(ball.constant_start() / both, 0, 0),
             Format::gain(main.constant_start() / main.e12 / both, 0, 0),
             Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
-            Format::gain(1 / stopped, 0, 0),
             Format::gain(momentum_ratio - 1, unit.penetration, unit.penetration),
             unit.penetration - constant::exponent_above(2 * full),
             units.state(friction * main.constant_increment()),
@@ -151,7 +148,10 @@ struct DryFriction : ScenePart {
   static constexpr Passive<Value> passive(const Plan& plan, Value rate) {
     using Format = typename Plan::FormatType;
     const Value half_full = Format::value(half(plan.full));
-    const Value half_most = held(plan, Passive<Value>{-half_full, half_full}, plan.stopping * rate);
+    // An impulse as large as the rate takes s of it, a little more than all; 1/s is no less than 2 - s.
+    const Value main = plan.rate_ahead * rate, ball = plan.ball_ahead * rate;
+    const Value half_more = rubbing_rate(plan, main + ball, -main) - Format::value(half(rate));
+    const Value half_most = held(plan, Passive<Value>{-half_full, half_full}, rate - half_more - half_more);
     const Value most = half_most + half_most;
     return is_negative(most) ? Passive<Value>{most, Value{}} : Passive<Value>{Value{}, most};
   }

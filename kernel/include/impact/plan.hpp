@@ -159,10 +159,7 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   if constexpr (Field::is_field || Friction::is_friction) ball = flow_of_ball<Stepper>(scene, h);
   ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
   terms.step = h;
-  terms.pressing = largest_acceleration(scene, bounds,
-                                        Drive::is_sampled                             ? bounds.force
-                                        : Drive::is_sine && scene.drive_pulsation > 0 ? scene.drive_amplitude
-                                                                                      : 0);
+  terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
 
   UnitBounds largest{};
   largest.gap = scene.clearance / 2;
@@ -227,7 +224,6 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   }
 
   const auto units = Format::Units::make(exponents, scene.clearance / 2, h, terms.force_unit);
-  const double at_start = scene.drive_amplitude * (scene.drive_pulsation > 0 ? flow.displacement.cosine : 0);
   Plan plan{};
   plan.status = status;
   plan.step = h;
@@ -248,7 +244,7 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);
   const double ball_in_field = scene.gravity * scene.ball_mass * ball.constant_start();
   plan.dx1 =
-      units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + (Drive::is_sine ? at_start : 0) + main_in_field);
+      units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + Drive::at_start(scene, flow) + main_in_field);
   plan.x2 = units.state_at(scene.x2);
   plan.dx2 = units.state(scene.v2 * h + ball_in_field);
   plan.identity = identity_of(scene, bounds, h);
@@ -264,7 +260,7 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
     static_cast<FieldConstants&>(plan) = Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
   if constexpr (Friction::is_friction) {
     // What a sample may add to x2 - x1 at once.
-    const double at_once = (Drive::is_sampled ? bounds.force * flow.b1 : 0) +
+    const double at_once = Drive::largest_at_once(scene, bounds, flow) +
                            Field::largest(scene, bounds) * constant::magnitude(field_at_once);
     static_cast<FrictionConstants&>(plan) =
         Friction::template make_plan<Format>(scene, flow, ball, at_once, exponents, units);

@@ -11,6 +11,9 @@ namespace impact {
 struct NoDrive {
   static constexpr bool is_sine = false, is_sampled = false;
 
+  static constexpr double largest(const Scene&, const Bounds&) { return 0; }
+  static constexpr double at_start(const Scene&, const LinearFlow&) { return 0; }
+  static constexpr double largest_at_once(const Scene&, const Bounds&, const LinearFlow&) { return 0; }
   template <class Format>
   struct Plan {};
   template <class Format>

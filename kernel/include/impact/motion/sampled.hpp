@@ -13,6 +13,12 @@ namespace impact {
 struct Sampled {
   static constexpr bool is_sine = false, is_sampled = true;
 
+  static constexpr double largest(const Scene&, const Bounds& bounds) { return bounds.force; }
+  static constexpr double at_start(const Scene&, const LinearFlow&) { return 0; }
+  static constexpr double largest_at_once(const Scene&, const Bounds& bounds, const LinearFlow& flow) {
+    return bounds.force * flow.b1;
+  }
+
   template <class Format>
   struct Plan {
     typename Format::Gain at_once, increment_before, increment_now, rate;

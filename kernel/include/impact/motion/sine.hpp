@@ -23,6 +23,11 @@ struct Sine {
   static constexpr double amplitude(const Scene& scene) {
     return scene.drive_pulsation > 0 ? scene.drive_amplitude : 0;  // sin(0 t) is 0
   }
+  static constexpr double largest(const Scene& scene, const Bounds&) { return amplitude(scene); }
+  static constexpr double at_start(const Scene& scene, const LinearFlow& flow) {
+    return amplitude(scene) * flow.displacement.cosine;
+  }
+  static constexpr double largest_at_once(const Scene&, const Bounds&, const LinearFlow&) { return 0; }
   // What the drive adds to the displacement per step.
   static constexpr Sinusoid increments(const Scene& scene, double h, const LinearFlow& flow) {
     const double turn = scene.drive_pulsation * h, cosine = constant::cosine(turn), sine = constant::sine(turn);

@@ -1,6 +1,6 @@
 #pragma once
-// A drive that is a sine where the scene has a pulsation, and samples where it has none: the tool's, which thus compiles
-// each kernel once. Every bit is that of Sine or of Sampled.
+// A drive that is a sine where the scene has a pulsation, and samples where it has none: the tool's, which thus
+// compiles each kernel once. Every bit is that of Sine or of Sampled.
 
 #include <impact/motion/sampled.hpp>
 #include <impact/motion/sine.hpp>

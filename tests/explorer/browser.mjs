@@ -45,7 +45,7 @@ export class Browser {
     if (exceptionDetails) throw new Error(`${expression}: ${exceptionDetails.exception?.description ?? exceptionDetails.text}`);
     return result.value;
   }
-  async until(expression, seconds = 60) {
+  async until(expression, seconds = 120) {
     for (const end = Date.now() + 1000 * seconds; Date.now() < end; await new Promise((done) => setTimeout(done, 50)))
       if (await this.value(expression)) return;
     throw new Error(`not within ${seconds} s: ${expression}; ${this.complaints}`);

@@ -11,7 +11,7 @@ compile() {
   clang++ --target="$triple" -std=c++17 -nostdlibinc -nostdinc++ -ffreestanding -fno-exceptions -fno-rtti \
     -ffp-contract=off -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Werror \
     -DIMPACT_GOLDEN_PART=3 -DIMPACT_NUMERICS=impact::Fixed32,impact::Float32,impact::Float32Plain \
-    -I "$project/kernel/include" -I "$project/toolchains" -x c++ -c -o /dev/null "$1"
+    -I "$project/kernel/include" -I "$project/toolchains" -x c++ -fsyntax-only "$1"
 }
 
 failures=0

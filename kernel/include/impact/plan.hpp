@@ -4,6 +4,7 @@
 // expression in double, so that a firmware image holds only the constants that its step reads, and a host can make the
 // same plan at run time.
 
+#include <impact/identity.hpp>
 #include <impact/law/resolution.hpp>
 #include <impact/law/terms.hpp>
 #include <impact/motion/field.hpp>
@@ -73,29 +74,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     return plan;
   }
   static constexpr uint32_t identity_of(const Scene& scene, const Bounds& bounds, double h) {
-    const double numbers[] = {scene.main_mass,
-                              scene.main_stiffness,
-                              scene.main_damping,
-                              scene.ball_mass,
-                              scene.clearance,
-                              scene.contact_stiffness,
-                              scene.contact_damping,
-                              scene.drive_amplitude,
-                              scene.drive_pulsation,
-                              scene.x1,
-                              scene.v1,
-                              scene.x2,
-                              scene.v2,
-                              damping_ratio<ContactLaw>(scene),
-                              bounds.displacement,
-                              bounds.speed,
-                              bounds.penetration,
-                              bounds.force,
-                              h,
-                              Stepper::longest_phase};
-    const uint32_t kinds[] = {static_cast<uint32_t>(scene.stops),
-                              static_cast<uint32_t>(scene.tension),
-                              static_cast<uint32_t>(ContactLaw::law),
+    const uint32_t kinds[] = {static_cast<uint32_t>(ContactLaw::law),
                               ContactLaw::is_damped_per_impact,
                               Stepper::kind,
                               Drive::is_sine,
@@ -105,21 +84,12 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
                               sizeof(Long),
                               sizeof(Gain),
                               sizeof(Treatment)};
-    Fingerprint fingerprint{};
-    for (double number : numbers) fingerprint.add_number(number);
+    Fingerprint fingerprint =
+        fingerprint_of(scene, bounds, h, damping_ratio<ContactLaw>(scene), Stepper::longest_phase);
     for (uint32_t kind : kinds) fingerprint.add(kind);
     if constexpr (Field::is_field) fingerprint.add_number(scene.gravity);
     if constexpr (Field::is_sampled) fingerprint.add_number(bounds.base_acceleration);
     if constexpr (Friction::is_friction) fingerprint.add_number(scene.ball_friction);
-    return fingerprint.value;
-  }
-  static constexpr uint32_t identity_of(const ContactTerms& terms, const UnitExponents& unit) {
-    const double numbers[] = {terms.ball_mass, terms.main_mass,    terms.main_stiffness, terms.main_damping,
-                              terms.stiffness, terms.damping_time, terms.deepest};
-    Fingerprint fingerprint{};
-    for (double number : numbers) fingerprint.add_number(number);
-    const int units[] = {unit.penetration, unit.recoil, unit.force};
-    for (int exponent : units) fingerprint.add(static_cast<uint32_t>(exponent));
     return fingerprint.value;
   }
   // A part that is stated must be named, or the scene would be another one.
@@ -243,13 +213,12 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
   const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);
   const double ball_in_field = scene.gravity * scene.ball_mass * ball.constant_start();
-  plan.dx1 =
-      units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + Drive::at_start(scene, flow) + main_in_field);
+  plan.dx1 = units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + Drive::at_start(scene, flow) + main_in_field);
   plan.x2 = units.state_at(scene.x2);
   plan.dx2 = units.state(scene.v2 * h + ball_in_field);
   plan.identity = identity_of(scene, bounds, h);
   plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents);
-  plan.handover.contact = identity_of(terms, exponents);
+  plan.handover.contact = fingerprint_of(terms, exponents).value;
   if constexpr (Field::is_sampled) {
     Fingerprint units_of_samples{plan.handover.units};
     units_of_samples.add_number(bounds.base_acceleration);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What tells one plan's scene and contact from another's, for saved states and changes of plan.
+
+#include <impact/law/terms.hpp>
+#include <impact/numeric/fingerprint.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+
+namespace impact {
+
+constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, double step, double damping_ratio,
+                                     double longest_phase) {
+  const double numbers[] = {scene.main_mass,
+                            scene.main_stiffness,
+                            scene.main_damping,
+                            scene.ball_mass,
+                            scene.clearance,
+                            scene.contact_stiffness,
+                            scene.contact_damping,
+                            scene.drive_amplitude,
+                            scene.drive_pulsation,
+                            scene.x1,
+                            scene.v1,
+                            scene.x2,
+                            scene.v2,
+                            damping_ratio,
+                            bounds.displacement,
+                            bounds.speed,
+                            bounds.penetration,
+                            bounds.force,
+                            step,
+                            longest_phase};
+  Fingerprint fingerprint{};
+  for (double number : numbers) fingerprint.add_number(number);
+  fingerprint.add(static_cast<uint32_t>(scene.stops));
+  fingerprint.add(static_cast<uint32_t>(scene.tension));
+  return fingerprint;
+}
+constexpr Fingerprint fingerprint_of(const ContactTerms& terms, const UnitExponents& unit) {
+  const double numbers[] = {terms.ball_mass, terms.main_mass,    terms.main_stiffness, terms.main_damping,
+                            terms.stiffness, terms.damping_time, terms.deepest};
+  Fingerprint fingerprint{};
+  for (double number : numbers) fingerprint.add_number(number);
+  const int units[] = {unit.penetration, unit.recoil, unit.force};
+  for (int exponent : units) fingerprint.add(static_cast<uint32_t>(exponent));
+  return fingerprint;
+}
+
+}  // namespace impact

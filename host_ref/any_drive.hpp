@@ -56,6 +56,9 @@ struct AnyDrive {
     static constexpr State start(const Plan<Format>& plan) {
       return {Samples::start(plan), Sine::State<Format>::start(plan.sine)};
     }
+    constexpr bool accepts(const Plan<Format>& plan, Value next) const {
+      return plan.is_sine || Samples::accepts(plan, next);
+    }
     constexpr Value at_once(const Plan<Format>& plan, Value next) const {
       return plan.is_sine ? Value{} : Samples::at_once(plan, next);
     }

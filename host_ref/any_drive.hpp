@@ -2,12 +2,13 @@
 // A drive that is a sine where the scene has a pulsation, and samples where it has none: the tool's, which thus
 // compiles each kernel once. Every bit is that of Sine or of Sampled.
 
+#include <impact/motion/none.hpp>
 #include <impact/motion/sampled.hpp>
 #include <impact/motion/sine.hpp>
 
 namespace impact::host {
 
-struct AnyDrive {
+struct AnyDrive : NoDrive {  // whose Handover it has: the tool changes no plan while it runs
   static constexpr bool is_sine = false, is_sampled = true;  // step() takes a sample; a sine does not look at it
 
   template <class Format>
@@ -36,15 +37,6 @@ struct AnyDrive {
                                           const UnitExponents& unit) {
     if (is_sine_in(scene)) return {{}, Sine::make_plan<Format>(scene, bounds, h, flow, unit), true};
     return {Sampled::make_plan<Format>(scene, bounds, h, flow, unit), {}, false};
-  }
-
-  // The tool changes no plan while it runs.
-  template <class Format>
-  struct Handover {};
-  template <class Format>
-  static constexpr Handover<Format> make_handover(const Scene&, const Bounds&, double, const LinearFlow&,
-                                                  const UnitExponents&) {
-    return {};
   }
 
   template <class Format>

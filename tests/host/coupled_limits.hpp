@@ -1,11 +1,11 @@
 #pragma once
 // What a coupled scene may gain, in the suite of random ones and in the search for the worst.
 
-#include <algorithm>
 #include <cmath>
 #include <impact/law/depth.hpp>
 
 #include "host_ref/coupled_scenes.hpp"
+#include "host_ref/extremes.hpp"
 
 namespace impact::host {
 
@@ -27,13 +27,13 @@ inline double energy_rounded(const CoupledScene& found) {
   const Bounds& bounds = *found.request.bounds;
   const double h = found.request.step, way = 2 * bounds.speed * h, mass = scene.main_mass;
   const double turn = scene.main_stiffness / mass * h * h;
-  const double force = std::max(scene.drive_amplitude, bounds.force);
+  const double force = larger(scene.drive_amplitude, bounds.force);
   const double field = std::abs(scene.gravity) + bounds.base_acceleration;
   const double increment = 2 * (turn * bounds.displacement + h * h * (force / mass + field));
   const double deepest =
-      std::max(deepest_penetration(scene, bounds, found.request.law == Law::hooke_newton, 0), 4 * way) + 2 * increment;
+      larger(deepest_penetration(scene, bounds, found.request.law == Law::hooke_newton, 0), 4 * way) + 2 * increment;
   const double push = 4 * deepest;
-  const double in_flight = 0x1p-31 * (2 * increment + turn * std::max(4 * bounds.displacement, 8 * push)),
+  const double in_flight = 0x1p-31 * (2 * increment + turn * larger(4 * bounds.displacement, 8 * push)),
                in_contact = 0x1p-31 * 2 * push;
   const double places = std::sqrt(mass) * in_flight + std::sqrt(mass + scene.ball_mass) * in_contact;
   return 5 * std::sqrt(static_cast<double>(6 * found.steps) / 12) * std::sqrt(2 / found.energy) * places / h;

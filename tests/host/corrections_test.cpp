@@ -1,6 +1,6 @@
 // An observer's corrections at random, of any size within the bounds: in flight, into a stop, and in a contact whose
 // damping was set at its own impact and would be too much for a step where a correction takes it. What follows makes no
-// energy.
+// energy. And one of nothing leaves the motion as it is.
 
 #include <gtest/gtest.h>
 
@@ -137,6 +137,45 @@ INSTANTIATE_TYPED_TEST_SUITE_P(InFixed32, Corrections, CasesOf<Fixed32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, CasesOf<Float32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, CasesOf<Float32Plain>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
+
+// An observer that finds nothing to correct, at every step, begins the contact under way anew each time, at its
+// penetration and rate. The largest difference that this makes to x1 over the first impacts of the paper's scene, m:
+// nothing with Moment, and with EnergyConsistent no more than what it misses itself, 1.8e-5 at 1 ms, with Exact 7.1e-5.
+template <class ContactLaw, class Stepper>
+double made_by_corrections_of_nothing(double step) {
+  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Float64>;
+  Scene scene;
+  if (ContactLaw::is_linear) scene.contact_damping = 5;
+  const auto plan = Kernel::PlanType::make(scene, {}, step);
+  EXPECT_EQ(plan.status, PlanStatus::ok);
+  Kernel free(plan), corrected(plan);
+  double largest = 0;
+  int touching = 0;
+  for (int n = 0; n < 0.4 / step; ++n) {
+    free.step();
+    corrected.step();
+    corrected.correct(0, 0);
+    largest = host::larger(largest, std::abs(corrected.reading().x1 - free.reading().x1));
+    touching += free.is_touching();
+  }
+  EXPECT_GE(touching * step, 0.05);
+  return largest;
+}
+TEST(Corrections, OfNothingLeaveTheMotion) {
+  EXPECT_LE((made_by_corrections_of_nothing<HuntCrossley, Moment>(1e-3)), 1e-13);
+  EXPECT_LE((made_by_corrections_of_nothing<Exact, Moment>(1e-3)), 1e-13);
+  EXPECT_LE((made_by_corrections_of_nothing<HookeNewton, Moment>(1e-4)), 1e-13);
+  EXPECT_LE((made_by_corrections_of_nothing<HuntCrossley, SubsteppedMoment<4>>(1e-3)), 1e-13);
+  const auto is_of_second_order = [](double coarse, double fine, double own) {
+    EXPECT_LE(coarse, own);
+    EXPECT_LE(fine, coarse * std::pow(10, -1.5));
+  };
+  using E = EnergyConsistent;
+  is_of_second_order(made_by_corrections_of_nothing<HuntCrossley, E>(1e-3),
+                     made_by_corrections_of_nothing<HuntCrossley, E>(1e-4), 1.8e-5);
+  is_of_second_order(made_by_corrections_of_nothing<Exact, E>(1e-3), made_by_corrections_of_nothing<Exact, E>(1e-4),
+                     7.1e-5);
+}
 
 }  // namespace
 }  // namespace impact

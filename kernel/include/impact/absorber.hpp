@@ -304,7 +304,10 @@ class Absorber
     if constexpr (counts_slid_way) state_.slid = {};
     if constexpr (Friction::is_friction)
       if (rubs()) begin_to_rub();
-    if (is_other_contact && state_.contact.phase != Phase::apart) touch_anew();
+    if (is_other_contact && state_.contact.phase != Phase::apart) {
+      touch_anew();
+      load_contact();
+    }
     publish();
     return true;
   }
@@ -364,6 +367,7 @@ class Absorber
     if (is_positive(inside)) {
       state_.at_left = left;
       state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
+      load_contact();
     }
     if constexpr (Friction::is_friction)
       if (rubs()) begin_to_rub();
@@ -474,18 +478,26 @@ class Absorber
       state_.x2 = plan.units.stop(state_.x1, left);
   }
 
-  // The contact under way as if it stood so from its beginning; its damping stays, as far as a step bears it.
+  // What spring, drive and field give the contact to bear.
+  constexpr void load_contact() {
+    const Value in_half_a_step = mirrored(rate_ahead() + Field::ball_rate(plan, state_), at_left());
+    state_.contact.bear(plan.contact, in_half_a_step + in_half_a_step);
+  }
+
+  // The contact under way as if it stood so from its beginning; what it bears stays, and its damping, as far as a step
+  // bears that.
   constexpr void touch_anew() {
-    const Contact before = state_.contact;
+    Contact& contact = state_.contact;
+    const Phase phase = contact.phase;
     const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left()));
     if (is_positive(inside)) {
       const Value rate = relative_rate(at_left());
-      state_.contact.start(plan.contact, plan.units, inside, rate);
-      if constexpr (has_own_damping) state_.contact.keep_damping(plan.contact, before, inside, rate);
-      state_.contact.phase = before.phase;
+      if constexpr (has_own_damping) contact.hold_damping(plan.contact, inside, rate);
+      contact.start(plan.contact, plan.units, inside, rate);
+      contact.phase = phase;
     } else {
-      state_.contact.phase = Phase::apart;
-      state_.contact.drop_force();
+      contact.phase = Phase::apart;
+      contact.drop_force();
     }
   }
 

@@ -38,8 +38,8 @@
 //           make_plan, make_handover   <Format>(scene, bounds, h, flow, exponents)
 //           force_unit<Format>(scene, bounds)    N: what State::force counts in
 //           largest(scene, bounds)     N: the largest force
-//           at_start(scene, flow), largest_at_once(scene, bounds, flow)    m: what it adds to dx1 at the start, and what
-//                                      a sample may add to x1 as it comes
+//           at_start(scene, flow), largest_at_once(scene, bounds, flow)    m: what it adds to dx1 at the start, and
+//                                      what a sample may add to x1 as it comes
 //
 // Format    Value, Long                a number of a step, of 32 bits for 32-bit cores; a state, of twice the digits
 //           Gain, HeldGain, Weight     a constant that multiplies a Value; the same where it may carry it out of range

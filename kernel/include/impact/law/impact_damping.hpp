@@ -68,14 +68,12 @@ struct ImpactDamping<Format, true> {
     const auto held = is_positive(rate - slowest.rate) ? rate : slowest.rate;
     own_damping = {is_positive(rate) ? Format::gain_over(share, held) : typename Format::Gain{}};
   }
-  // The damping that the contact had, as far as a step bears it at the penetration `at` and this rate.
+  // What a step bears of it at the penetration `at` and this rate.
   template <class Plan>
-  constexpr void keep_damping(const Plan& plan, const ImpactDamping& before, typename Format::Value at,
-                              typename Format::Value rate) {
+  constexpr void hold_damping(const Plan& plan, typename Format::Value at, typename Format::Value rate) {
     const typename Format::Gain share = plan.damping;
     auto least = plan.slowest.rate_by_shape * Format::value(Format::root(at) * without_sign(at));
     if (is_positive(rate) && is_positive(rate - least)) least = rate;
-    own_damping = before.own_damping;
     // c1 V/k1 of an impact at that rate, which is a where it is its own
     if (is_positive(least) && !is_positive(share * Format::sample(1) - own_damping * least))
       own_damping = {Format::gain_over(share, least)};

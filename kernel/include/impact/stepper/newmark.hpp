@@ -117,7 +117,6 @@ struct Pointwise {
     }
 
     constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
-      if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
       phase = Phase::touching;
       if constexpr (ContactLaw::is_linear) {
         force = units.elastic(at) + damping(plan) * at_rate;
@@ -126,9 +125,7 @@ struct Pointwise {
         force = Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate));
       }
     }
-    constexpr void keep_damping(const Plan&, const Contact& before, Value, Value) {
-      this->own_damping = before.own_damping;
-    }
+    constexpr void hold_damping(const Plan&, Value, Value) {}
 
    private:
     constexpr auto damping(const Plan& plan) const {

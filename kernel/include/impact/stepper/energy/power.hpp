@@ -116,13 +116,23 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   Value recoil, first_difference, second_difference;  // y1, y1 - y2, y1 - 2 y2 + y3; of stiff contact V, 0, 0
   Phase phase;
 
-  constexpr void start(const Plan& plan, const Units&, Value at, Value) {
+  constexpr void start(const Plan& plan, const Units& units, Value at, Value rate) {
     penetration = at;
     root = Format::root(at);
-    recoil = plan.is_resolved ? plan.compliance * Format::value(root * without_sign(at)) : plan.stiff.rate_at(at);
     first_difference = second_difference = Value{};
     phase = Phase::touching;
-    if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
+    if (!plan.is_resolved) {
+      recoil = plan.stiff.rate_at(at);
+      return;
+    }
+    // The step before and the one ahead as the law in their middle.
+    const auto y = [&](Value d, Value way) {
+      const Value held = Format::value(positive_part(d));
+      return pushed(plan, units, Format::value(Format::root(held) * without_sign(held)), way).y();
+    };
+    const Value now = y(at, rate), half_way = Format::value(half(rate));
+    recoil = y(at - half_way, rate + now);
+    first_difference = y(at + half_way, rate - now) - recoil;
   }
   template <class State>
   [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
@@ -155,23 +165,14 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     }
     if (!plan.is_resolved) return resolve_stiff(plan, step);
     const Value depth = trial - (recoil + first_difference + second_difference);
-    const Value n = mean_until(depth);
-    const Value q = plan.compliance * n;
-    Value force = units.elastic(n), force_recoil = q, due_correction{};
-    if constexpr (ContactLaw::is_damped) {
-      due_correction = units.as_number(Format::value(q * (damping(plan) * q) * Format::short_constant(1.0 / 3)));
-      const auto factor = positive_part(
-          strength<ContactLaw::is_damped_per_impact>(units, damping(plan) * (depth - penetration + due_correction)));
-      force = Format::value(n * factor);
-      force_recoil = units.as_number(Format::value(q * factor));
-    }
+    const Push push = pushed(plan, units, mean_until(depth), depth - penetration);
     const Value difference_before = first_difference;
-    first_difference = force_recoil + due_correction - recoil;
+    first_difference = push.y() - recoil;
     second_difference = first_difference - difference_before;
-    recoil = force_recoil + due_correction;
-    correction = trial - force_recoil - depth;
+    recoil = push.y();
+    correction = trial - push.recoil - depth;
     penetration = depth;
-    return {force, force};
+    return {push.force, push.force};
   }
 
   constexpr typename Format::Energy stored(const Plan& plan, const Units& units) const {
@@ -181,6 +182,22 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
  private:
+  struct Push {
+    Value force, recoil, correction;  // f, G f and G n u/3
+
+    constexpr Value y() const { return recoil + correction; }
+  };
+  // A step with the mean n, in which the penetration changes by `way`, without the correction.
+  [[gnu::always_inline]] constexpr Push pushed(const Plan& plan, const Units& units, Value n, Value way) const {
+    const Value q = plan.compliance * n;
+    if constexpr (ContactLaw::is_damped) {
+      const Value due = units.as_number(Format::value(q * (damping(plan) * q) * Format::short_constant(1.0 / 3)));
+      const auto factor = positive_part(strength<ContactLaw::is_damped_per_impact>(units, damping(plan) * (way + due)));
+      return {Format::value(n * factor), units.as_number(Format::value(q * factor)), due};
+    } else {
+      return {units.elastic(n), q, Value{}};
+    }
+  }
   template <class Seen>
   [[gnu::always_inline]] constexpr Impulse<Value> resolve_stiff(const Plan& plan, const Seen& step) {
     constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);

@@ -71,11 +71,10 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   constexpr void start(const Plan&, const Units&, Value at, Value) {
     penetration = at;
-    change = Value{};
     root = Format::root(at);
     phase = Phase::touching;
-    if constexpr (ContactLaw::is_damped_per_impact) this->own_damping = {};
   }
+  constexpr void bear(const Plan& plan, Value load) { change = Format::moved(load, -plan.travel_places); }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                              const Approach<Value>& step, const MomentPower& before,
                                                              const Impulse<Value>& impulse) const {

@@ -111,8 +111,9 @@ struct SubsteppedMoment {
       Inner::start(plan.inner, units, at, plan.part * at_rate);
       step_rate = at_rate;
     }
-    constexpr void keep_damping(const Plan& plan, const Contact& before, Value at, Value rate) {
-      Inner::keep_damping(plan.inner, before, at, plan.part * rate);
+    constexpr void bear(const Plan& plan, Value load) { Inner::bear(plan.inner, plan.square * load); }
+    constexpr void hold_damping(const Plan& plan, Value at, Value rate) {
+      Inner::hold_damping(plan.inner, at, plan.part * rate);
     }
     constexpr void change_rate(const Plan& plan, Value by) {
       step_rate = step_rate + by;

@@ -143,9 +143,14 @@ long Simulation::run(long steps, const double* forces, double* x1, const double*
   return steps;
 }
 
-MotionSample Simulation::motion() const {
-  const Sample now = sample();
-  return {now.x1, now.v1, now.x2, now.v2, now.penetration};
+Reached Simulation::reached_in(long steps, const double* forces, const double* base) {
+  Reached reached;
+  for (long n = 0;; ++n) {
+    const Sample now = sample();
+    reached.see(now.x1, now.v1, now.x2, now.v2, now.penetration);
+    if (n == steps) return reached;
+    step(forces ? forces[n] : 0, base ? base[n] : 0);
+  }
 }
 
 Outcome make_simulation(const Request& request) {

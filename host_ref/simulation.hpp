@@ -2,6 +2,7 @@
 // The kernel behind one run-time interface: the tool, the tests and the report choose law, stepper and number format by
 // name; what steps is the same template that a firmware image compiles, with its plan made at run time.
 
+#include <cmath>
 #include <impact/scene.hpp>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 
 namespace impact::host {
 
@@ -52,10 +54,15 @@ struct Sample {
   double peak_force = 0;           // largest contact force since the start, N
 };
 
-// Of a sample what moves, m and m/s.
-struct MotionSample {
-  double x1, v1, x2, v2;
-  double penetration;  // as a sample's
+// The largest magnitudes of either mass, m and m/s, and of the penetration.
+struct Reached {
+  double displacement = 0, speed = 0, penetration = 0;
+
+  void see(double x1, double v1, double x2, double v2, double depth) {
+    displacement = larger(displacement, larger(std::abs(x1), std::abs(x2)));
+    speed = larger(speed, larger(std::abs(v1), std::abs(v2)));
+    penetration = larger(penetration, depth);
+  }
 };
 
 // The samples of the next steps, where n have been made; nullptr where there are none. One of them, or 0.
@@ -72,12 +79,13 @@ class Simulation {
   // Advances by h; `force` and `base` (its acceleration) are the samples at the end of the step.
   virtual void step(double force, double base = 0) = 0;
   virtual Sample sample() const = 0;      // the state now
-  virtual MotionSample motion() const;    // the same, without what a sample reads besides
   virtual const char* fault() const = 0;  // nullptr, or why the state is no longer to be trusted
 
   // As many steps at once, with x1 at the end of each; `forces` and `base` may be null. Stops behind a step that raises
   // a fault, and returns how many raised none.
   virtual long run(long steps, const double* forces, double* x1, const double* base = nullptr);
+  // As many steps, whatever faults they raise: what the state reaches now and at the end of each.
+  virtual Reached reached_in(long steps, const double* forces, const double* base);
 };
 
 // A request that the kernel cannot plan, with the field at fault ("contact-stiffness", as the tool's option), its value

@@ -80,9 +80,14 @@ class KernelSimulation final : public Simulation {
     return steps;
   }
 
-  MotionSample motion() const override {
-    const auto now = kernel_.reading();
-    return {now.x1, now.v1, now.x2, now.v2, penetration(now.x2 - now.x1)};
+  Reached reached_in(long steps, const double* forces, const double* base) override {
+    Reached reached;
+    for (long n = 0;; ++n) {
+      const auto now = kernel_.reading();
+      reached.see(now.x1, now.v1, now.x2, now.v2, penetration(now.x2 - now.x1));
+      if (n == steps) return reached;
+      advance(forces ? forces[n] : 0, base ? base[n] : 0);
+    }
   }
 
   Sample sample() const override {

@@ -1,7 +1,7 @@
 // accuracy OUTPUT.csv: the error over 1 s of the paper's scene, |x1| every 10 ms, of every stepper and number format of
 // the kernel and, in float and in double, of the baselines, parted into the method's (the same run in double) and
 // rounding's (error_measures.hpp). Time is the fastest of five runs; the kernel's is taken through its run-time
-// interface, the steps of an interval at once, energy ledger and impact log included. -vsqrt: with the processor's own
+// interface, all steps at once, contact's energy ledger and impact log included. -vsqrt: with the processor's own
 // square root. contact_share is the share of steps with contact at either end, from the reference.
 
 #include <algorithm>
@@ -50,30 +50,23 @@ struct Run {
   double nanoseconds_per_step = 0;
 };
 
-// `make()` gives a fresh model; `advance(model)` makes the steps of an interval; `displacement(model)`.
-template <class Make, class Advance, class Displacement>
-Run timed_run(int steps_per_interval, Make make, Advance advance, Displacement displacement) {
+// `make()` gives a fresh model; `go(model, x1)` makes all steps and says where x1 was at the end of each interval.
+template <class Make, class Go>
+Run timed_run(double start, int steps_per_interval, Make make, Go go) {
   Run run;
   run.nanoseconds_per_step = std::numeric_limits<double>::infinity();
+  std::vector<double> x1(intervals);
   for (int repetition = 0; repetition < 5; ++repetition) {
     auto model = make();
-    Samples samples;
-    samples.reserve(intervals + 1);
-    const auto note = [&] {
-      samples.emplace_back();
-      samples.back().x1 = displacement(model);
-    };
-    note();
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < intervals; ++i) {
-      advance(model);
-      note();
-    }
-    const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
+    const auto began = std::chrono::steady_clock::now();
+    go(model, x1);
+    const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - began;
     run.nanoseconds_per_step =
         std::min(run.nanoseconds_per_step, elapsed.count() / (static_cast<double>(steps_per_interval) * intervals));
-    run.samples = samples;
   }
+  run.samples.resize(intervals + 1);
+  run.samples[0].x1 = start;
+  for (size_t i = 0; i < x1.size(); ++i) run.samples[i + 1].x1 = x1[i];
   return run;
 }
 
@@ -94,6 +87,7 @@ class StepLength {
     request_.scene = run.scene;
     request_.step = interval / steps_per_interval;
     request_.duration = duration;
+    request_.counts_drive_work = false;
   }
 
   void write_kernel(Stepper stepper) {
@@ -133,38 +127,39 @@ class StepLength {
     Request request = request_;
     request.stepper = Stepper::moment;
     request.numeric = Numeric::float32;
-    return kernel_run(request, [](const Request& of) {
-      return of.law == Law::hertz ? plan_for<Format, Hertz, Moment, Sine>(of, Bounds{}).simulation
-                                  : plan_for<Format, HuntCrossley, Moment, Sine>(of, Bounds{}).simulation;
+    const Outcome planned = make_simulation(request);
+    if (!planned.simulation) return {};
+    return kernel_run(planned.made, [](const Request& of) {
+      return of.law == Law::hertz ? plan_for<Format, Hertz, Moment, Sine>(of, *of.bounds).simulation
+                                  : plan_for<Format, HuntCrossley, Moment, Sine>(of, *of.bounds).simulation;
     });
   }
   // Without samples where `make` refuses the request or the run raises a fault.
   template <class Make>
   Run kernel_run(const Request& request, Make make) const {
     if (!make(request)) return {};
+    const auto per_interval = static_cast<size_t>(steps_per_interval_);
+    std::vector<double> all(per_interval * intervals);
+    const long steps = steps_per_interval_ * intervals;
     bool is_sound = true;
-    std::vector<double> x1(static_cast<size_t>(steps_per_interval_));  // of the last interval
     const Run run = timed_run(
-        steps_per_interval_,
-        [&] {
-          auto simulation = make(request);
-          x1.back() = simulation->sample().x1;
-          return simulation;
-        },
-        [&](const auto& simulation) {
-          is_sound = is_sound && simulation->run(steps_per_interval_, nullptr, x1.data()) == steps_per_interval_;
-        },
-        [&](const auto&) { return x1.back(); });
+        request.scene.x1, steps_per_interval_, [&] { return make(request); },
+        [&](const auto& simulation, std::vector<double>& x1) {
+          is_sound = is_sound && simulation->run(steps, nullptr, all.data()) == steps;
+          for (size_t i = 0; i < intervals; ++i) x1[i] = all[(i + 1) * per_interval - 1];
+        });
     return is_sound ? run : Run{};
   }
   template <class Model>
   Run baseline_run() const {
     return timed_run(
-        steps_per_interval_, [] { return Model{}; },
-        [this](Model& model) {
-          for (int n = 0; n < steps_per_interval_; ++n) model.step();
-        },
-        [](const Model& model) { return model.displacement(); });
+        request_.scene.x1, steps_per_interval_, [] { return Model{}; },
+        [this](Model& model, std::vector<double>& x1) {
+          for (double& at_end : x1) {
+            for (int n = 0; n < steps_per_interval_; ++n) model.step();
+            at_end = model.displacement();
+          }
+        });
   }
 
   Output& output_;

@@ -138,6 +138,32 @@ INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, CasesOf<Float32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, CasesOf<Float32Plain>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
 
+// To the last place of a state, some 2^-45 of it in Float32: where a contact is so stiff that its penetrations are
+// below a float's place of the clearance, what the ball stood inside would be energy from nothing.
+TEST(Corrections, PutABallInAStopOntoIt) {
+  Chance chance;
+  const auto is_put = [](auto format, const Scene& scene) {
+    using Format = decltype(format);
+    using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Format>;
+    Kernel kernel(Kernel::PlanType::make(scene, {}, 1e-4));
+    ASSERT_EQ(kernel.fault(), Fault::none);
+    const double gap = scene.clearance / 2;
+    for (const double way : {1.5, -3.5}) {
+      kernel.correct(native<Format>(way * gap, kernel.displacement_unit()), {});
+      const auto now = kernel.reading();
+      EXPECT_NEAR(std::abs(now.x2 - now.x1), gap, 0x1p-44 * gap);
+    }
+  };
+  for (int index = 0; index < 100; ++index) {
+    Scene scene;
+    scene.clearance = chance.between(0.01, 0.05);
+    scene.drive_amplitude = 0;
+    is_put(Float32{}, scene);
+    is_put(Fixed32{}, scene);
+    is_put(Float64{}, scene);
+  }
+}
+
 // An observer that finds nothing to correct, at every step, begins the contact under way anew each time, at its
 // penetration and rate. The largest difference that this makes to x1 over the first impacts of the paper's scene, m:
 // nothing with Moment, and with EnergyConsistent no more than what it misses itself, 1.8e-5 at 1 ms, with Exact 7.1e-5.

@@ -148,10 +148,7 @@ struct RealFormat {
     }
     static constexpr Value held(Value x, Value) { return x; }
     static constexpr Value held_sum(Value x, Value y) { return x + y; }
-    constexpr Long stop(Long main, bool left) const {
-      main.advance(mirrored(gap, left));
-      return main;
-    }
+    constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }
     static constexpr bool in_range(Long x1, Long, Long) { return is_below_limit(x1.sum); }
     static constexpr bool in_range_in_field(Long x1, Long x2, Long, Long) {
       return is_below_limit(x1.sum) && is_below_limit(x2.sum);

@@ -28,9 +28,19 @@ void reply(const std::string& message) {
   text[size] = 0;
 }
 
-bool refuse(const Refusal& refusal) {
+struct Asked {
+  Request request;
+  Outcome outcome;
+};
+// Of the scene in the buffer, or nothing and its refusal there.
+std::optional<Asked> asked(bool with_absorber) {
+  auto [request, refusal] = scene_from(text, files);
+  if (!with_absorber) request = without_absorber(request);
+  Outcome outcome = refusal.field.empty() ? make_simulation(request) : Outcome{nullptr, refusal, {}, {}};
+  if (outcome.simulation) return Asked{request, std::move(outcome)};
+  refusal = outcome.refusal;
   reply("refused\n" + refusal.field + "\n" + refusal.value + "\n" + refusal.allowed + "\n");
-  return false;
+  return {};
 }
 
 }  // namespace
@@ -56,14 +66,12 @@ EXPORT(write_file) void write_file() { files.write(text, long_text); }
 EXPORT(plan) bool plan(int slot) {
   auto& run = runs[slot];
   run.reset();
-  const auto [request, refusal] = scene_from(text, files);
-  if (!refusal.field.empty()) return refuse(refusal);
-  Outcome outcome = make_simulation(request);
-  if (!outcome.simulation) return refuse(outcome.refusal);
-  made[slot] = outcome.made;
-  reply("planned\n" + std::string(name_of(outcome.made.stepper)) + "\n" + outcome.description + "\n" +
-        shortest_text(request.scene.contact_damping) + "\n");
-  run.emplace(request, std::move(outcome.simulation));
+  std::optional<Asked> scene = asked(true);
+  if (!scene) return false;
+  made[slot] = scene->outcome.made;
+  reply("planned\n" + std::string(name_of(made[slot].stepper)) + "\n" + scene->outcome.description + "\n" +
+        shortest_text(scene->request.scene.contact_damping) + "\n");
+  run.emplace(scene->request, std::move(scene->outcome.simulation));
   return true;
 }
 EXPORT(forget) void forget(int slot) { runs[slot].reset(); }
@@ -95,12 +103,9 @@ EXPORT(totals) const Totals* totals(int slot) {
 EXPORT(plan_line) bool plan_line(int slot, bool with_absorber) {
   auto& line = lines[slot];
   line.reset();
-  auto [request, refusal] = scene_from(text, files);
-  if (!refusal.field.empty()) return refuse(refusal);
-  if (!with_absorber) request = without_absorber(request);
-  Outcome outcome = make_simulation(request);
-  if (!outcome.simulation) return refuse(outcome.refusal);
-  line.emplace(request, std::move(outcome.simulation));
+  std::optional<Asked> scene = asked(with_absorber);
+  if (!scene) return false;
+  line.emplace(scene->request, std::move(scene->outcome.simulation));
   return true;
 }
 EXPORT(advance_line) bool advance_line(int slot, int steps) {

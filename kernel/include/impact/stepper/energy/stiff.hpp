@@ -229,16 +229,19 @@ struct StiffContact {
       const Value steepness = mirrored(slope, is_falling);
       if (!is_positive(gained) || !is_positive(steepness)) return;
       const Value change = mirrored(Format::value(quarter(ratio(gained, steepness))), is_falling);
-      const Value more = is_by_back ? change : Value{}, less = is_by_back ? Value{} : change;
       End paid = end;
-      paid.rate = unscaled(v1 - less);
-      if (!is_positive(paid.rate)) return;
-      paid.recoil = unscaled(back + more);
-      paid.penetration = depth_of<true>(paid.rate);
+      Value by_both = taken;
+      if (is_by_back) {
+        paid.recoil = unscaled(back + change);
+        by_both = by_both + Format::value(change * (d - back - back - change));
+      } else {
+        paid.rate = unscaled(v1 - change);
+        if (!is_positive(paid.rate)) return;
+        paid.penetration = depth_of<true>(paid.rate);
+        by_both = by_both + Format::value(change * (v1 + v1 - change));
+      }
       const Value moved_now = moved_to(paid);
       if (Format::spare_places(moved_now, moved_now, moved_now) < places) return;
-      const Value by_both =
-          taken + Format::value(less * (v1 + v1 - less)) + Format::value(more * (d - back - back - more));
       const Value left = -by_both - Format::value(own_field * scaled(moved_now));
       if (is_positive(mirrored(left, is_negative(left)) - gained)) return;
       end = paid;

@@ -37,10 +37,23 @@ void impact_reset(impact_absorber* absorber) { as_cpp(absorber).reset(); }
 
 #ifdef IMPACT_C_SAMPLED
 static_assert(Absorber::Drive::is_sampled, "IMPACT_C_SAMPLED, but the rig's drive is not Sampled");
-void impact_step(impact_absorber* absorber, impact_number force) { as_cpp(absorber).step(in(force)); }
 double impact_sample_unit() { return Absorber::sample_unit(); }
 #else
 static_assert(!Absorber::Drive::is_sampled, "the rig's drive is Sampled: it needs IMPACT_C_SAMPLED");
+#endif
+#ifdef IMPACT_C_BASE
+static_assert(Absorber::Field::is_sampled, "IMPACT_C_BASE, but the rig has no BaseAcceleration");
+double impact_base_sample_unit() { return Absorber::base_sample_unit(); }
+#else
+static_assert(!Absorber::Field::is_sampled, "the rig has a BaseAcceleration: it needs IMPACT_C_BASE");
+#endif
+#if defined(IMPACT_C_SAMPLED) && defined(IMPACT_C_BASE)
+void impact_step(impact_absorber* absorber, impact_number force, impact_number acceleration) {
+  as_cpp(absorber).step(in(force), in(acceleration));
+}
+#elif defined(IMPACT_C_SAMPLED) || defined(IMPACT_C_BASE)
+void impact_step(impact_absorber* absorber, impact_number sample) { as_cpp(absorber).step(in(sample)); }
+#else
 void impact_step(impact_absorber* absorber) { as_cpp(absorber).step(); }
 #endif
 

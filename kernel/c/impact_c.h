@@ -8,7 +8,8 @@
        void timer_interrupt(void) { impact_step(&absorber); write_dac(impact_displacement(&absorber)); }
 
    Of the rig this header must be told, and impact_c.cpp checks: IMPACT_C_FLOAT for Float32 and Float32Plain,
-   IMPACT_C_SAMPLED for a Sampled drive, IMPACT_C_CONTACT_FORCE for the feature ContactForce.
+   IMPACT_C_SAMPLED for a Sampled drive, IMPACT_C_BASE for the part BaseAcceleration, IMPACT_C_CONTACT_FORCE for the
+   feature ContactForce.
 
    No runtime of C++; of C's library memcpy and memset. Rust's bindgen and Python's ctypes read the same names. */
 #ifndef IMPACT_C_H
@@ -48,11 +49,21 @@ typedef enum {
 void impact_init(impact_absorber*);  /* before anything else */
 void impact_reset(impact_absorber*); /* back to the initial state, without fault */
 
-#ifdef IMPACT_C_SAMPLED
-void impact_step(impact_absorber*, impact_number force); /* at the step's end, in impact_sample_unit() */
-double impact_sample_unit(void);                         /* N of a native 1.0 */
+/* Samples are those at the step's end, in the units below. */
+#if defined(IMPACT_C_SAMPLED) && defined(IMPACT_C_BASE)
+void impact_step(impact_absorber*, impact_number force, impact_number acceleration);
+#elif defined(IMPACT_C_SAMPLED)
+void impact_step(impact_absorber*, impact_number force);
+#elif defined(IMPACT_C_BASE)
+void impact_step(impact_absorber*, impact_number acceleration);
 #else
 void impact_step(impact_absorber*);
+#endif
+#ifdef IMPACT_C_SAMPLED
+double impact_sample_unit(void); /* N of a native 1.0 */
+#endif
+#ifdef IMPACT_C_BASE
+double impact_base_sample_unit(void); /* m/s^2 */
 #endif
 
 impact_number impact_displacement(const impact_absorber*); /* of the main mass */

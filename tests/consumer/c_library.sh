@@ -103,6 +103,65 @@ cmake -S . -B on_host -DIMPACT="$project/kernel" -DSOURCE=host.c >log || { cat l
 cmake --build on_host >log || { cat log && exit 1; }
 set -- $(on_host/program)
 echo "on this machine: displacement $1, velocity $2, largest force $3"
+# A base that shakes, with and without samples of a force: the same bits as from C++.
+cat >shaken.hpp <<'END'
+#include <impact/absorber.hpp>
+struct Rig {
+  static constexpr impact::Scene scene{};
+  static constexpr impact::Bounds bounds = [] {
+    impact::Bounds largest;
+    largest.base_acceleration = 20;
+    return largest;
+  }();
+  static constexpr double step = 1e-4;
+};
+using Absorber =
+    impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::DRIVE, impact::Fixed32, impact::BaseAcceleration>;
+END
+cat >shaken.c <<'END'
+#include <impact_c.h>
+#include <stdio.h>
+int main(void) {
+  static impact_absorber absorber;
+  impact_init(&absorber);
+  for (int n = 0; n < 5000; ++n) {
+    const int32_t acceleration = (n / 300) % 2 ? -900000000 : 900000000;
+#ifdef IMPACT_C_SAMPLED
+    impact_step(&absorber, acceleration / 3, acceleration);
+#else
+    impact_step(&absorber, acceleration);
+#endif
+  }
+  printf("%d %g\n", impact_displacement(&absorber), impact_base_sample_unit());
+  return 0;
+}
+END
+cat >shaken.cpp <<'END'
+#include "shaken.hpp"
+#include <cstdio>
+int main() {
+  static Absorber absorber;
+  for (int n = 0; n < 5000; ++n) {
+    const Absorber::Value acceleration = {(n / 300) % 2 ? -900000000 : 900000000};
+    if constexpr (Absorber::Drive::is_sampled)
+      absorber.step({acceleration.raw / 3}, acceleration);
+    else
+      absorber.step(acceleration);
+  }
+  std::printf("%d %g\n", absorber.displacement().raw, Absorber::base_sample_unit());
+}
+END
+for options in "-DDRIVE=NoDrive" "-DDRIVE=Sampled -DIMPACT_C_SAMPLED"; do
+  options="$options -DIMPACT_C_BASE -O1 -I. -I $project/kernel/include -I $project/kernel/c"
+  c++ -std=c++17 $options -DIMPACT_C_RIG='"shaken.hpp"' -c "$project/kernel/c/impact_c.cpp" -o shaken_c.o
+  cc -std=c11 -Wall -Wextra -pedantic -Wconversion -Werror $options -c shaken.c -o shaken.o
+  cc shaken.o shaken_c.o -o in_c
+  c++ -std=c++17 $options shaken.cpp -o in_cpp
+  ./in_c >in_c.out && ./in_cpp >in_cpp.out
+  cat in_c.out
+  cmp in_c.out in_cpp.out
+done
+
 cat >toolchain.cmake <<'END'
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)

@@ -11,6 +11,9 @@ namespace {
 template <class Format>
 using Tunable = impact::Absorber<impact::AtRunTime, impact::HuntCrossley, impact::Moment, impact::Sine, Format>;
 
+// As the manual says.
+static_assert(sizeof(Tunable<impact::Fixed32>::PlanType) == 464 && sizeof(Tunable<impact::Float32>::PlanType) == 312);
+
 constexpr impact::Scene at_pulsation(double pulsation) {
   impact::Scene scene;
   scene.drive_pulsation = pulsation;

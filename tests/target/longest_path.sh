@@ -11,6 +11,7 @@
 set -eu
 "${1}objdump" -d -C --no-show-raw-insn "$4" | awk -v core="$2" -v label="$3" -v entry="<$5>:" '
   /^[0-9a-f]+ <.*>:$/ { address = $1; sub(/^0+/, "", address); name = substr($0, index($0, "<")); begin = address
+    name_at[begin] = name
     if (name == entry) start = address
     next }
   /^Disassembly of section/ || /^\t\.\.\.$/ { leave(); next }
@@ -49,7 +50,7 @@ set -eu
   function visit(node) {
     if (node == "" || node in longest) return 0
     if (!(node in code)) { print "# leaves the known code at " node; exit failed = 1 }
-    if (node in on_way) { print "# a loop at " node ": " code[node]; exit failed = 1 }
+    if (node in on_way) { print "# a loop at " node " in " name_at[function_of[node]] " " code[node]; exit failed = 1 }
     if (node in unknown) { print "# no way is known on from " node ": " code[node]; exit failed = 1 }
     way[++depth] = node
     on_way[node] = 1

@@ -125,6 +125,7 @@ class Absorber
   using Source::sample_of;
   // The same of an acceleration of the base, m/s^2.
   using Source::base_sample_of;
+  using Source::base_sample_unit;
 
   // Beside an EnergyLedger, or a feature derived from it.
   static constexpr bool counts_slid_way = Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
@@ -176,8 +177,9 @@ class Absorber
     static_assert(!(Drive::is_sampled && Field::is_sampled),
                   "step(sample), but both the drive and the base take one: step(force, acceleration)");
     static_assert(is_value || !(Drive::is_sampled || Field::is_sampled),
-                  "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), step({raw}) in "
-                  "Fixed32, a float in Float32 and Float32Plain, or a converter's counts, see converter.hpp");
+                  "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), of a base "
+                  "step(absorber.base_sample_of(acceleration)), step({raw}) in Fixed32, a float in Float32 and "
+                  "Float32Plain, or a converter's counts, see converter.hpp");
     if constexpr (is_value && Drive::is_sampled) {
       advance(sample, Value{});
       publish();

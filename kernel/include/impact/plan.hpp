@@ -54,19 +54,33 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   constexpr double velocity_unit() const { return units.velocity_unit(step); }
   constexpr double contact_force_unit() const { return Format::sample_unit(force_unit); }
   constexpr double sample_unit() const { return drive_unit; }
+  // m/s^2, of a sample of the base's acceleration.
+  constexpr double base_sample_unit() const {
+    static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
+    if constexpr (Field::is_sampled)
+      return this->base_unit;
+    else
+      return 0;
+  }
 
   template <class Real>
   constexpr typename Format::Value sample_of(Real newtons) const {
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
     static_assert(static_cast<Real>(0.5) > 0, "newtons are a double (a constant) or a float");
-    return sample_in(newtons, drive.per_newton, drive_unit);
+    if constexpr (Drive::is_sampled)
+      return sample_in(newtons, drive.per_newton, drive_unit);
+    else
+      return {};
   }
   // A sample of the base's acceleration, of m/s^2.
   template <class Real>
   constexpr typename Format::Value base_sample_of(Real acceleration) const {
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
     static_assert(static_cast<Real>(0.5) > 0, "an acceleration is a double (a constant) or a float");
-    return sample_in(acceleration, this->per_base_unit, this->base_unit);
+    if constexpr (Field::is_sampled)
+      return sample_in(acceleration, this->per_base_unit, this->base_unit);
+    else
+      return {};
   }
   static constexpr Plan refused(PlanStatus why) {
     Plan plan{};

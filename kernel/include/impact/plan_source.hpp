@@ -20,6 +20,7 @@ class PlanSource {
   static constexpr double velocity_unit() { return plan.velocity_unit(); }
   static constexpr double force_unit() { return plan.contact_force_unit(); }
   static constexpr double sample_unit() { return plan.sample_unit(); }
+  static constexpr double base_sample_unit() { return plan.base_sample_unit(); }
   template <class Real>
   static constexpr auto sample_of(Real newtons) {
     return plan.sample_of(newtons);
@@ -45,6 +46,7 @@ class PlanSource<AtRunTime, PlanType_> {
   constexpr double velocity_unit() const { return plan.velocity_unit(); }
   constexpr double force_unit() const { return plan.contact_force_unit(); }
   constexpr double sample_unit() const { return plan.sample_unit(); }
+  constexpr double base_sample_unit() const { return plan.base_sample_unit(); }
   template <class Real>
   constexpr auto sample_of(Real newtons) const {
     return plan.sample_of(newtons);

@@ -19,10 +19,11 @@ struct Step {
 };
 template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct StepsPerContact {
-  static_assert(is_in_range,
-                "Rig::step: too few steps per contact for this stepper, which takes steps up to the "
-                "longest_step_in_nanoseconds named here for impacts at twice Bounds::speed; or take the stepper "
-                "impact::Chosen<Rig, Law> of impact/choice.hpp");
+  static_assert(
+      is_in_range,
+      "Rig::step: too few steps per contact for this stepper, which takes steps up to the "
+      "longest_step_in_nanoseconds named here for impacts at twice Bounds::speed and as deep as Bounds allow; "
+      "the stepper of the rule is impact::Chosen<Rig, Law> of impact/choice.hpp");
 };
 
 template <class Rig, class PlanType, PlanStatus status>
@@ -91,7 +92,10 @@ constexpr bool explain() {
     (void)sizeof(Step<static_cast<int64_t>(longest * 1e9), false>);
   }
   if constexpr (status == PlanStatus::steps_per_contact) {
-    constexpr double longest = Stepper::steps(resolution_of<ContactLaw>(Rig::scene, Rig::bounds)).most;
+    constexpr Resolution contact = resolution_of<ContactLaw>(Rig::scene, Rig::bounds);
+    constexpr bool has_parts = PlanType::FieldType::is_field || PlanType::FrictionType::is_friction;
+    constexpr double most = Stepper::steps(contact).most,
+                     longest = has_parts ? constant::smaller(most, contact.crossing / 2) : most;
     (void)sizeof(StepsPerContact<static_cast<int64_t>(longest * 1e9), false>);
   }
   return status == PlanStatus::ok;

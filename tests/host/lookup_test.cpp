@@ -256,6 +256,11 @@ void expect_quotient(uint32_t numerator, uint32_t denominator) {
                exact = static_cast<double>(n) / static_cast<double>(d) * 2147483648.0;
   ASSERT_LE(rough, exact * (1 + 1.0 / 65536) + 1) << n << " / " << d;
   ASSERT_GE(rough, exact * (1 - 4.0 / 65536) - 2) << n << " / " << d;
+  const uint32_t brief = instruction::quotient_q16(numerator, denominator);
+  ASSERT_EQ(composed::quotient_q16(numerator, denominator), brief) << n << " / " << d;
+  ASSERT_LT(brief, 65536u) << n << " / " << d;
+  ASSERT_LE(brief * d, n * 65536) << n << " / " << d;
+  ASSERT_GT(brief + 1, exact / 32768 * (1 - 1.0 / 32768)) << n << " / " << d;
 }
 
 TEST(Lookup, Quotients) {
@@ -269,6 +274,10 @@ TEST(Lookup, Quotients) {
     const auto d = static_cast<uint32_t>(random()) >> (i % 32) | 1;
     expect_quotient(static_cast<uint32_t>(static_cast<uint64_t>(random()) * (uint64_t{d} + 1) / two_32), d);
   }
+  // Every divisor of the brief one.
+  for (uint64_t d = two_32 / 2; d < two_32 && !HasFatalFailure(); d += 65536)
+    for (uint64_t n : {uint64_t{1}, d / 3, d - 65536, d})
+      expect_quotient(static_cast<uint32_t>(n), static_cast<uint32_t>(d));
   for (uint32_t d : edges())
     if (d != 0) {
       EXPECT_EQ(quotient_q32(0, d), 0u);

@@ -148,17 +148,19 @@ struct Configuration {
   template <int microseconds>
   using Absorber = impact::Absorber<Rig<microseconds>, Law, Newmark, Drive, Numeric, Parts...>;
 
-  // Makes step `index` of the trajectory.
-  template <class Absorber>
-  static void advance(Absorber& absorber, uint32_t index) {
-    constexpr bool is_shaken = impact::detail::is_one_of<BaseAcceleration, Parts...>;
-    typename Numeric::Value sample{}, base{};
-    if constexpr (Drive::is_sampled) set(sample, triangle(index));
+  // Step `index` of the trajectory: its samples come into registers as a converter's do, and then it is made.
+  static constexpr bool is_shaken = impact::detail::is_one_of<BaseAcceleration, Parts...>;
+  inline static typename Numeric::Value force, base;
+  static void sample([[maybe_unused]] uint32_t index) {
+    if constexpr (Drive::is_sampled) set(force, triangle(index));
     if constexpr (is_shaken) set(base, triangle(index + 48));
+  }
+  template <class Absorber>
+  static void advance(Absorber& absorber) {
     if constexpr (Drive::is_sampled && is_shaken)
-      absorber.step(sample, base);
+      absorber.step(force, base);
     else if constexpr (Drive::is_sampled)
-      absorber.step(sample);
+      absorber.step(force);
     else if constexpr (is_shaken)
       absorber.step(base);
     else

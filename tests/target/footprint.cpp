@@ -23,7 +23,7 @@ using impact::target::Measured;
 
 static Measured::Absorber<100> absorber;
 
-[[gnu::noinline]] static void step() { Measured::advance(absorber, 0); }
+[[gnu::noinline]] static void step() { Measured::advance(absorber); }
 
 #else
 

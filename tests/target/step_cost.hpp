@@ -1,7 +1,7 @@
 #pragma once
-// What one step costs: instructions from the first of a function that steps a model to its return. A step is in contact
-// when the ball touches a stop before or after it. A row is target,LABEL,phase,mean,largest, with the columns
-// law,newmark,numeric,drive as its label.
+// What one step costs: instructions from the first of a function that steps a model to its return, a sample read from
+// memory among them. A step is in contact when the ball touches a stop before or after it. A row is
+// target,LABEL,phase,mean,largest, with the columns law,newmark,numeric,drive as its label.
 //
 // How much the compiler inlines, and with it a count, depends on what else is in an image and on a function's linkage:
 // everything here is static, and a configuration is measured in one image only, by whoever needs its count.
@@ -34,12 +34,9 @@ static void measure(Cost& free, Cost& contact, uint32_t steps) {
   } run;
   bool touched = run.absorber.is_touching();
   for (; run.index < steps; ++run.index) {
-    const uint32_t instructions = instructions_of(
-        [](void* argument) {
-          auto& [absorber, index] = *static_cast<Run*>(argument);
-          Configuration::advance(absorber, index);
-        },
-        &run);
+    Configuration::sample(run.index);
+    const uint32_t instructions =
+        instructions_of([](void* argument) { Configuration::advance(static_cast<Run*>(argument)->absorber); }, &run);
     const bool touches = run.absorber.is_touching();
     (touched || touches ? contact : free).add(instructions);
     touched = touches;

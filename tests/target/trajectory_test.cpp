@@ -45,7 +45,10 @@ struct TrajectoryOf {
   // Both static, so that the padding between members is zero.
   static Absorber absorber;
   static const Absorber start;
-  static void advance(void* state, uint32_t index) { Configuration::advance(*static_cast<Absorber*>(state), index); }
+  static void advance(void* state, uint32_t index) {
+    Configuration::sample(index);
+    Configuration::advance(*static_cast<Absorber*>(state));
+  }
   static constexpr Trajectory trajectory{Configuration::label.text, &absorber, &start, sizeof(Absorber) / 4, advance};
 };
 template <class Configuration>

@@ -73,7 +73,7 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
   state.at_left = left;
   state.fault = Fault::none;
   if constexpr (Absorber::Field::is_sampled)
-    state.downwards =
+    state.by_field =
         Absorber::Field::at_end(plan, Absorber::base_sample_of(random.scattered(bounds.base_acceleration)));
   if constexpr (Absorber::Friction::is_friction) {
     // Sliding either way, on or from a turn of the sliding.
@@ -102,9 +102,9 @@ void search(Found& found) {
     if (!place(run.absorber, Rig::scene, Rig::bounds, can_be_released, random)) continue;
     for (int i = 0; i < steps_from_a_state; ++i) {
       const Phase before = run.absorber.state().contact.phase;
+      Configuration::sample(run.index);
       // As in firmware the compiler knows the absorber's address.
-      const uint32_t instructions =
-          instructions_of([](void*) { Configuration::advance(run.absorber, run.index); }, nullptr);
+      const uint32_t instructions = instructions_of([](void*) { Configuration::advance(run.absorber); }, nullptr);
       spent += instructions;
       ++run.index;
       const auto& state = run.absorber.state();

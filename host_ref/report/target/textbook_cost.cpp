@@ -18,8 +18,9 @@ struct Baseline {
   using Kernel = target::Configuration<ContactLaw, AverageAcceleration, Float32Plain, Sine>;
   template <int microseconds>
   using Absorber = Method<float, typename Kernel::template Rig<microseconds>, ContactLaw::law, Power>;
+  static void sample(uint32_t) {}
   template <class Model>
-  static void advance(Model& model, uint32_t) {
+  static void advance(Model& model) {
     model.step();
   }
 };

@@ -424,15 +424,16 @@ class Absorber
         call_meet_stop(increment, main_travel);
       else
         meet_stop(increment, main_travel);
-    } else {
-      if (judges_contact_once && !is_flight_in_range()) hold();
-      if constexpr (Friction::is_friction) rub(main_travel);
+    } else if (judges_contact_once && !is_flight_in_range()) {
+      hold();
+    } else if constexpr (Friction::is_friction) {
+      rub(main_travel);
     }
     (Features::after_step(plan, state_), ...);
   }
-  // Friction at a step's end is looked at here, in the next one: it only brings both rates nearer to each other.
+  // Friction need not be looked at: it brings both rates nearer to each other.
   [[gnu::always_inline]] constexpr bool is_flight_in_range() const {
-    if constexpr (Field::is_field || Friction::is_friction)
+    if constexpr (Field::is_field)
       return plan.units.in_range_in_field(state_.x1, state_.x2, state_.dx1, state_.dx2);
     else
       return plan.units.in_range(state_.x1, state_.x2, state_.dx1);
@@ -507,11 +508,12 @@ class Absorber
   constexpr Long place(Long x) const { return Field::place(plan, state_, x); }
 
   // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
-  constexpr Value rate_ahead() const {
+  constexpr Value rate_ahead() const { return rate_ahead_but_field() - Field::main_rate(plan, state_); }
+  constexpr Value rate_ahead_but_field() const {
     Value ahead =
         plan.rate_by_dx1 * plan.units.displacement(state_.dx1) + plan.rate_by_x1 * plan.units.position(state_.x1);
     if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state_.drive.rate(plan.drive);
-    return ahead - Field::main_rate(plan, state_);
+    return ahead;
   }
 
   [[gnu::noinline]] constexpr void call_meet_stop(Value increment, Long main_travel) {
@@ -595,14 +597,15 @@ class Absorber
 
   // Rate of penetration, for the state as it stands.
   constexpr Value relative_rate(bool left) const {
-    return mirrored(plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead() - Field::ball_rate(plan, state_), left);
+    return mirrored(
+        plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);
   }
 
   // What the coming step adds to x2 - x1, as the last sample says.
   constexpr Long way_ahead() const {
     Long way = state_.dx2 - state_.dx1;
     if constexpr (Drive::is_sampled) plan.units.add(way, -state_.drive.at_once(plan.drive, state_.drive.sample));
-    if constexpr (Field::is_sampled) plan.units.add(way, -Field::at_once(plan, state_.downwards));
+    if constexpr (Field::is_sampled) plan.units.add(way, -Field::at_once(plan, state_.by_field));
     return way;
   }
   // What a step's flight has added to x2 - x1.

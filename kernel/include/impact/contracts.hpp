@@ -66,7 +66,8 @@
 //           largest(scene, bounds)     m/s^2, of either sign
 //           at_once<Units>(scene, bounds, main, ball, exponents)    s^2: what a sample adds to what stands for x1
 //           place(plan, state, x)      Long: a position, of what the state keeps in its stead
-//           main_rate(plan, state)     rate: the field's share in the displacement of the coming step; ball_rate too
+//           main_rate(plan, state)     rate: the field's share in the displacement of the coming step; ball_rate too,
+//           rate_apart                 and how much that is more
 //           main_increment(plan, state, next)    increment: what the step adds to dx1
 //           fly(plan, state, next)     moves x2 and dx2 by the step's flight; then, until the next,
 //           ball_travel(plan, state)   Long: by how much x2,

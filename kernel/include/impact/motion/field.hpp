@@ -18,6 +18,9 @@
 // Positions of both masses are kept so, and their difference is x2 - x1 (with Newmark's beta for 1/6). To the main
 // mass a sample gives a little less at once, by spring and damper. Where that is below a place of a position, its X is
 // x less its own part; otherwise the rest comes with the sample.
+//
+// A sample becomes h^2 a as it comes, in Fixed32 rounded down by less than 2^-28 of the largest: for both masses alike,
+// since w takes that as it is, and what the main mass and contact see of it are products of it.
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/scene_part.hpp>
@@ -57,6 +60,10 @@ struct NoField {
   }
   template <class Plan, class State>
   static constexpr typename Plan::FormatType::Value ball_rate(const Plan&, const State&) {
+    return {};
+  }
+  template <class Plan, class State>
+  static constexpr typename Plan::FormatType::Value rate_apart(const Plan&, const State&) {
     return {};
   }
   template <class Plan, class State>
@@ -111,6 +118,10 @@ struct Gravity : ScenePart {
   static constexpr auto ball_rate(const Plan& plan, const State&) {
     return plan.ball_rate;
   }
+  template <class Plan, class State>
+  static constexpr auto rate_apart(const Plan& plan, const State&) {
+    return plan.ball_rate - plan.main_rate;
+  }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State&, Value) {
     return plan.main_increment;
@@ -150,46 +161,48 @@ struct BaseAcceleration : ScenePart {
   static constexpr uint32_t kind = 6;
   static constexpr bool is_field = true, is_sampled = true;
 
+  // The acceleration a counts as h^2 a, what it adds to dx2 in a step, in a unit of its own.
   template <class Format>
   struct FieldPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     bool has_gravity;
-    Gain by_sample;
+    decltype(Format::fraction(Gain{}, 0)) by_sample;
     Value gravity, largest_base;
     struct {
       Gain at_once, before, now, rate, ahead, behind;
     } main;
-    struct {
-      Gain now, rate;
-    } ball;
-    Gain offset;          // x - X
-    float per_base_unit;  // native numbers
-    double base_unit;     // m/s^2
+    Gain ball_rate, rate_apart;
+    Gain offset;                         // x - X
+    int state_places, increment_places;  // to the units of states and increments
+    float per_base_unit;                 // native numbers
+    double base_unit;                    // m/s^2
   };
-  // Accelerations count downwards, so that a sample enters as it is.
   template <class Format, class Units>
   static constexpr FieldPlan<Format> make_plan(const Scene& scene, const Bounds& bounds, const LinearFlow& main,
-                                               const LinearFlow& ball, const UnitExponents& unit, const Units&) {
+                                               const LinearFlow& ball, const UnitExponents& unit, const Units& units) {
     const double base = Format::sample_unit(bounds.base_acceleration), g = scene.gravity;
-    const double largest_sum = g < 0 || g > 0 ? 1.0001 * (base + constant::magnitude(g)) : base;
-    const double counts = Format::sample_unit(largest_sum);  // m/s^2
     const double main_mass = scene.main_mass, ball_mass = scene.ball_mass;
+    const double in_step = ball_mass * ball.constant_increment();  // h^2
+    int own = Format::exponent_of(2.0002 * in_step * largest(scene, bounds));
+    if (own < unit.position - 31) own = unit.position - 31;
     const SampledForce share = sampled_force(main);
     const double rest = at_once<Units>(scene, bounds, main, ball, unit), taken = main_mass * main.b1 - rest;
-    const double in_displacement = main_mass * main.b0 + (1 + main.e11) * taken;
-    const auto gain = [counts](double by, int exponent) { return Format::gain(-counts * by, 0, exponent); };
+    const double in_displacement = main_mass * main.b0 + (1 + main.e11) * taken, main_rate = in_displacement / main.e12,
+                 ball_rate = ball_mass * ball.constant_start();
+    const auto gain = [=](double by, int exponent) { return Format::gain(by / in_step, own, exponent); };
     return {g < 0 || g > 0,
-            Format::gain(counts > 0 ? base / counts : 0, 0, 0),
-            Format::sample(counts > 0 ? -g / counts : 0),
+            Format::fraction(Format::gain(-in_step * base, 0, own), 0),
+            Format::sample(in_step * g * constant::power_of_two(-own)),
             Format::largest_sample(bounds.base_acceleration),
             {gain(rest, unit.increment), gain(main_mass * share.before - (1 - main.damping()) * taken, unit.increment),
              gain(main_mass * share.now + (1 - main.stiffness()) * taken, unit.increment),
-             gain(in_displacement / main.e12, unit.penetration), gain(in_displacement / main.e12, unit.increment),
-             gain(in_displacement, unit.increment)},
-            {gain(ball_mass * ball.constant_increment(), unit.increment),
-             gain(ball_mass * ball.constant_start(), unit.penetration)},
+             gain(main_rate, unit.penetration), gain(main_rate, unit.increment), gain(in_displacement, unit.increment)},
+            gain(ball_rate, unit.penetration),
+            gain(ball_rate - main_rate, unit.penetration),
             gain(ball_mass * ball.b1, unit.increment),
+            units.places_of(own),
+            unit.increment - own,
             static_cast<float>(base > 0 ? 1 / base : 0),
             base};
   }
@@ -206,17 +219,17 @@ struct BaseAcceleration : ScenePart {
 
   template <class Format>
   struct State {
-    typename Format::Value downwards;  // the acceleration at the last sample
+    typename Format::Value by_field;  // h^2 a at the last sample
   };
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
-    state.downwards = plan.gravity;
-    plan.units.add(state.x1, -(plan.offset * state.downwards));
-    plan.units.add(state.x2, -(plan.offset * state.downwards));
+    state.by_field = plan.gravity;
+    plan.units.add(state.x1, -(plan.offset * state.by_field));
+    plan.units.add(state.x2, -(plan.offset * state.by_field));
   }
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
-    return Plan::FormatType::is_sound(state.downwards);
+    return Plan::FormatType::is_sound(state.by_field);
   }
 
   template <class Plan, class Value>
@@ -230,22 +243,28 @@ struct BaseAcceleration : ScenePart {
   }
   template <class Plan, class Value>
   [[gnu::always_inline]] static constexpr Value at_end(const Plan& plan, Value sample) {
-    return plan.has_gravity ? plan.by_sample * sample + plan.gravity : sample;
+    const Value by_base = plan.by_sample * sample;
+    return plan.has_gravity ? by_base + plan.gravity : by_base;
   }
 
   // A position, of what is kept in its stead.
   template <class Plan, class State, class Long>
   static constexpr Long place(const Plan& plan, const State& state, Long x) {
-    plan.units.add(x, plan.offset * state.downwards);
+    plan.units.add(x, plan.offset * state.by_field);
     return x;
   }
   template <class Plan, class State>
   static constexpr auto main_rate(const Plan& plan, const State& state) {
-    return plan.main.rate * state.downwards;
+    return plan.main.rate * state.by_field;
   }
   template <class Plan, class State>
   static constexpr auto ball_rate(const Plan& plan, const State& state) {
-    return plan.ball.rate * state.downwards;
+    return plan.ball_rate * state.by_field;
+  }
+  // The ball's less the main mass's.
+  template <class Plan, class State>
+  static constexpr auto rate_apart(const Plan& plan, const State& state) {
+    return plan.rate_apart * state.by_field;
   }
   // What the sample at the end of the step adds at once to the main mass's displacement.
   template <class Plan, class Value>
@@ -254,31 +273,31 @@ struct BaseAcceleration : ScenePart {
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State& state, Value next) {
-    return plan.main.before * state.downwards + plan.main.now * next;
+    return plan.main.before * state.by_field + plan.main.now * next;
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
     state.x2.advance(state.dx2);
-    state.downwards = next;
-    plan.units.add(state.dx2, ball_increment(plan, state));
+    state.by_field = next;
+    plan.units.add(state.dx2, next, plan.state_places);
   }
   template <class Plan, class State>
   static constexpr auto ball_travel(const Plan& plan, const State& state) {
     auto travel = state.dx2;
-    plan.units.add(travel, -ball_increment(plan, state));
+    plan.units.add(travel, -state.by_field, plan.state_places);
     return travel;
   }
   template <class Plan, class State>
   static constexpr auto ball_increment(const Plan& plan, const State& state) {
-    return plan.ball.now * state.downwards;
+    return Plan::FormatType::moved(state.by_field, plan.increment_places);
   }
   template <class Plan, class State>
   static constexpr auto ahead(const Plan& plan, const State& state) {
-    return plan.main.ahead * state.downwards;
+    return plan.main.ahead * state.by_field;
   }
   template <class Plan, class State>
   static constexpr auto behind(const Plan& plan, const State& state) {
-    return plan.main.behind * state.downwards;
+    return plan.main.behind * state.by_field;
   }
 };
 

@@ -11,14 +11,15 @@
 //
 //     y - r >= 0           it slides on          p = r
 //     |y - y0| <= r        it sticks             p = y: no way at all
-//     otherwise            it slides back, from when the rate, linear in time from the middle of one step to the
-//                          middle of the next, was 0:    y - p = (y - r) (|y - y0| - r)/(|y - y0| + r)
+//     otherwise            it slides back        p = (1 - z) r - z r
 //
-// where y counts with the way that contact has added in this step, if the ball still touches the stop. In a step
-// friction does the work -(p0 + p1)/2 y0 of the impulses at both of its ends: never positive where the ball has slid on
-// until then, p0 = r. A ball at rest has no way; while its load changes, friction takes and gives back up to
-// R^2 h^2/8 (1/m + 1/M). Where a contact turns the rate at once (Treatment::is_sudden) that is not linear in time, and
-// the impulse is held to what takes energy at that instant. Second order where the sliding begins, turns or ends.
+// where y counts with the way that contact has added in this step, if the ball still touches the stop, and z is the
+// part of the time left when the rate is 0 that goes linearly from y0 in the middle of one step to y - r in the middle
+// of the next: (r - y)/(y0 + r - y). In a step friction does the work -(p0 + p1)/2 y0 of the impulses at both of its
+// ends: never positive where the ball has slid on until then, p0 = r. A ball at rest has no way; while its load
+// changes, friction takes and gives back up to R^2 h^2/8 (1/m + 1/M). Where a contact turns the rate at once
+// (Treatment::is_sudden) that is not linear in time, and the impulse is held to what takes energy at that instant.
+// Second order where the sliding begins, turns or ends.
 //
 // While the sliding lasts a step adds the same two constants again: they stand in the state.
 
@@ -94,9 +95,9 @@ struct DryFriction : ScenePart {
 
   template <class Format>
   struct State {
-    typename Format::Long main_push, ball_push;  // the last impulse, in dx1 and dx2
-    typename Format::Value impulse;              // the same
-    typename Format::Value lasting;              // where y is more in the same direction, it is the next one as well
+    typename Format::Long main_push, ball_push;  // of the sliding under way, in dx1 and dx2
+    typename Format::Value impulse;              // the last one
+    typename Format::Value lasting;              // where y is more in the same direction, the sliding goes on
   };
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
@@ -122,7 +123,8 @@ struct DryFriction : ScenePart {
   // From a rest of both or a sliding, with half of the impulse; `way` is y.
   template <class Plan, class State, class Value>
   static constexpr void begin(const Plan& plan, State& state, Value way) {
-    set(plan, state, held(plan, Any{}, way + way));
+    state.impulse = held(Passive<Value>{-plan.full, plan.full}, way + way);
+    state.lasting = never<Plan>();
     move(plan, state, state.impulse);
   }
   // The state without what the last impulse has taken ahead.
@@ -135,7 +137,7 @@ struct DryFriction : ScenePart {
   template <class Plan, class State, class Long>
   [[gnu::always_inline]] static constexpr bool slides_on(const Plan& plan, State& state, Long ball) {
     if (!plan.units.is_beyond(state.dx1, ball, state.ball_push, state.lasting)) return false;
-    push(state);
+    push(state, state.main_push, state.ball_push);
     return true;
   }
   // Which impulses may be: any; and after a sudden contact those that take energy at the rubbing rate that it has left.
@@ -151,7 +153,7 @@ struct DryFriction : ScenePart {
     // An impulse as large as the rate takes s of it, a little more than all; 1/s is no less than 2 - s.
     const Value main = plan.rate_ahead * rate, ball = plan.ball_ahead * rate;
     const Value half_more = rubbing_rate(plan, main + ball, -main) - Format::value(half(rate));
-    const Value half_most = held(plan, Passive<Value>{-half_full, half_full}, rate - half_more - half_more);
+    const Value half_most = held(Passive<Value>{-half_full, half_full}, rate - half_more - half_more);
     const Value most = half_most + half_most;
     return is_negative(most) ? Passive<Value>{most, Value{}} : Passive<Value>{Value{}, most};
   }
@@ -162,23 +164,23 @@ struct DryFriction : ScenePart {
     using Format = typename Plan::FormatType;
     const Value way = plan.units.relative(ahead);
     const bool back = is_negative(is_positive(slid) || is_negative(slid) ? slid : way);
-    const Value y = mirrored(way, back), end = y - plan.full;
-    const Value fall = mirrored(slid, back) - y, beyond = fall - plan.full;
-    if (!is_negative(end)) {
+    const Value behind = plan.full - mirrored(way, back), change = mirrored(slid, back) + behind;  // r - y, y0 + r - y
+    const Value twice_full = plan.full + plan.full;
+    if (!is_positive(behind)) {
       const Value impulse = mirrored(plan.full, back);
       if (allows(allowed, impulse))
         slide(plan, state, back);
       else
-        set(plan, state, held(plan, allowed, impulse));
-    } else if (is_positive(beyond)) {
-      const auto share = Format::rough_quotient(without_sign(beyond), without_sign(fall) + without_sign(plan.full));
-      set(plan, state, held(plan, allowed, way + mirrored(Format::value(share * without_sign(-end)), back)));
+        set(plan, state, held(allowed, impulse));
+    } else if (is_positive(change - twice_full)) {
+      const auto left = Format::short_quotient(without_sign(behind), without_sign(change));
+      const Value impulse = difference(without_sign(plan.full), without_sign(twice_full) * left);
+      set(plan, state, held(allowed, mirrored(impulse, back)));
     } else if (allows(allowed, way)) {
       stick(plan, state, way, ahead);
     } else {
-      set(plan, state, held(plan, allowed, way));
+      set(plan, state, held(allowed, way));
     }
-    push(state);
   }
   // The full impulse, on and on.
   template <class Plan, class State>
@@ -187,20 +189,22 @@ struct DryFriction : ScenePart {
     state.ball_push = mirrored(plan.ball_sliding, back);
     state.impulse = mirrored(plan.full, back);
     state.lasting = plan.lasting;
+    push(state, state.main_push, state.ball_push);
   }
 
  private:
-  template <class State>
-  [[gnu::always_inline]] static constexpr void push(State& state) {
-    state.dx1.advance(state.main_push);
-    state.dx2.advance(state.ball_push);
+  template <class State, class Long>
+  [[gnu::always_inline]] static constexpr void push(State& state, Long main, Long ball) {
+    state.dx1.advance(main);
+    state.dx2.advance(ball);
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void set(const Plan& plan, State& state, Value impulse) {
-    state.main_push = state.ball_push = {};
-    plan.units.displace(state.main_push, plan.main_share, impulse);
-    plan.units.displace(state.ball_push, -impulse);
-    state.ball_push.advance(state.main_push);
+    typename Plan::FormatType::Long main{}, ball{};
+    plan.units.displace(main, plan.main_share, impulse);
+    plan.units.displace(ball, -impulse);
+    ball.advance(main);
+    push(state, main, ball);
     state.impulse = impulse;
     state.lasting = never<Plan>();
   }
@@ -217,17 +221,17 @@ struct DryFriction : ScenePart {
   // No way at all.
   template <class Plan, class State, class Value, class Long>
   [[gnu::always_inline]] static constexpr void stick(const Plan& plan, State& state, Value way, Long ahead) {
-    state.main_push = plan.units.part(plan.main_share, ahead, plan.spare_places);
-    state.ball_push = state.main_push - ahead;
+    const Long main = plan.units.part(plan.main_share, ahead, plan.spare_places);
+    push(state, main, main - ahead);
     state.impulse = way;
     state.lasting = never<Plan>();
   }
-  template <class Plan, class Value>
-  [[gnu::always_inline]] static constexpr Value held(const Plan& plan, Any, Value impulse) {
-    return held(plan, Passive<Value>{-plan.full, plan.full}, impulse);
+  template <class Value>
+  static constexpr Value held(Any, Value impulse) {
+    return impulse;
   }
-  template <class Plan, class Value>
-  [[gnu::always_inline]] static constexpr Value held(const Plan&, const Passive<Value>& passive, Value impulse) {
+  template <class Value>
+  [[gnu::always_inline]] static constexpr Value held(const Passive<Value>& passive, Value impulse) {
     return is_positive(impulse - passive.most)    ? passive.most
            : is_negative(impulse - passive.least) ? passive.least
                                                   : impulse;

@@ -129,6 +129,11 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Unsigned<31 + a - b> rough_quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
     return {rough_quotient_q31(numerator.raw, denominator.raw)};
   }
+  // To 16 places, rounded down; numerator <= denominator.
+  template <int bits>
+  static constexpr Short<16> short_quotient(Unsigned<bits> numerator, Unsigned<bits> denominator) {
+    return {quotient_q16(numerator.raw, denominator.raw)};
+  }
   // z^2 / 5p, |z| <= p, for a small part of a sum.
   template <int bits>
   static constexpr Unsigned<bits + 1> square_over_five(Signed<bits> z, Unsigned<bits> p) {

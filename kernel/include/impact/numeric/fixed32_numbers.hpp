@@ -134,7 +134,7 @@ struct Fixed32Numbers {
 
   // At most 1.
   static constexpr Gain held_gain(Gain gain) { return gain.shift < -1 ? Gain{INT32_MAX, -1} : gain; }
-  // A held gain over 2^places, places > 0, rounded down: a shift that is known to go right.
+  // A gain over 2^places, below 1/2, rounded down: a shift that is known to go right.
   struct Fraction {
     int32_t mantissa;
     int shift;

@@ -126,6 +126,8 @@ struct RealFormat {
     static constexpr Value position(Long x) { return x.sum; }
     static constexpr Value displacement(Long w) { return w.sum; }
     static constexpr void add(Long& x, Value increment) { x.add(increment); }
+    static constexpr void add(Long& x, Value value, int) { x.add(value); }
+    static constexpr int places_of(int) { return 0; }
     static constexpr void displace(Long& x, Value penetration) { x.add(penetration); }
     static constexpr void displace(Long& x, Gain gain, Value penetration) { x.add(gain * penetration); }
     static constexpr Long part(Gain gain, Long x, int) {
@@ -261,6 +263,7 @@ struct RealFormat {
   };
   static constexpr Divisor divisor(Real x) { return {x}; }
   static constexpr Real rough_quotient(Real numerator, Real denominator) { return numerator / denominator; }
+  static constexpr Real short_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real square_over_five(Real z, Real p) { return z * z / (5 * p); }
   static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
   // A root t of a decreasing function, from 0 to 1, moved by its value over its steepness.

@@ -72,6 +72,31 @@ constexpr uint32_t rough_quotient_q31(uint32_t numerator, uint32_t denominator) 
   return short_product(numerator, static_cast<uint32_t>(reciprocal_table.reciprocal(denominator)) >> 1);
 }
 
+// (numerator / denominator) 2^16 for 0 <= numerator <= denominator, denominator > 0, with 16 bits of the denominator,
+// counted up: below 2^16, never above the true quotient, and short of it by less than 1 + 2^-15 of it.
+namespace instruction {
+
+constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
+  numerator <<= impact::normalise<1>(denominator);
+  return numerator / ((denominator >> 16) + 1);
+}
+
+}  // namespace instruction
+namespace composed {
+
+// The table's reciprocal gives a quotient that is 1 above the true one at most, and 2 below: seen for each of its 2^15
+// divisors.
+constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
+  numerator <<= impact::normalise<1>(denominator);
+  const uint32_t divisor = (denominator >> 16) + 1;
+  const auto reciprocal = static_cast<uint32_t>(reciprocal_table.reciprocal(denominator | 0xffff)) >> 1;
+  uint32_t quotient = (short_product(numerator, reciprocal) >> 15) - 1, rest = numerator - quotient * divisor;
+  if (rest >= 2 * divisor) rest -= 2 * divisor, quotient += 2;
+  return rest >= divisor ? quotient + 1 : quotient;
+}
+
+}  // namespace composed
+
 // z^2 / 5p of |z| <= p in steps of half a last place, rounded down, with z / 5p in steps of 2^-18, rounded to zero, of
 // which p has 14 bits, counted up: short of the true one by less than z 2^-18 and a part of it of 2^18 / p.
 namespace instruction {
@@ -102,8 +127,10 @@ constexpr int32_t square_over_five(int32_t z, uint32_t p) {
 }  // namespace composed
 
 #if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) || (defined(__riscv) && !defined(__riscv_div))
+using composed::quotient_q16;
 using composed::square_over_five;
 #else
+using instruction::quotient_q16;
 using instruction::square_over_five;
 #endif
 

@@ -1,11 +1,10 @@
 #include "host_ref/reference.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "host_ref/extremes.hpp"
 
@@ -34,7 +33,9 @@ Series derivative(const SeriesOrColumn& p) {
 
 // Coefficient k of a product, from the coefficients up to k of its factors.
 Real product(const SeriesOrColumn& p, const SeriesOrColumn& q, int k) {
-  return p.head(k + 1).dot(q.head(k + 1).reverse());
+  Real sum = 0;
+  for (int i = 0; i <= k; ++i) sum += p[i] * q[k - i];
+  return sum;
 }
 
 // The first s in [0, end] at which p rises through zero. The bound on |p''| makes a parabola above p, and the search
@@ -69,55 +70,44 @@ constexpr int size = 9;
 using Vector = Eigen::Matrix<Real, size, 1>;
 using Generator = Eigen::Matrix<Real, size, size>;
 
-// z' = A z solved by exp(A t), over windows of about half a radian of the fastest mode: the exponentials of the window
-// and of its binary fractions are computed once, so that any instant is a product of a few of them. The tolerance sets
-// the window as it sets a Taylor step, so that runs at two tolerances differ in their rounding too.
+// The largest modulus of its eigenvalues, within a hundredth: |A^n|^(1/n) of a large power n.
+Real fastest_mode(Generator power) {
+  constexpr int squarings = 12;
+  Real logarithm = 0, norm = power.norm();
+  for (int i = 0; i < squarings && norm > 0; ++i) {
+    power /= norm;
+    logarithm = 2 * (logarithm + std::log(norm));
+    power = power.lazyProduct(power).eval();
+    norm = power.norm();
+  }
+  return norm > 0 ? std::exp((logarithm + std::log(norm)) / static_cast<Real>(1 << squarings)) : 0;
+}
+
+// z' = A z over windows of about half a radian of the fastest mode, on which the series of exp(A t) z has far more
+// terms than rounding leaves room for. The tolerance sets the window as it sets a Taylor step, so that runs at two
+// tolerances differ in their rounding too.
 class LinearFlow {
  public:
   LinearFlow(const Generator& generator, Real tolerance) {
-    const Eigen::Matrix<double, size, size> rounded = generator.cast<double>();
     const Real radians = 0.5L * std::pow(tolerance / real(reference_tolerance), Real{1} / order);
-    window_ = radians / real(std::max(1.0, rounded.eigenvalues().cwiseAbs().maxCoeff()));
+    window_ = radians / std::max(Real{1}, fastest_mode(generator));
     scaled_ = generator * window_;
-    // In units of the window the terms are alike in size, so that small entries keep their digits.
-    Vector units;
-    units << window_, 1, window_, 1, Eigen::Matrix<Real, size - 4, 1>::Constant(1 / window_);
-    const Vector inverse = units.cwiseInverse();
-    const Generator balanced = inverse.asDiagonal() * scaled_ * units.asDiagonal();
-    Real fraction = 1;
-    for (auto& exponential : exponentials_) {
-      exponential = units.asDiagonal() * (balanced * fraction).exp() * inverse.asDiagonal();
-      fraction /= 2;
-    }
   }
 
   Real window() const { return window_; }
 
-  Vector advance(Vector z, Real fraction) const {
-    for (const auto& exponential : exponentials_) {
-      if (fraction >= 1) {
-        z = exponential * z;
-        fraction -= 1;
-      }
-      fraction *= 2;
-    }
-    constexpr Real finest = 1 / static_cast<Real>(1LL << halvings);
-    return z + scaled_ * z * (fraction * finest / 2);
-  }
-
-  // The series of each component of z on the window, one in a row.
-  Eigen::Matrix<Real, size, order + 1> series(const Vector& z) const {
-    Eigen::Matrix<Real, size, order + 1> result;
-    result.col(0) = z;
-    for (int k = 1; k <= order; ++k) result.col(k) = scaled_ * result.col(k - 1) / static_cast<Real>(k);
+  // Of each component of z on the window, one in a column.
+  Eigen::Matrix<Real, order + 1, size> series(const Vector& z) const {
+    Eigen::Matrix<Real, order + 1, size> result;
+    result.row(0) = z;
+    for (int k = 1; k <= order; ++k)
+      result.row(k).noalias() = result.row(k - 1).lazyProduct(scaled_.transpose()) / static_cast<Real>(k);
     return result;
   }
 
  private:
-  static constexpr int halvings = 34;  // the remainder of 2^-35 window needs one Taylor term
   Real window_ = 0;
   Generator scaled_;
-  Generator exponentials_[halvings + 1];
 };
 
 // The scene in the reference's arithmetic.
@@ -406,18 +396,12 @@ class Reference::Motion {
     if (phase_ == Phase::touching) {
       result.peak_force = larger(result.peak_force, largest(series_.col(force), place));
     }
-    if (is_stuck()) {
-      const Vector z = flow_->advance(origin_, place);
-      result.x1 = z[0];
-      result.v1 = z[1];
-      return result;
-    }
     if (flow_) {
-      const Vector z = flow_->advance(origin_, place);
-      result.x1 = z[0];
-      result.v1 = z[1];
-      result.y = z[2] + stop_;
-      result.rate = z[3];
+      result.x1 = value(linear_.col(0), place);
+      result.v1 = value(linear_.col(1), place);
+      if (is_stuck()) return result;
+      result.y = value(linear_.col(2), place) + stop_;
+      result.rate = value(linear_.col(3), place);
     } else {
       const Real root = value(series_.col(r), place);
       result.x1 = value(series_.col(x1), place);
@@ -436,18 +420,19 @@ class Reference::Motion {
     return first_rise(against, end);
   }
 
-  void set_origin(Real y) {
+  void follow(const LinearFlow& flow, Real y) {
+    flow_ = &flow;
     const auto [force_now, partner_now] = drive();
     const auto [field_value, field_slope] = field_now();
-    origin_ << now_.x1, now_.v1, y, now_.rate, force_now, partner_now, field_value, field_slope,
+    Vector start;
+    start << now_.x1, now_.v1, y, now_.rate, force_now, partner_now, field_value, field_slope,
         static_cast<Real>(sliding_);
-  }
-  template <class Linear>
-  void add_drive_work(const Linear& z) {
-    const Series applied_force = z.row(4), velocity = z.row(1);
+    linear_ = flow.series(start);
+
+    series_.setZero();
     for (int k = 0; k < order; ++k) {
-      const Real share = flow_->window() / static_cast<Real>(k + 1);
-      series_(k + 1, drive_work) = share * product(applied_force, velocity, k);
+      const Real share = flow.window() / static_cast<Real>(k + 1);
+      series_(k + 1, drive_work) = share * product(linear_.col(4), linear_.col(1), k);
     }
   }
   void end_linear_window(Real whole, Real end_of_drive) {
@@ -456,13 +441,9 @@ class Reference::Motion {
 
   // Until the force that holds the ball is more than friction's.
   void open_sticking_window(Real end_of_drive) {
-    flow_ = &*sticking_flow_;
-    set_origin(0);
-    const auto z = flow_->series(origin_);
-    series_.setZero();
-    add_drive_work(z);
+    follow(*sticking_flow_, 0);
     const Real share = scene_.m / (scene_.M + scene_.m);
-    Series holding = share * (z.row(4) - scene_.k * z.row(0) - scene_.c * z.row(1));
+    Series holding = share * (linear_.col(4) - scene_.k * linear_.col(0) - scene_.c * linear_.col(1));
     if (phase_ == Phase::touching) {
       holding[0] += static_cast<Real>(side_) * law_force();
       series_(0, force) = law_force();
@@ -480,13 +461,11 @@ class Reference::Motion {
   void open_linear_window(Real end_of_drive) {
     const bool touching = phase_ == Phase::touching;
     const Real side = static_cast<Real>(side_);
-    flow_ = touching ? &*contact_flow_ : &apart_flow_;
     stop_ = touching ? side * scene_.half_clearance : 0;
-    set_origin(now_.y - stop_);
-    const auto z = flow_->series(origin_);
-    const Series rate = z.row(3);
+    follow(touching ? *contact_flow_ : apart_flow_, now_.y - stop_);
+    const Series rate = linear_.col(3);
     const auto penetration_series = [&](int of) -> Series {
-      Series p = static_cast<Real>(of) * z.row(2);
+      Series p = static_cast<Real>(of) * linear_.col(2);
       p[0] += static_cast<Real>(of) * stop_ - scene_.half_clearance;
       return p;
     };
@@ -497,8 +476,6 @@ class Reference::Motion {
       sign_of_force[0] += scene_.k1;
     }
 
-    series_.setZero();
-    add_drive_work(z);
     for (int k = 0; k < order && touching; ++k)
       series_(k + 1, dissipated) = flow_->window() / static_cast<Real>(k + 1) * c1_ * product(rate, rate, k);
     if (touching) series_.col(force) = sign_of_force;
@@ -611,8 +588,8 @@ class Reference::Motion {
   Real end_ = 0;
   Event event_{};
   Eigen::Matrix<Real, order + 1, columns> series_;
-  const LinearFlow* flow_ = nullptr;  // null in power-law contact
-  Vector origin_;                     // of the flow, y measured from stop_
+  const LinearFlow* flow_ = nullptr;             // null in power-law contact
+  Eigen::Matrix<Real, order + 1, size> linear_;  // of the flow, y measured from stop_
   Real stop_ = 0;
   Real step_ = 1;  // of theta
 };

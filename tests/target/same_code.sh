@@ -1,0 +1,17 @@
+#!/bin/sh
+# A Cortex-M0+ runs a Cortex-M0's code: the same image compiled for either has the same bytes, and budgets.csv the same
+# rows, cycles apart.
+#   same_code.sh TOOLS BUDGETS IMAGE IMAGE_FOR_CORTEX_M0
+set -eu
+tools=$1 budgets=$2 image=$3 other=$4
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+"${tools}objcopy" -O binary "$image" "$folder/image"
+"${tools}objcopy" -O binary "$other" "$folder/other"
+[ -s "$folder/image" ]
+cmp "$folder/image" "$folder/other"
+
+rows() { grep "^$1," "$budgets" | grep -v '_cycles,' | sed 's/^[^,]*,//' | sort; }
+rows cortex-m0 >"$folder/rows"
+[ -s "$folder/rows" ]
+rows cortex-m0plus | diff "$folder/rows" -

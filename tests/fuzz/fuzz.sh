@@ -2,7 +2,8 @@
 # Builds a fuzzer with Clang and runs it for IMPACT_FUZZ_SECONDS (10), first over the inputs that once found something:
 #   fuzz.sh PROJECT FOLDER kernel FORMAT
 #   fuzz.sh PROJECT FOLDER tool LIBRARY...
-# A run whose seconds are stated is compiled at -O1: three times as long, for three times as many inputs a second.
+# A run whose seconds are stated is compiled at -O1, three times as long, for three times as many inputs a second, and
+# with the lines of a stack trace; UBSan names the line of a finding in any case.
 # FOLDER keeps the fuzzer and what it has learnt; a finding is left there as crash-*, to be given to the fuzzer again.
 set -eu
 project=$1 folder=$2 kind=$3 && shift 3
@@ -19,9 +20,9 @@ case $kind in
     sanitize=address,undefined flags="" libraries="$* -lpthread"
     sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) ;;
 esac
-optimised=-O0 && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || optimised=-O1
-# $sources and $libraries are lists.
-clang++ -std=c++17 $optimised -gline-tables-only -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize-recover=all \
+compiled=-O0 && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || compiled="-O1 -gline-tables-only"
+# $compiled, $sources and $libraries are lists.
+clang++ -std=c++17 $compiled -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize-recover=all \
   $flags -I "$project" -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
 ./fuzzer "$project/tests/fuzz/found/$kind"/* >found.log 2>&1 || { cat found.log && exit 1; }
 ./fuzzer -max_total_time="${IMPACT_FUZZ_SECONDS:-10}" -seed=1 -timeout=10 -max_len=300 -len_control=0 -print_funcs=0 \

@@ -1,6 +1,6 @@
 #include "host_ref/reference.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -70,19 +70,6 @@ constexpr int size = 9;
 using Vector = Eigen::Matrix<Real, size, 1>;
 using Generator = Eigen::Matrix<Real, size, size>;
 
-// The largest modulus of its eigenvalues, within a hundredth: |A^n|^(1/n) of a large power n.
-Real fastest_mode(Generator power) {
-  constexpr int squarings = 12;
-  Real logarithm = 0, norm = power.norm();
-  for (int i = 0; i < squarings && norm > 0; ++i) {
-    power /= norm;
-    logarithm = 2 * (logarithm + std::log(norm));
-    power = power.lazyProduct(power).eval();
-    norm = power.norm();
-  }
-  return norm > 0 ? std::exp((logarithm + std::log(norm)) / static_cast<Real>(1 << squarings)) : 0;
-}
-
 // z' = A z over windows of about half a radian of the fastest mode, on which the series of exp(A t) z has far more
 // terms than rounding leaves room for. The tolerance sets the window as it sets a Taylor step, so that runs at two
 // tolerances differ in their rounding too.
@@ -90,7 +77,8 @@ class LinearFlow {
  public:
   LinearFlow(const Generator& generator, Real tolerance) {
     const Real radians = 0.5L * std::pow(tolerance / real(reference_tolerance), Real{1} / order);
-    window_ = radians / std::max(Real{1}, fastest_mode(generator));
+    const Eigen::Matrix<double, size, size> rounded = generator.cast<double>();
+    window_ = radians / real(std::max(1.0, rounded.eigenvalues().cwiseAbs().maxCoeff()));
     scaled_ = generator * window_;
   }
 

@@ -117,14 +117,14 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
       return planned.status;
     if (!plans_with(chosen(request), asked_step)) return planned.status;
   }
-  const auto held = [](double reached) { return std::min(bound_range.most, larger(1e-6, margin * reached)); };
+  const auto held = [](double reached) { return smaller(bound_range.most, larger(1e-6, margin * reached)); };
   const Reached reached = planned.simulation->reached_in(step_count(request), samples_after(0, request.samples),
                                                          samples_after(0, request.base_samples));
   bounds = {held(reached.displacement), held(reached.speed), held(reached.penetration),
             larger(1e-6, largest_sample(request)), base_bound(request)};
   bounds.displacement =
-      std::min(bound_range.most,
-               std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * asked_step}));
+      smaller(bound_range.most,
+              std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * asked_step}));
   return planned.status;
 }
 

@@ -2,15 +2,14 @@
 // The kernel with weight, a base that accelerates and dry friction behind the run-time interface, as
 // simulation_instance.hpp has it without. Values of 0 make the bits of an absorber that does not name the part.
 
+#include "host_ref/any_field.hpp"
 #include "host_ref/simulation_of.hpp"
 
 namespace impact::host {
 
 template <class Format, class ContactLaw, class Stepper>
 Planned plan_in_field(const Request& request, const Bounds& bounds) {
-  if (request.is_shaken)
-    return plan_with_drive<Format, ContactLaw, Stepper, BaseAcceleration, DryFriction, ContactForce>(request, bounds);
-  return plan_with_drive<Format, ContactLaw, Stepper, Gravity, DryFriction, ContactForce>(request, bounds);
+  return plan_with_drive<Format, ContactLaw, Stepper, AnyField, DryFriction, ContactForce>(request, bounds);
 }
 
 template <class Format, class ContactLaw>

@@ -186,12 +186,11 @@ class KernelSimulation final : public Simulation {
   }
   // reading().x1, without making its unit at every step.
   double displacement() const {
-    if constexpr (Kernel::Field::is_sampled)
-      return kernel_.reading().x1;
-    else if constexpr (std::is_same_v<Format, Fixed32>)
-      return static_cast<double>(kernel_.state().x1.raw - Format::Units::half_place) * position_unit_;
+    const auto x1 = Kernel::Field::place(kernel_.plan, kernel_.state(), kernel_.state().x1);
+    if constexpr (std::is_same_v<Format, Fixed32>)
+      return static_cast<double>(x1.raw - Format::Units::half_place) * position_unit_;
     else
-      return kernel_.plan.units.si_at(kernel_.state().x1);
+      return kernel_.plan.units.si_at(x1);
   }
 
   double damping() const {

@@ -56,10 +56,18 @@
 namespace impact {
 
 namespace detail {
-// The parts of the scene among the features.
+// The parts of the scene among the features. Of two fields the sampled one, which has weight too.
 template <class... Features>
-using FieldOf = typename Either<is_one_of<BaseAcceleration, Features...>, BaseAcceleration,
-                                typename Either<is_one_of<Gravity, Features...>, Gravity, NoField>::Type>::Type;
+struct FieldAmong {
+  using Type = NoField;
+};
+template <class First, class... Others>
+struct FieldAmong<First, Others...> {
+  using Other = typename FieldAmong<Others...>::Type;
+  using Type = typename Either<contract::is_field<First> && !Other::is_sampled, First, Other>::Type;
+};
+template <class... Features>
+using FieldOf = typename FieldAmong<Features...>::Type;
 template <class... Features>
 using FrictionOf = typename Either<is_one_of<DryFriction, Features...>, DryFriction, NoFriction>::Type;
 

@@ -195,6 +195,11 @@ inline constexpr bool
     is_feature<Type, Void<decltype(Type::kind), decltype(Type::is_bound), typename Type::template State<Fixed32>>> =
         true;
 
+template <class Type, class = void>
+inline constexpr bool is_field = false;
+template <class Type>
+inline constexpr bool is_field<Type, Void<decltype(Type::is_field)>> = Type::is_field;
+
 template <class Stepper, class Format, class ContactLaw>
 inline constexpr bool is_stepper_for = is_stepper<Stepper>&& has_treatment<Stepper, Format, ContactLaw>;
 template <class Stepper, class Format, class ContactLaw>

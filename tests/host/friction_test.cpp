@@ -355,6 +355,81 @@ TYPED_TEST(FrictionIn, GoesOnAfterCorrectionAndChangeOfPlan) {
   EXPECT_NEAR(absorber.reading().v2, after.v2, 1e-6);
 }
 
+// A correction that turns the sliding round turns the friction as well, of whose last impulse half is still to come:
+// the ball goes on as in closed form, and the friction's line of the ledger has what both masses have lost since.
+TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {
+  Slide slide;
+  Bounds bounds;
+  bounds.displacement = 0.1;
+  bounds.speed = 0.5;
+  slide.scene.ball_friction = 20;
+  const double deceleration = 20 * (1 / slide.scene.main_mass + 1 / slide.scene.ball_mass), step = 1e-4;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, DryFriction, EnergyLedger>;
+  Absorber absorber(Absorber::PlanType::make(slide.scene, bounds, step));
+  const auto energy = [&] {
+    const auto now = absorber.reading();
+    return (slide.scene.main_mass * now.v1 * now.v1 + slide.scene.ball_mass * now.v2 * now.v2) / 2;
+  };
+  for (int n = 0; n < 3; ++n) absorber.step();
+  absorber.correct({}, TypeParam::sample(0.4 / absorber.velocity_unit()));
+  const auto corrected = absorber.reading();
+  const double rate = corrected.v1 - corrected.v2, at_first = energy(), rubbed = absorber.friction_dissipated();
+  ASSERT_GT(rate, 0.25);
+  for (int n = 1; (n + 1) * step < rate / deceleration; ++n) {
+    absorber.step();
+    const auto now = absorber.reading();
+    EXPECT_NEAR(now.v1 - now.v2, rate - deceleration * n * step, 4 * floor_of<TypeParam> / step) << n;
+    EXPECT_NEAR(absorber.friction_dissipated() - rubbed, at_first - energy(), 1e-5 * at_first) << n;
+  }
+}
+
+// A ball that sticks under load goes on doing so: each correction begins with twice half an impulse, which the spring
+// makes (w0 h)^2 of g h^2 less or more than a whole one.
+TYPED_TEST(FrictionIn, HeldBallDoesNotCreepUnderCorrections) {
+  Scene scene;
+  scene.gravity = 9.81;
+  scene.ball_friction = 6;
+  scene.clearance = 0.04;
+  scene.x1 = 1.3 * 9.81 / 1000;
+  scene.x2 = scene.x1 + 0.005;
+  scene.drive_amplitude = 0;
+  Bounds bounds;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
+  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-4));
+  for (int n = 0; n < 100000; ++n) {
+    absorber.step();
+    absorber.correct({}, {});
+  }
+  const auto now = absorber.reading();
+  EXPECT_NEAR(now.x2 - now.x1, 0.005, 100000 * 1e-14 + 4 * floor_of<TypeParam>);
+}
+
+// To a plan without friction and back: nothing of the last impulse is left.
+TYPED_TEST(FrictionIn, EndsByAChangeOfPlan) {
+  const Slide slide;
+  Bounds bounds;
+  bounds.displacement = 0.1;
+  bounds.speed = 0.3;
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, DryFriction>;
+  Scene smooth = slide.scene;
+  smooth.ball_friction = 0;
+  const auto rough_plan = Absorber::PlanType::make(slide.scene, bounds, 1e-3),
+             smooth_plan = Absorber::PlanType::make(smooth, bounds, 1e-3);
+  Absorber absorber(rough_plan);
+  for (int n = 0; n < 10; ++n) absorber.step();
+  const auto before = absorber.reading();
+  ASSERT_TRUE(absorber.retune(smooth_plan));
+  for (int n = 0; n < 3; ++n) {
+    const auto now = absorber.reading();
+    EXPECT_NEAR(now.v1, before.v1, 4 * floor_of<TypeParam> / 1e-3) << n;
+    EXPECT_NEAR(now.v2, before.v2, 4 * floor_of<TypeParam> / 1e-3) << n;
+    absorber.step();
+  }
+  ASSERT_TRUE(absorber.retune(rough_plan));
+  EXPECT_NEAR(absorber.reading().v1, before.v1, 8 * floor_of<TypeParam> / 1e-3);
+  EXPECT_NEAR(absorber.reading().v2, before.v2, 8 * floor_of<TypeParam> / 1e-3);
+}
+
 TEST(Friction, IsRefusedByName) {
   using Plain = Plan<Fixed32, HuntCrossley, Moment, Sine>;
   using Rubbing = Plan<Fixed32, HuntCrossley, Moment, Sine, NoField, DryFriction>;

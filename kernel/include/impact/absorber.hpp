@@ -254,22 +254,23 @@ class Absorber
   // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
   // of displacement() and velocity(). At most half a unit of each; a state that leaves its range is held, with a fault.
   // A contact under way goes on from the corrected penetration; a damping that was set at its impact is held to what a
-  // step bears there (law/impact_damping.hpp). A ball in flight that a correction puts into a stop stands at that stop.
-  // A ledger counts what a correction does to the stored energy as dissipated, and nothing as the drive's work.
+  // step bears there (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands
+  // at that stop. Dry friction begins anew. A ledger counts what a correction does to the stored energy as dissipated,
+  // and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
     Value du = units.per_step(dv);
     if (units.hold_correction(dx)) raise(Fault::displacement);
     if (units.hold_correction(du)) raise(Fault::speed);
+    leave_rubbing();
     units.add_position(state_.x1, dx);
     units.add_displacement(state_.dx1, du);
     units.add(state_.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
+    begin_to_rub();
     if (!hold_in_range()) {
-      if (state_.contact.phase != Phase::apart)
-        touch_anew();
-      else
-        push_out();
+      if (state_.contact.phase != Phase::apart) touch_anew();
+      if (state_.contact.phase == Phase::apart) push_out();
     }
     (Features::after_correction(plan, state_), ...);
     publish();
@@ -305,15 +306,14 @@ class Absorber
     constexpr bool is_bound = Contact::keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && state_.contact.phase != Phase::apart) return false;
-    if constexpr (Friction::is_friction) Friction::undo(plan, state_);
+    leave_rubbing();
     const bool is_other_contact = next.handover.contact != plan.handover.contact;
     hand_over(plan, next, state_);
     if constexpr (!Source::is_constant) plan = next;
     hold_in_range();
     (restart<Features>(), ...);
     if constexpr (counts_slid_way) state_.slid = {};
-    if constexpr (Friction::is_friction)
-      if (rubs()) begin_to_rub();
+    begin_to_rub();
     if (is_other_contact && state_.contact.phase != Phase::apart) {
       touch_anew();
       load_contact();
@@ -379,8 +379,7 @@ class Absorber
       state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
       load_contact();
     }
-    if constexpr (Friction::is_friction)
-      if (rubs()) begin_to_rub();
+    begin_to_rub();
   }
   // Without friction nothing is done, so that a plan AtRunTime of none makes the bits of an absorber without the part.
   constexpr bool rubs() const {
@@ -397,9 +396,20 @@ class Absorber
       Feature::start(plan, state_);
     }
   }
+  // Friction as it begins, and without what it has taken ahead.
   constexpr void begin_to_rub() {
-    Friction::begin(plan, state_, plan.units.relative(way_ahead()));
-    if constexpr (counts_slid_way) state_.slid.add(still_to_rub());
+    if constexpr (Friction::is_friction) {
+      if (!rubs()) return;
+      Friction::begin(plan, state_, plan.units.relative(way_ahead()));
+      if constexpr (counts_slid_way) state_.slid.add(still_to_rub());
+    }
+  }
+  constexpr void leave_rubbing() {
+    if constexpr (Friction::is_friction) {
+      if (!rubs()) return;
+      if constexpr (counts_slid_way) state_.slid.add(decltype(still_to_rub()){} - still_to_rub());
+      Friction::undo(plan, state_);
+    }
   }
 
   constexpr void advance(Value sample, Value base) {
@@ -482,7 +492,7 @@ class Absorber
   }
   constexpr bool at_left() const { return plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop; }
 
-  // A ball in flight that a correction has put into a stop stands at it.
+  // A ball that a correction has put into a stop without touching it stands at it.
   constexpr void push_out() {
     const bool left = is_at_left();
     if (is_positive(plan.units.penetration(mirrored(state_.x2 - state_.x1, left))))

@@ -131,6 +131,7 @@ struct DryFriction : ScenePart {
   template <class Plan, class State>
   static constexpr void undo(const Plan& plan, State& state) {
     move(plan, state, -state.impulse);
+    state.impulse = {};
   }
 
   // After a step: whether the sliding goes on. `ball`: dx2, with what contact will add to it in the coming step.

@@ -57,44 +57,41 @@ constexpr LinearFlow exact_flow(const Scene& scene, double h) {
   struct Matrix {
     double at[size][size] = {};
   };
+  struct Entry {
+    int row, column;
+    double value;
+  };
   const double turn = scene.drive_pulsation * h, compliance = h * h / scene.main_mass;
-  Matrix generator{};
-  generator.at[0][1] = 1;
-  generator.at[1][0] = -scene.main_stiffness * compliance;
-  generator.at[1][1] = -scene.main_damping * h / scene.main_mass;
-  generator.at[1][2] = generator.at[1][4] = compliance;
-  generator.at[2][3] = 1;
-  generator.at[4][5] = turn;
-  generator.at[5][4] = -turn;
+  Entry generator[] = {{0, 1, 1},
+                       {1, 0, -scene.main_stiffness * compliance},
+                       {1, 1, -scene.main_damping * h / scene.main_mass},
+                       {1, 2, compliance},
+                       {1, 4, compliance},
+                       {2, 3, 1},
+                       {4, 5, turn},
+                       {5, 4, -turn}};
 
-  double norm = 1;
-  for (auto& row : generator.at) {
-    double sum = 0;
-    for (double entry : row) sum += constant::magnitude(entry);
-    norm = constant::larger(norm, sum);
-  }
+  double norm = 1, row_sums[size] = {};
+  for (const Entry& entry : generator) row_sums[entry.row] += constant::magnitude(entry.value);
+  for (double row_sum : row_sums) norm = constant::larger(norm, row_sum);
   const int doublings = constant::exponent_above(norm) + 1;
   const double scale = constant::power_of_two(-doublings);
-  const auto product = [](const Matrix& a, const Matrix& b) {
-    Matrix result{};
+  Matrix term{};
+  for (Entry& entry : generator) term.at[entry.row][entry.column] = entry.value *= scale;
+  Matrix sum = term;
+  for (int order = 2; order <= 16; ++order)
+    for (int i = 0; i < size; ++i) {
+      double next[size] = {};
+      for (const Entry& entry : generator) next[entry.column] += term.at[i][entry.row] * entry.value;
+      for (int j = 0; j < size; ++j) sum.at[i][j] += term.at[i][j] = next[j] / order;
+    }
+  for (int doubling = 0; doubling < doublings; ++doubling) {
+    Matrix square{};
     for (int i = 0; i < size; ++i)
       for (int k = 0; k < size; ++k)
-        for (int j = 0; j < size; ++j) result.at[i][j] += a.at[i][k] * b.at[k][j];
-    return result;
-  };
-  for (auto& row : generator.at)
-    for (double& entry : row) entry *= scale;
-  Matrix term = generator, sum = generator;
-  for (int order = 2; order <= 16; ++order) {
-    term = product(term, generator);
+        for (int j = 0; j < size; ++j) square.at[i][j] += sum.at[i][k] * sum.at[k][j];
     for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j) sum.at[i][j] += term.at[i][j] /= order;
-  }
-  for (int i = 0; i < doublings; ++i) {
-    const Matrix square = product(sum, sum);
-    for (int row = 0; row < size; ++row)
-      for (int column = 0; column < size; ++column)
-        sum.at[row][column] = 2 * sum.at[row][column] + square.at[row][column];
+      for (int j = 0; j < size; ++j) sum.at[i][j] = 2 * sum.at[i][j] + square.at[i][j];
   }
   const auto& e = sum.at;
   return {e[0][0],           e[0][1],           e[1][0],

@@ -28,7 +28,7 @@ wrong() {
   }
 }
 
-# scene COUNT MESSAGE CHANGES [LAW [STEP [BOUNDS]]]
+# scene COUNT MESSAGE CHANGES [LAW [STEP [BOUNDS [PART]]]]
 scene() {
   wrong "$1" "$2" <<END
 #include <impact/absorber.hpp>
@@ -47,7 +47,7 @@ struct Rig {
   static constexpr impact::Bounds bounds = ::bounds();
   static constexpr double step = ${5:-1e-4};
 };
-impact::Absorber<Rig, impact::${4:-HuntCrossley}, impact::Moment, impact::Sine, impact::Fixed32> absorber;
+impact::Absorber<Rig, impact::${4:-HuntCrossley}, impact::Moment, impact::Sine, impact::Fixed32${7:+, impact::$7}> absorber;
 END
 }
 scene 1 'Rig::scene.main_mass: 1e-9 to 1e9 kg' 's.main_mass = -1;'
@@ -62,6 +62,7 @@ scene 1 'Rig::scene.restitution: 0.01 to 1' 's.restitution = 1.5;'
 scene 1 'Rig::scene.drive_amplitude: 0 to 1e9 N' 's.drive_amplitude = -1;'
 scene 1 'Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s' 's.drive_pulsation = 1e7;'
 scene 1 'Rig::scene.x1 and x2: -1e3 to 1e3 m' 's.x1 = 1e4;'
+scene 1 'Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop' 's.x2 = 0.09;'
 scene 1 'Rig::scene.v1 and v2: -1e3 to 1e3 m/s' 's.v2 = 1e4;'
 scene 1 'Bounds::displacement: 1e-9 to 1e6 m' 's.x1 = 1;'
 scene 1 'Bounds::speed: 1e-9 to 1e6 m/s' 's.v1 = 3;'
@@ -70,6 +71,12 @@ scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCross
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCrossley 0
 scene 1 'Rig::step: too few steps per contact for this stepper' '' HuntCrossley 6e-3
 grep -Eq 'StepsPerContact<[0-9]+, false>' "$folder/errors" || { echo "no longest step is said" && failures=1; }
+# A field that is too much, and a weight that the spring holds beyond the bounds.
+scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large' '' HuntCrossley 1e-3 \
+  'b.base_acceleration = 1e6;' BaseAcceleration
+scene 1 'Rig::scene.gravity: -1e6 to 1e6 m/s^2, and in Fixed32 not so large' 's.gravity = -1e6;' HuntCrossley 1e-3 '' Gravity
+scene 1 'Bounds::displacement: no less than main_mass * gravity / main_stiffness' 's.gravity = -9.81; s.main_stiffness = 90;' \
+  HuntCrossley 1e-4 '' Gravity
 # Another law's c1.
 scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' '' HookeNewton
 scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' 's.contact_stiffness = 1e5;' HookeNewton

@@ -39,9 +39,42 @@ static_assert(negative.parameter == Parameter::main_mass && negative.value == -1
 static_assert(negative.allowed.least == mass_range.least && negative.allowed.most == mass_range.most);
 
 // A start beyond a bound: the bound that holds it.
-constexpr Explanation beyond = changed<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x1, -0.25);
+constexpr Explanation beyond = [] {
+  Scene scene;
+  scene.x1 = scene.x2 = -0.25;
+  return explain<Plan<Float64, HuntCrossley, Moment, Sine>>(scene, Bounds{}, 1e-3);
+}();
 static_assert(beyond.parameter == Parameter::displacement_bound && beyond.value == 0.1);
 static_assert(beyond.allowed.least == 0.25 && beyond.allowed.most > 1);  // and no further: a spring of 1.6 m
+
+// A ball that starts deeper in a stop than any motion within the bounds would bring it: there a step may multiply the
+// energy, which floating point would not say. 26.2 mm at the bounds of the paper's scene.
+constexpr Explanation too_deep = changed<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, -0.1);
+static_assert(too_deep.parameter == Parameter::x2 && too_deep.value == -0.1);
+static_assert(too_deep.allowed.least < -0.036 && too_deep.allowed.least > -0.0363 && too_deep.allowed.most == 0);
+static_assert(accepts<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, too_deep.allowed.least));
+static_assert(!accepts<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, 1.00001 * too_deep.allowed.least));
+static_assert(changed<Fixed>(Parameter::x1, 0.09).parameter == Parameter::x1);
+
+// A field of which a step is too much beside the bounds: the field, and not the bound that it leaves no room.
+template <class Part>
+using InField = Plan<Fixed32, HuntCrossley, Moment, Sine, Part>;
+constexpr Scene in_gravity(double gravity) {
+  Scene scene;
+  scene.gravity = gravity;
+  return scene;
+}
+constexpr Bounds shaken_by(double base) {
+  Bounds bounds;
+  bounds.base_acceleration = base;
+  return bounds;
+}
+constexpr Explanation shaken = explain<InField<BaseAcceleration>>(in_gravity(-9.81), shaken_by(1e6), 1e-3),
+                      heavy = explain<InField<Gravity>>(in_gravity(-1e6), Bounds{}, 1e-3);
+static_assert(shaken.parameter == Parameter::base_acceleration_bound && shaken.allowed.most < 1e6);
+static_assert(InField<BaseAcceleration>::make(in_gravity(-9.81), shaken_by(shaken.allowed.most), 1e-3).status ==
+              PlanStatus::ok);
+static_assert(heavy.parameter == Parameter::gravity && heavy.allowed.least > -1e6 && heavy.allowed.most == 0);
 
 // No step makes room for a penetration of 10 km beside a vibration of 2 m/s: what is named instead does.
 TEST(Explain, NamesABoundThatLeavesNoRoom) {

@@ -115,10 +115,30 @@ TYPED_TEST(Faults, ASpeedOutOfRange) {
   } else {
     scene.contact_stiffness = 1e18;
     scene.ball_mass = 1e-9;
-    scene.x2 = 0.11;
+    scene.v2 = 0.9;
     expect_fault(made<Absorber<AtRunTime, Hertz, CentralDifference, Sine, TypeParam>>(scene, {1, 1, 0.03, 10}, 1e-3),
                  Fault::speed);
   }
+}
+
+// A state whose base or friction no step has left: its readings would be out of range, and no fault would say so.
+TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, BaseAcceleration, DryFriction>;
+  Scene scene;
+  scene.ball_friction = 1;
+  Bounds bounds;
+  bounds.base_acceleration = 10;
+  Kernel absorber = made<Kernel>(scene, bounds, 1e-3);
+  const auto saved = absorber.save();
+  auto forged = saved;
+  if constexpr (!std::is_same_v<TypeParam, Fixed32>) {  // where every number is a fraction of its unit
+    forged.state.by_field = static_cast<typename TypeParam::Value>(1e20);
+    EXPECT_FALSE(absorber.restore(forged));
+    forged = saved;
+    forged.state.impulse = static_cast<typename TypeParam::Value>(-1e20);
+    EXPECT_FALSE(absorber.restore(forged));
+  }
+  EXPECT_TRUE(absorber.restore(saved));
 }
 
 // Held at the bound, or where no number came at the sample before: as if those had been the samples.

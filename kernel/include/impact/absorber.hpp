@@ -516,6 +516,7 @@ class Absorber
       if constexpr (has_own_damping) contact.hold_damping(plan.contact, inside, rate);
       contact.start(plan.contact, plan.units, inside, rate);
       contact.phase = phase;
+      if (!contact.is_sound(plan.contact, plan.units)) hold();
     } else {
       contact.phase = Phase::apart;
       contact.drop_force();
@@ -703,7 +704,7 @@ class Absorber
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (counts_slid_way) is_sound = is_sound && Format::is_sound(state.slid);
     if constexpr (has_own_damping) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
-    return is_sound && state.contact.is_sound(plan.contact) && (Features::is_sound(plan, state) && ...);
+    return is_sound && state.contact.is_sound(plan.contact, units) && (Features::is_sound(plan, state) && ...);
   }
 
   // What contact or a change of plan has left beyond its range.

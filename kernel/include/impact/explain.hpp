@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Why a plan was refused, and what would do. Where a value is out of its own range, that range (status.hpp); a dry
-// friction that is too much for the step, the friction. Where it is only the values together that leave no room, the
+// friction that is too much for the step, the friction; a start too deep in a stop, the displacement; a field that
+// leaves no room, the field. Where it is only the values together that leave no room, the
 // first of
 //
 //     step, displacement_bound, speed_bound, penetration_bound, contact_stiffness, contact_damping, main_stiffness,
@@ -149,8 +150,11 @@ constexpr Explanation explain(PlanStatus status, Values values) {
       explanation.allowed.least = slowest_drive(values.step);
       return explanation;
     }
-    case PlanStatus::initial_displacement:
-      return first_out_of_range(Parameter::x1, Parameter::x2);
+    case PlanStatus::initial_displacement: {
+      // Of two within their range, for a ball that is too deep in a stop, the larger.
+      const bool is_main = magnitude(scene.x1) > magnitude(scene.x2);
+      return first_out_of_range(is_main ? Parameter::x2 : Parameter::x1, is_main ? Parameter::x1 : Parameter::x2);
+    }
     case PlanStatus::initial_velocity:
       return first_out_of_range(Parameter::v1, Parameter::v2);
     case PlanStatus::displacement_bound:
@@ -188,6 +192,10 @@ constexpr Parameter candidates[] = {Parameter::displacement_bound, Parameter::sp
                                     Parameter::penetration_bound,  Parameter::contact_stiffness,
                                     Parameter::contact_damping,    Parameter::main_stiffness,
                                     Parameter::main_damping,       Parameter::clearance};
+
+// That are to be less, where they are at fault beside the others.
+constexpr Parameter less_of[] = {Parameter::ball_friction, Parameter::gravity, Parameter::base_acceleration_bound,
+                                 Parameter::x1, Parameter::x2};
 
 constexpr bool orders[] = {true, false};
 constexpr double shorter_steps[] = {1e-6, step_range.least};
@@ -246,18 +254,27 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
   const auto would_do = [&](Parameter parameter, double step, bool alone) {
     Values changed = refused;
     changed.step = step;
-    const double value = *changed.find(parameter);
-    if (!(value > 0)) return false;
+    // A displacement counts from the other mass's.
+    const double origin = parameter == Parameter::x1   ? refused.scene.x2
+                          : parameter == Parameter::x2 ? refused.scene.x1
+                                                       : 0;
+    const double value = *changed.find(parameter), sign = value < origin ? -1 : 1, size = sign * (value - origin);
+    if (!(size > 0)) return false;
     const auto accepts = [&](double x) {
-      *changed.find(parameter) = x;
+      *changed.find(parameter) = origin + sign * x;
       const PlanStatus status = status_with(changed);
       const Explanation next = explain(status, changed);
       return status == PlanStatus::ok || (!alone && is_alone(next) && next.parameter != parameter);
     };
-    Range allowed = detail::accepted_near(value, range_of(parameter), accepts);
+    // Of a value that may have either sign, those on its own side.
+    const Range own = range_of(parameter), within{constant::larger(own.least, 0), own.most};
+    Range allowed = detail::accepted_near(size, within, accepts);
     if (is_below_start && accepts(first.allowed.least)) allowed.least = first.allowed.least;
-    if (allowed.least <= allowed.most) found = {parameter, value, allowed};
-    return allowed.least <= allowed.most;
+    if (!(allowed.least <= allowed.most)) return false;
+    found = {parameter, value,
+             sign > 0 ? Range{origin + allowed.least, origin + allowed.most}
+                      : Range{origin - allowed.most, origin - allowed.least}};
+    return true;
   };
   if (is_below_start) {
     if (would_do(first.parameter, refused.step, true)) return found;
@@ -265,8 +282,9 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
       if (step < refused.step && would_do(first.parameter, step, true)) return found;
     return first;
   }
-  // Friction that takes the ball too far in a step: less of it, not another step.
-  if (first.parameter == Parameter::ball_friction && would_do(first.parameter, refused.step, true)) return found;
+  // Friction that takes the ball too far in a step: less of it, not another step. So a field, and a start.
+  for (const Parameter parameter : detail::less_of)
+    if (first.parameter == parameter && would_do(parameter, refused.step, true)) return found;
   // With this value alone the plan is to be made; or else another value is at fault by itself then; or else it is made
   // with a shorter step.
   for (const bool alone : detail::orders) {

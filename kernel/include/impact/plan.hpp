@@ -47,7 +47,22 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   uint32_t identity;                 // the fingerprint of scene, bounds, step and types
   Handover<Format, Drive> handover;  // read by a change of plan only
 
-  static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step);
+  static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step) {
+    const Plan plan = planned(scene, bounds, step);
+    if constexpr (Field::is_field) {
+      // Where it is the field that leaves a quantity no room, the field is named.
+      const bool has_no_room = plan.status == PlanStatus::displacement_bound ||
+                               plan.status == PlanStatus::speed_bound || plan.status == PlanStatus::contact_stiffness;
+      Scene calm = scene;
+      Bounds still = bounds;
+      calm.gravity = still.base_acceleration = 0;
+      if (has_no_room && planned(calm, still, step).status == PlanStatus::ok)
+        return refused(bounds.base_acceleration > constant::magnitude(scene.gravity)
+                           ? PlanStatus::base_acceleration_bound
+                           : PlanStatus::gravity);
+    }
+    return plan;
+  }
 
   // The SI values of native 1.0: m, m/s, and N of a contact force and of a sample.
   constexpr double displacement_unit() const { return units.displacement_unit(); }
@@ -116,6 +131,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   }
 
  private:
+  static constexpr Plan planned(const Scene& scene, const Bounds& bounds, double step);
   // A float while running, without a division; a double as a constant.
   static constexpr typename Format::Value sample_in(float quantity, float per_unit, double) {
     return Format::sample_of_float(quantity * per_unit);
@@ -126,8 +142,9 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
 };
 
 template <class Format, class ContactLaw, class Stepper, class Drive, class Field, class Friction>
-constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(const Scene& scene, const Bounds& bounds,
-                                                                               double h) -> Plan {
+constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::planned(const Scene& scene,
+                                                                                  const Bounds& bounds, double h)
+    -> Plan {
   PlanStatus status = status_of(scene, h, Stepper::longest_phase);
   if (status == PlanStatus::ok) status = status_of(scene, bounds);
   if (status == PlanStatus::ok) status = status_of_parts(scene, bounds);
@@ -181,6 +198,10 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::make(c
   }
 
   Treatment::bound_forces(terms, largest);
+  // Deeper than any motion within the bounds leads to, and so than the step is judged at. An impact at an instant
+  // stores nothing, and puts the ball on its stop.
+  if (!Treatment::is_instantaneous && initial_penetration(scene) > terms.deepest)
+    return refused(PlanStatus::initial_displacement);
   largest.penetration = larger(largest.penetration, largest_change);
   const UnitExponents exponents = Format::Units::exponents(largest);
 

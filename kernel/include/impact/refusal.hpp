@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include <impact/law/resolution.hpp>
+#include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
 
@@ -51,7 +52,9 @@ constexpr bool explain() {
   static_assert(status != PlanStatus::drive_amplitude, "Rig::scene.drive_amplitude: 0 to 1e9 N");
   static_assert(status != PlanStatus::drive_pulsation,
                 "Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s");
-  static_assert(status != PlanStatus::initial_displacement, "Rig::scene.x1 and x2: -1e3 to 1e3 m");
+  static_assert(status != PlanStatus::initial_displacement,
+                "Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop than motion within Bounds leads "
+                "to");
   static_assert(status != PlanStatus::initial_velocity, "Rig::scene.v1 and v2: -1e3 to 1e3 m/s");
   static_assert(status != PlanStatus::displacement_bound,
                 "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements, and in Fixed32 not so "
@@ -62,8 +65,12 @@ constexpr bool explain() {
   static_assert(status != PlanStatus::penetration_bound,
                 "Bounds::penetration: 0, which leaves it to the others, or 1e-9 to 1e6 m");
   static_assert(status != PlanStatus::force_bound, "Bounds::force: 0 to 1e9 N");
-  static_assert(status != PlanStatus::gravity, "Rig::scene.gravity: -1e6 to 1e6 m/s^2");
-  static_assert(status != PlanStatus::base_acceleration_bound, "Bounds::base_acceleration: 0 to 1e6 m/s^2");
+  static_assert(status != PlanStatus::gravity,
+                "Rig::scene.gravity: -1e6 to 1e6 m/s^2, and in Fixed32 not so large beside Bounds that a step of it "
+                "leaves a displacement no places");
+  static_assert(status != PlanStatus::base_acceleration_bound,
+                "Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large beside the other Bounds that a "
+                "step of it leaves a displacement no places");
   static_assert(status != PlanStatus::ball_friction,
                 "Rig::scene.ball_friction: 0 to 1e9 N, and a step of it takes the ball no more than twice "
                 "Bounds::speed and, in Fixed32, no less than 64 last places of the rate of sliding");
@@ -76,6 +83,13 @@ constexpr bool explain() {
   // The other way round: a part without its value.
   static_assert(!PlanType::FieldType::is_field || PlanType::FieldType::is_sampled || Rig::scene.gravity != 0,
                 "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2");
+  // A spring that weight stretches beyond the bounds: wherever it starts, the main mass leaves them.
+  constexpr bool is_held =
+      PlanType::FieldType::is_sampled || PlanType::DriveType::is_sampled || !(Rig::scene.main_stiffness > 0);
+  static_assert(!PlanType::FieldType::is_field || is_held || status != PlanStatus::ok ||
+                    Rig::scene.main_mass * constant::magnitude(Rig::scene.gravity) <=
+                        Rig::scene.main_stiffness * Rig::bounds.displacement,
+                "Bounds::displacement: no less than main_mass * gravity / main_stiffness, where the main mass hangs");
   static_assert(!PlanType::FieldType::is_sampled || Rig::bounds.base_acceleration > 0,
                 "BaseAcceleration is among the absorber's parts: state Rig::bounds.base_acceleration, m/s^2");
   static_assert(!PlanType::FrictionType::is_friction || Rig::scene.ball_friction > 0,

@@ -58,4 +58,12 @@ constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, b
   return bounds.penetration > 0 ? constant::smaller(depth, bounds.penetration) : depth;
 }
 
+// Of the ball at the start.
+constexpr double initial_penetration(const Scene& scene) {
+  const double right = scene.x2 - scene.x1, apart = scene.stops == Stops::right  ? right
+                                                    : scene.stops == Stops::left ? -right
+                                                                                 : constant::magnitude(right);
+  return apart - scene.clearance / 2;
+}
+
 }  // namespace impact

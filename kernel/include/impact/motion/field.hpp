@@ -228,8 +228,8 @@ struct BaseAcceleration : ScenePart {
     plan.units.add(state.x2, -(plan.offset * state.by_field));
   }
   template <class Plan, class State>
-  static constexpr bool is_sound(const Plan&, const State& state) {
-    return Plan::FormatType::is_sound(state.by_field);
+  static constexpr bool is_sound(const Plan& plan, const State& state) {
+    return plan.units.is_sound(state.by_field);
   }
 
   template <class Plan, class Value>

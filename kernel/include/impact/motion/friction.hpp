@@ -102,7 +102,7 @@ struct DryFriction : ScenePart {
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
     return plan.units.in_range({}, {}, state.main_push, state.ball_push) && plan.units.is_sound(state.main_push) &&
-           plan.units.is_sound(state.ball_push) && Plan::FormatType::is_sound(state.impulse) &&
+           plan.units.is_sound(state.ball_push) && plan.units.is_sound(state.impulse) &&
            Plan::FormatType::is_sound(state.lasting);
   }
 

@@ -192,6 +192,7 @@ struct Fixed32Units {
     return static_cast<int32_t>(top(x1) | top(x2)) >= 0 && beyond >> (displacement_shift + 31) == 0;
   }
   static constexpr bool is_sound(Long) { return true; }
+  static constexpr bool is_sound(Value) { return true; }
   constexpr bool holds_start(Long x1, Long x2, Long dx1, Long dx2) const { return in_range(x1, x2, dx1, dx2); }
   static constexpr uint32_t top(Long x) {
     const auto upper = static_cast<uint32_t>(x.raw >> 32);

@@ -172,6 +172,7 @@ struct RealFormat {
     static constexpr bool hold_displacement(Long& w) { return hold_position(w); }
     // For a state from elsewhere, whose parts may be anything.
     static constexpr bool is_sound(Long x) { return is_below_limit(x.value()); }
+    static constexpr bool is_sound(Value x) { return is_below_limit(x); }
     static constexpr bool holds_start(Long, Long, Long, Long) { return true; }
     static constexpr Value one() { return 1; }
     static constexpr Value elastic(Value x) { return x; }

@@ -90,8 +90,9 @@ struct Pointwise {
       units.push(state.dx1, plan.dx1_next * carried);
       units.push(state.dx2, -(plan.dx2_next * carried));
     }
-    constexpr bool is_sound(const Plan& plan) const {
-      return Format::is_sound(plan.dx1_share * force) && Format::is_sound(plan.dx2_share * force);
+    // What a kept force has still to do is in the range of a displacement.
+    constexpr bool is_sound(const Plan& plan, const Units& units) const {
+      return units.is_sound(plan.dx1_share * force) && units.is_sound(plan.dx2_share * force);
     }
     constexpr void drop_force() { force = Value{}; }
     // The force, linear over the step between its values before and after.

@@ -135,8 +135,8 @@ struct Treatment {
   // What moves the ball besides the impulse.
   template <class Units, class State>
   static constexpr void place_ball(const Units&, State&, bool) {}
-  template <class Plan>
-  static constexpr bool is_sound(const Plan&) {
+  template <class Plan, class Units>
+  static constexpr bool is_sound(const Plan&, const Units&) {
     return true;
   }
 };

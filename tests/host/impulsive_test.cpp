@@ -277,6 +277,38 @@ TYPED_TEST(ImpulsiveStep, PressGivesBackTheSpeedThatItAdds) {
   }
 }
 
+// A damper takes from the main mass between the impact and the step's end: that is not given back. In each step of an
+// elastic impact, at 64 phases, up to the longest step that the damper allows.
+TYPED_TEST(ImpulsiveStep, GivesNothingBackThatTheDamperTook) {
+  const double rounding = is_double<TypeParam> ? 1e-14 : 1e-5, h = 1e-3;
+  uint32_t impacts = 0;
+  for (const double turn : {0.02, 0.2, 0.8})
+    for (const double damping : {0.004, 0.1, 0.9})
+      for (const double ratio : {0.3, 30.0})
+        for (int phase = 0; phase < 64; ++phase) {
+          Scene scene = free_scene();
+          scene.main_stiffness = turn * turn / (h * h);
+          scene.main_damping = damping / h;
+          scene.ball_mass = ratio;
+          scene.stops = Stops::right;
+          scene.contact_stiffness = 1e16;
+          scene.v1 = -1;
+          scene.x2 = scene.clearance / 2 - h * (phase + 0.5) / 64;
+          const auto plan = Kernel<TypeParam, Hertz>::PlanType::make(scene, {0.1, 2, 0, 0}, h);
+          ASSERT_EQ(plan.status, PlanStatus::ok);
+          Kernel<TypeParam, Hertz> absorber(plan);
+          const double at_first = energy_of(scene, absorber);
+          for (int n = 0; n < 20; ++n) {
+            const double before = energy_of(scene, absorber);
+            absorber.step();
+            ASSERT_LE(energy_of(scene, absorber) - before, rounding * at_first)
+                << turn << " " << damping << " " << ratio << " " << phase << ", step " << n;
+          }
+          impacts += absorber.state().impacts;
+        }
+  EXPECT_GE(impacts, 600u);
+}
+
 // A ball that starts inside a stop is put on it.
 TYPED_TEST(ImpulsiveStep, StartsInsideAStop) {
   for (double side : {1.0, -1.0}) {

@@ -354,7 +354,9 @@ class Absorber
   }
 
  private:
-  using SeenStep = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
+  using SeenForce = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
+  using SeenStep =
+      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<SeenForce, Value>, SeenForce>::Type;
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
@@ -559,6 +561,8 @@ class Absorber
     step.rate = relative_rate(left);
     step.travel = mirrored(flown(main_travel), left);
     step.before = step.penetration - step.travel;
+    if constexpr (Contact::is_instantaneous)
+      step.damped = mirrored(Format::term(plan.damping, plan.units.displacement(main_travel)), left);
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }
 

@@ -25,8 +25,10 @@
 //
 //     J = 2 mu (Vi - loss V0)    V0 = Vi - A depth/D >= 0
 //
-// so that rounding cannot put it above. V0 is the rate at first touch, A the acceleration towards the stop by spring
-// and drive: it makes the ball faster on its way to the centroid, and gives that speed back on the way out.
+// so that rounding cannot put it above. What the damper takes of the main mass's speed between the impact and the end
+// of the step is in Vi, and no more there to be given back: J is held to 2 mu Vi without it. V0 is the rate at first
+// touch, A the acceleration towards the stop by spring and drive: it makes the ball faster on its way to the centroid,
+// and gives that speed back on the way out.
 //
 // Settling. A presses the ball against its stop when the contact, which lasts about twice the time to its centroid, is
 // long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the ball would end a step inside the stop and
@@ -152,8 +154,8 @@ struct Impulsive {
         const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
         const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
         const Value touch_rate = at.rate - over(pressed, travel);
-        const Value impulse =
-            held(plan, units, at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate))));
+        const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
+        const Value impulse = held(plan, units, no_more(asked, at.undamped(plan, t, step.damped)));
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - Format::value(half(rate)))) {
           if (!is_inside) phase = Phase::apart;
@@ -164,7 +166,7 @@ struct Impulsive {
       const auto t = Format::quotient(positive_part(trial), positive_part(rate));
       const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
       const Value half_rate = Format::value(half(rate));
-      return at.split(t, held(plan, units, is_positive(at.rate - half_rate) ? half_rate : at.rate));
+      return at.split(t, held(plan, units, no_more(no_more(half_rate, at.rate), at.undamped(plan, t, step.damped))));
     }
 
    private:
@@ -178,6 +180,7 @@ struct Impulsive {
       return mirrored(Format::value(Format::quotient(positive_part(mirrored(x, is_negative)), positive_part(y))),
                       is_negative);
     }
+    static constexpr Value no_more(Value x, Value most) { return is_positive(x - most) ? most : x; }
     static constexpr Value held(const Plan& plan, const Units& units, Value impulse) {
       return Format::value(positive_part(units.held(impulse, plan.largest_impulse)));
     }
@@ -192,6 +195,12 @@ struct Impulsive {
           : turned(plan.turn * Format::value(square(t))),
             rate(rate_at_end - Format::value(t * (acceleration - sixth(main_part))) +
                  Format::value(half(turned * main_rate))) {}
+      // Without what the damper has taken since.
+      template <class Share>
+      constexpr Value undamped(const Plan& plan, Share t, Value damped) const {
+        const Value part = plan.acceleration * damped;
+        return rate + Format::value(t * (part - sixth(part)));
+      }
       constexpr Value sixth(Value x) const { return Format::value(turned * x * Format::short_constant(1.0 / 6)); }
       template <class Share>
       constexpr SplitImpulse<Value> split(Share t, Value impulse) const {

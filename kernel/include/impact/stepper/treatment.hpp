@@ -42,6 +42,12 @@ struct ApproachInField : Approach<Value> {
   Value ball_increment;  // the ball's part of the increment
 };
 
+// Either, for an impact at an instant.
+template <class Seen, class Value>
+struct ApproachAtInstant : Seen {
+  Value damped;  // the damper's part of the increment
+};
+
 // The impulse of the contact's force in a step, and its moment about the step's end.
 template <class Value>
 struct Impulse {

@@ -605,7 +605,8 @@ class Absorber
     if constexpr (Friction::is_friction && Contact::keeps_force)
       step.rate = rate - mirrored(Format::value(half(state_.impulse)), left);
     const Contact contact_before = contact;
-    const auto impulse = contact.resolve(plan.contact, units, step);
+    // Not const: GCC keeps a constant that several branches make in memory.
+    auto impulse = contact.resolve(plan.contact, units, step);
     reload(state_);
     plan.contact.response.answer(units, state_, mirrored(impulse, left));
     contact.place_ball(units, state_, left);

@@ -122,7 +122,7 @@ struct Fixed32Units {
   constexpr void add_displacement(Long& w, Value by) const { w.raw += shifted_left(by.raw, displacement_shift); }
   constexpr void add(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, increment_shift); }
   // What counts in another unit, by its places.
-  static constexpr void add(Long& x, Value value, int places) { x.raw += shifted_left(value.raw, places); }
+  static constexpr void add(Long& x, Value value, int places) { add_shifted(x.raw, value.raw, places); }
   constexpr int places_of(int exponent) const { return 32 - (position_exponent - exponent); }
   // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
   constexpr void displace(Long& x, Value penetration) const {
@@ -145,9 +145,9 @@ struct Fixed32Units {
     const int places = 32 + gain.shift - shift;
     return {places >= 0 ? product >> places : product * (int64_t{1} << -places)};
   }
-  constexpr void push(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift); }
-  constexpr void push(Long& x, Signed<32> increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
-  constexpr void recoil(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, push_shift - 1); }
+  constexpr void push(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, push_shift); }
+  constexpr void push(Long& x, Signed<32> increment) const { add_shifted(x.raw, increment.raw, push_shift - 1); }
+  constexpr void recoil(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, push_shift - 1); }
   constexpr Value relative(Long difference) const {
     return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
   }

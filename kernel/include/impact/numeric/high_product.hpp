@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The integer operations that fixed point lives on and that not every processor has an instruction for: the high
-// half of a 32 by 32 bit product, and the count of leading zeros.
+// half of a 32 by 32 bit product, the count of leading zeros, and a long sum.
 //
 //     high_product(a, b)         = floor(a b / 2^32)          for two signed or two unsigned operands, exact
 //     full_product(a, b)         = a b                        in 64 bits, for two signed operands
 //     rounded_high_product(a, b) = floor(a b / 2^32 + 1/2)    exact; halves go up
 //     short_product(a, b)        = floor(a b / 2^16)          exact; b < 2^16, or -2^15 <= b < 2^15 for signed a
 //     high_square(a)             = high_product(a, a)
+//     add_shifted(sum, x, n)     sum += x 2^n                 that fits in 64 bits; 1 <= n <= 63
 //     leading_zeros(x)           = 31 - floor(log2 x), and 32 for x = 0
 //     normalise<step>(x)         shifts x != 0 left as far as no bit is lost, by steps of 1 or 2 bits; says how many
 //
@@ -71,10 +72,12 @@ constexpr uint32_t high_product(uint32_t a, uint32_t b) { return static_cast<uin
 constexpr int64_t full_product(int32_t a, int32_t b) { return int64_t{a} * b; }
 
 constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
-  return static_cast<int32_t>((int64_t{a} * b + INT64_C(0x80000000)) >> 32);
+  const int64_t product = int64_t{a} * b;
+  return static_cast<int32_t>(product >> 32) + static_cast<int32_t>(static_cast<uint32_t>(product) >> 31);
 }
 constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
-  return static_cast<uint32_t>((uint64_t{a} * b + UINT64_C(0x80000000)) >> 32);
+  const uint64_t product = uint64_t{a} * b;
+  return static_cast<uint32_t>(product >> 32) + (static_cast<uint32_t>(product) >> 31);
 }
 // floor(a b / 2^(32 + places) + 1/2) for places from 0 to 31, where is_wide: there one shift serves for all.
 constexpr int32_t rounded_product(int32_t a, int32_t b, int places) {
@@ -107,6 +110,31 @@ constexpr int64_t shifted_left(int32_t x, int places) {
   const uint32_t low = static_cast<uint32_t>(x) << places, high = static_cast<uint32_t>((x >> 1) >> (31 - places));
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
+
+#if defined(__thumb2__) && defined(__OPTIMIZE__)
+// Both instructions of a long sum shift their operand, of which a compiler uses the second's only.
+[[gnu::always_inline]] inline int64_t assembled_sum(int64_t sum, int32_t x, int places) {
+  uint32_t low, high;
+  __asm__ __inline__(
+      "adds %0, %2, %4, lsl %5\n\t"
+      "adc %1, %3, %4, asr %6"
+      : "=&r"(low), "=r"(high)
+      : "r"(static_cast<uint32_t>(sum)), "r"(static_cast<uint32_t>(sum >> 32)), "r"(x), "i"(places), "i"(32 - places)
+      : "cc");
+  return static_cast<int64_t>(uint64_t{high} << 32 | low);
+}
+[[gnu::always_inline]] constexpr int64_t sum_shifted(int64_t sum, int32_t x, int places) {
+  if (!__builtin_is_constant_evaluated() && __builtin_constant_p(places) && places < 32)
+    return assembled_sum(sum, x, places);
+  return sum + shifted_left(x, places);
+}
+// For what a step adds; what the constructor of a static object adds would not be a constant to GCC.
+[[gnu::always_inline]] constexpr void add_shifted(int64_t& sum, int32_t x, int places) {
+  sum = sum_shifted(sum, x, places);
+}
+#else
+constexpr void add_shifted(int64_t& sum, int32_t x, int places) { sum += shifted_left(x, places); }
+#endif
 
 namespace composed {
 

@@ -236,13 +236,13 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto p = half(root + r);
     const auto z = half(difference(root, r));
     const auto pp = square(p), zz = square(z);
-    const auto fifth = half(Format::rough_quotient(zz, pp) * Format::short_constant(2.0 / 5));
-    return Format::value(p * (pp + zz + zz + zz * fifth));
+    const auto e = zz * Format::short_quotient(zz, pp) * Format::short_constant(1.0 / 5);
+    return Format::value(p * (pp + zz + zz + e));
   }
   static constexpr Value mean_of_part(Root root, Value depth, Value way) {
     const auto d = without_sign(depth);
-    const auto share = Format::rough_quotient(d, without_sign(way));
-    return Format::value(root * d * (share * Format::short_constant(2.0 / 5)));
+    const auto share = Format::short_quotient(d, without_sign(way));
+    return Format::value(root * d * share * Format::short_constant(2.0 / 5));
   }
 };
 

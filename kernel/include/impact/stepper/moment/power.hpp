@@ -39,8 +39,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     SharedResponse<Weight> response;
     Factor stiffness, part_stiffness;  // K, 2 K/5
     Weight damping, part_damping;      // K C, 2 K C/5
-    Weight sixth_damping;              // K C/6, by what a impulse does to a rate
-    Gain force;                        // 1/K: from a impulse to the force's own impulse
+    Weight sixth_damping;              // K C/6, by what an impulse does to a rate
+    Gain force;                        // 1/K: from an impulse to the force's own impulse
     int travel_places, change_places;  // from impulses to penetrations, from increments to impulses
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
@@ -175,7 +175,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     return {j0 - loss + Format::value(elastic * more), j1 + Format::value((lever + lever + loss_later) * more)};
   }
 
-  // What a impulse does to the penetration, in its unit.
+  // What an impulse does to the penetration, in its unit.
   static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_places); }
   constexpr auto damping(const Plan& plan) const {
     if constexpr (ContactLaw::is_damped_per_impact)

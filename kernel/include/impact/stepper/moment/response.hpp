@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The response of both masses to an impulse J0 and a moment J1 of the contact force within a step, the main mass on its
-// spring and damper: exact for a force linear in time, up to terms of third order in h.
+// spring and damper, to first order in c h/M and k h^2/M: v1 for a force that is linear in time, and x1 for a constant
+// one (of a force that grows from 0, c h/(4 M) and k h^2/(20 M) stand in gx).
 //
 //     x1 += gx J1                 gx = (1 - c h/(3 M) - k h^2/(12 M)) / M
 //     v1 += g0 J0 + g1 J1         g0 = (1 + k h^2/(12 M)) / M        g1 = -(c/M + k h/(2 M)) / M
@@ -42,7 +43,7 @@ struct MomentResponse {
   constexpr SharedResponse<typename Format::Weight> shared(const ContactTerms& terms, const LinearFlow& flow,
                                                            const UnitExponents& unit) const {
     const double scale = 1 / mobility(terms), ball = scale / terms.ball_mass;
-    return {Format::weight(ball, 0, 0),
+    return {Format::weight(-ball, 0, 0),
             Format::weight(scale * (flow.e12 * g0 - gx), 0, 0),
             Format::weight(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
             Format::weight(1, unit.recoil, unit.penetration),

@@ -49,7 +49,7 @@ struct SubsteppedMoment {
       Gain force;                                       // from the ball's impulse to the force's impulse
       int travel_places;
     };
-    // A impulse counts by what it does in a sub-step. A step's n impulses change the displacement per step by no more
+    // An impulse counts by what it does in a sub-step. A step's n impulses change the displacement per step by no more
     // than n^2 of them, and a speed by no more than twice the largest rate.
     static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
       Inner::bound_forces(in_a_part(terms), largest);
@@ -119,7 +119,7 @@ struct SubsteppedMoment {
       step_rate = step_rate + by;
       Inner::change_rate(plan.inner, plan.part * by);
     }
-    // For the ledger: J0 (v0 + v1)/2 is a free pair's to_penetration work, however the force runs.
+    // For the ledger: J0 (v0 + v1)/2 is all of a free pair's work, however the force runs.
     [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                                const Approach<Value>& step, const Contact& before,
                                                                const SplitImpulse<Value>& impulse) const {

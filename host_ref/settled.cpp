@@ -61,6 +61,9 @@ double largest_of(const std::vector<double>& samples) {
   return largest;
 }
 static double largest_sample(const Request& request) { return largest_of(request.samples); }
+static double force_bound(const Request& request) {
+  return request.drive == DriveKind::sampled ? larger(1e-6, largest_sample(request)) : 0;
+}
 static double base_bound(const Request& request) {
   return request.is_shaken ? larger(1e-6, largest_of(request.base_samples)) : 0;
 }
@@ -83,7 +86,7 @@ Bounds estimated_bounds(const Request& request) {
   const double speed = held(std::max(
       {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2)}));
   const double reach = held(start + speed / std::max(natural, slowest));
-  return {reach, speed, reach, larger(1e-6, largest_sample(request)), base_bound(request)};
+  return {reach, speed, reach, force_bound(request), base_bound(request)};
 }
 
 // Of a float64 run of the same scene, so that a rounding cannot pass them. It takes longer steps where they are exact
@@ -120,8 +123,8 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
   const auto held = [](double reached) { return smaller(bound_range.most, larger(1e-6, margin * reached)); };
   const Reached reached = planned.simulation->reached_in(step_count(request), samples_after(0, request.samples),
                                                          samples_after(0, request.base_samples));
-  bounds = {held(reached.displacement), held(reached.speed), held(reached.penetration),
-            larger(1e-6, largest_sample(request)), base_bound(request)};
+  bounds = {held(reached.displacement), held(reached.speed), held(reached.penetration), force_bound(request),
+            base_bound(request)};
   bounds.displacement =
       smaller(bound_range.most,
               std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * asked_step}));

@@ -96,7 +96,7 @@ class KernelSimulation final : public Simulation {
     const auto& plan = kernel_.plan;
     const auto& scene = scene_;
     const double side = state.at_left ? -1 : 1;
-    const double pair_unit = plan.force_unit * plan.units.si_penetration_unit();
+    const double pair_unit = plan.force_scale * plan.units.si_penetration_unit();
     Sample sample{};
     sample.t = static_cast<double>(steps_) * step_;
     sample.x1 = now.x1;
@@ -105,7 +105,7 @@ class KernelSimulation final : public Simulation {
     sample.v2 = now.v2;
     sample.penetration = penetration(now.x2 - now.x1);
     if constexpr (detail::is_one_of<ContactForce, Parts...>) {
-      sample.contact_force = std::abs(plan.units.fraction(state.contact_force)) * plan.force_unit;
+      sample.contact_force = std::abs(plan.units.fraction(state.contact_force)) * plan.force_scale;
     } else if constexpr (Kernel::Contact::is_instantaneous) {
       // The mean over the last step.
       sample.contact_force = scene.ball_mass * std::abs(now.v2 - v2_before_) / step_;
@@ -118,11 +118,11 @@ class KernelSimulation final : public Simulation {
     }
     sample.energy_dissipated = state.dissipated.total() * pair_unit;
     if (kernel_.is_touching()) sample.energy_stored = plan.units.fraction(state.stored) * pair_unit;
-    sample.drive_work = state.drive_work.total() * plan.drive_unit * plan.units.si_penetration_unit();
+    sample.drive_work = state.drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit();
     sample.friction_dissipated = kernel_.friction_dissipated();
     sample.impacts = static_cast<long>(state.impacts);
     sample.impact_speed = plan.units.si_penetration(state.impact_rate) / plan.step;
-    sample.peak_force = plan.units.fraction(state.peak_force) * plan.force_unit;
+    sample.peak_force = plan.units.fraction(state.peak_force) * plan.force_scale;
     return sample;
   }
 

@@ -151,11 +151,11 @@ const std::vector<Option>& options() {
              field(&Request::numeric), "number format (float32: with compensated state)"),
       number("step", "s", step_range, field(&Request::step), "length of a step")
           .by_default(
-              "0.0001; with --newmark auto and without --drive-file the longest from 1e-05 to 0.005 with a "
+              "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 with a "
               "restitution within 1e-05 of the law's, 30 steps a period and 100 in all (said on standard error)"),
       number("duration", "s", {0, 1e7}, field(&Request::duration),
              "simulated time, rounded to whole steps, at most 1e9 of them")
-          .by_default("1, or as long as --drive-file lasts"),
+          .by_default("1, or as long as the samples of a file last"),
 
       number("main-mass", "kg", mass_range, field(&Scene::main_mass), "main mass"),
       number("main-stiffness", "N/m", main_stiffness_range, field(&Scene::main_stiffness), "its spring"),
@@ -308,7 +308,7 @@ Settings settings_from(const std::vector<Argument>& arguments) {
   Given given;
   for (const auto& [name, value] : arguments) {
     const Option& option = option_named(name, value);
-    if (!given.emplace(name, value).second) throw BadInput("--" + name, value, "once");
+    if (!given.emplace(name, value).second) throw BadInput("--" + name, value, "once, on the command line or in a sweep's header");
     if (!option.store(settings, value)) throw BadInput("--" + name, value.empty() ? "''" : value, option.allowed);
   }
   settle(settings, given);

@@ -144,8 +144,11 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
   const auto is_of_a_part = [](const std::string& name) {
     return name == "gravity" || name == "ball_friction" || name == "base_acceleration";
   };
+  const auto is_read = [&](const std::string& name) {
+    return name != "restitution" || made.damping != Damping::constant;
+  };
   for (const auto& [name, value, unit] : scene_numbers)
-    if (!is_of_a_part(name) || value < 0 || value > 0)
+    if (is_read(name) && (!is_of_a_part(name) || value < 0 || value > 0))
       text += line(std::string("scene.") + name, shortest_text(value), unit);
   text += line("scene.stops", std::string("impact::Stops::") + stops_name(scene.stops), "that are there");
   text +=

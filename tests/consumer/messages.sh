@@ -94,6 +94,9 @@ struct NoBounds {
   static constexpr impact::Scene scene{};
   static constexpr double step = 1e-4;
 };
+struct NoForce : Rig {
+  static constexpr impact::Bounds bounds{0.1, 2, 0, 0};
+};
 struct NotStatic {
   impact::Scene scene{};
   impact::Bounds bounds{};
@@ -117,6 +120,7 @@ absorber short 'the third argument must be a stepper' 'Rig, HuntCrossley, Sine, 
 absorber short "the stepper's Contact<Format, Law> is no contact treatment" 'Rig, HuntCrossley, NoTreatment, Sine, Fixed32'
 absorber any 'arguments must be features' 'Rig, HuntCrossley, Moment, Sine, Fixed32, Float32'
 absorber 1 'an absorber AtRunTime is made from a plan' 'AtRunTime, HuntCrossley, Moment, Sine, Fixed32'
+absorber 1 'the drive is Sampled: state Rig::bounds.force' 'NoForce, HuntCrossley, Moment, Sampled, Fixed32'
 absorber 1 'step() without a sample, but the drive is Sampled' 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step();'
 absorber 1 'step(sample), but the drive takes none' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.step({100});'
 absorber 1 "a sample of another type than the format's" 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step(1.5f);'

@@ -21,18 +21,11 @@ sed 's/main.cpp/tasks.cpp loop.cpp/; s/scene.elf/tasks.elf/' build.sh >build_tas
   echo 'extern "C" void timer_interrupt() { TIM2_IRQHandler(), supervise(nullptr); }'; } >tasks.cpp
 sh -eu build_tasks.sh
 sed '/^volatile/,$d' main.cpp >rig.hpp
-cat >program.c <<'END'
-#include <impact_c.h>
-static impact_absorber absorber;
-int main(void) {
-  for (impact_init(&absorber); impact_get_fault(&absorber) == impact_fault_none;) impact_step(&absorber);
-  return 1;
-}
-END
+echo 'void power_on(void), timer_interrupt(void); int main(void) { for (power_on();;) timer_interrupt(); }' >loop.c
 cpu="-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 -ffp-contract=off -ffreestanding"
 arm-none-eabi-g++ $cpu -std=c++17 -fno-exceptions -fno-rtti -I kernel/include -I . -DIMPACT_C_RIG='"rig.hpp"' -c kernel/c/impact_c.cpp
 arm-none-eabi-g++ $cpu -std=c++17 -fno-exceptions -fno-rtti -c start.cpp
-arm-none-eabi-gcc $cpu -std=c11 -Wall -Wextra -Werror -I kernel/c program.c impact_c.o start.o -nostdlib -T memory.ld -lgcc -o c.elf
+arm-none-eabi-gcc $cpu -std=c11 -Wall -Wextra -Werror -I kernel/c scene.c loop.c impact_c.o start.o -nostdlib -T memory.ld -lgcc -o c.elf
 echo "and to outputs, tasks and C: $((($(date +%s%N) - begin) / 1000000)) ms"
 arm-none-eabi-size outputs.elf tasks.elf c.elf
 

@@ -247,7 +247,7 @@ TEST(TuningWithALedger, StartsItAnew) {
   const double x1 = kernel.reading().x1, force = 2 * 14 * kernel.state().drive.force(kernel.plan.drive);
   kernel.step();
   const double next = 2 * 14 * kernel.state().drive.force(kernel.plan.drive);
-  EXPECT_NEAR(kernel.state().drive_work.total() * kernel.plan.drive_unit,
+  EXPECT_NEAR(kernel.state().drive_work.total() * kernel.plan.drive_scale,
               (kernel.reading().x1 - x1) * (force + next) / 2, 1e-15);
 }
 

@@ -298,7 +298,7 @@ TYPED_TEST(FrictionIn, LedgerHasItsOwnLine) {
   const host::Sample right = reference.sample();
   EXPECT_NEAR(absorber.friction_dissipated(), right.friction_dissipated, 1e-5 * right.friction_dissipated);
   const auto& plan = absorber.plan;
-  EXPECT_NEAR(absorber.state().dissipated.total() * plan.force_unit * plan.units.si_penetration_unit(),
+  EXPECT_NEAR(absorber.state().dissipated.total() * plan.force_scale * plan.units.si_penetration_unit(),
               right.energy_dissipated, 1e-4 * right.energy_dissipated);
 }
 
@@ -326,8 +326,8 @@ TEST(Friction, LedgerClosesByTheAverageAcceleration) {
   const double at_start = energy();
   for (int n = 0; n < 2000 || absorber.is_touching(); ++n) absorber.step();
   const auto& plan = absorber.plan;
-  const double by_drive = absorber.state().drive_work.total() * plan.drive_unit;
-  const double by_contact = absorber.state().dissipated.total() * plan.force_unit;
+  const double by_drive = absorber.state().drive_work.total() * plan.drive_scale;
+  const double by_contact = absorber.state().dissipated.total() * plan.force_scale;
   EXPECT_GT(by_contact, 0.2);
   EXPECT_NEAR(by_drive - by_contact - absorber.friction_dissipated(), energy() - at_start, 1e-5 * by_contact);
 }

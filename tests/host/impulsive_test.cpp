@@ -63,7 +63,7 @@ double energy_of(const Scene& scene, const Simulated& simulated) {
 template <class Simulated>
 double dissipated_by(const Simulated& simulated) {
   const auto& plan = simulated.plan;
-  return simulated.state().dissipated.total() * plan.force_unit * plan.units.si_penetration_unit();
+  return simulated.state().dissipated.total() * plan.force_scale * plan.units.si_penetration_unit();
 }
 
 // Up to 8 steps a contact, 64 phases each. A rate counts in 2^-31 of up to 2^5 times the approach (Fixed32) or to 2^-24

@@ -118,7 +118,7 @@ void expect_no_fall_with_energy_consistent(Tension tension = Tension::clamp) {
             worst = larger(worst, fall / allowed);
             const double speed = found.request.bounds->speed;
             worst_of_bounds = larger(
-                worst_of_bounds, fall * plan.force_unit * plan.units.si_penetration_unit() * 2 /
+                worst_of_bounds, fall * plan.force_scale * plan.units.si_penetration_unit() * 2 /
                                      (speed * speed * (found.request.scene.main_mass + found.request.scene.ball_mass)));
           }
           most = larger(most, now);

@@ -46,16 +46,16 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
   const auto now = absorber.reading();
   const auto& state = absorber.state();
   const double unit = plan.units.si_penetration_unit();
-  const double work = state.drive_work.total() * plan.drive_unit * unit;
-  const double dissipated = state.dissipated.total() * plan.force_unit * unit;
+  const double work = state.drive_work.total() * plan.drive_scale * unit;
+  const double dissipated = state.dissipated.total() * plan.force_scale * unit;
   const double energy = scene.main_mass * now.v1 * now.v1 / 2 + scene.ball_mass * now.v2 * now.v2 / 2 +
                         scene.main_stiffness * now.x1 * now.x1 / 2;
   const double total = static_cast<double>(steps + extra);  // A step's two products of the drive, each by half a place;
                                                             // in Float32 of at most 10 N over 1 ms of 2 m/s, and as
   // much for the additions. A contact has two more and the energy stored, in its own unit.
   const bool is_fixed = std::is_same_v<TypeParam, Fixed32>;
-  const double drive_place = is_fixed ? plan.drive_unit * unit * 0x1p-31 : 2 * 10 * 2e-3 * 0x1p-24;
-  const double contact_place = is_fixed ? plan.force_unit * unit * 0x1p-31 : 4 * 40 * 2e-3 * 0x1p-24;
+  const double drive_place = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2e-3 * 0x1p-24;
+  const double contact_place = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2e-3 * 0x1p-24;
   // Rounded to nearest they wander as the square root of the steps, and within 8 times that; rounded down they would
   // drift by half a place a step.
   const double bound = 8 * std::sqrt(total) * (drive_place + 4 * contact_place);
@@ -141,13 +141,13 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
 
   const auto& state = absorber.state();
   const double unit = plan.units.si_penetration_unit(), total = static_cast<double>(n);
-  const double by_drive = state.drive_work.total() * plan.drive_unit * unit;
-  const double by_contact = state.dissipated.total() * plan.force_unit * unit;
+  const double by_drive = state.drive_work.total() * plan.drive_scale * unit;
+  const double by_contact = state.dissipated.total() * plan.force_scale * unit;
   const double by_friction = absorber.friction_dissipated();
   const double missing = by_drive + by_field - by_contact - by_friction - (energy_of(before) - at_start);
   const bool is_fixed = std::is_same_v<TypeParam, Fixed32>;
-  const double drive_place = is_fixed ? plan.drive_unit * unit * 0x1p-31 : 2 * 10 * 2 * h * 0x1p-24;
-  const double contact_place = is_fixed ? plan.force_unit * unit * 0x1p-31 : 4 * 40 * 2 * h * 0x1p-24;
+  const double drive_place = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2 * h * 0x1p-24;
+  const double contact_place = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2 * h * 0x1p-24;
   const double rounding = 8 * std::sqrt(total) * (drive_place + 4 * contact_place);
   const double bound = 1e-5 * (in_contacts + by_contact) + rounding;
   EXPECT_NEAR(missing, 0, bound);

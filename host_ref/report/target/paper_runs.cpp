@@ -47,7 +47,7 @@ bool trace(int index) {
     const double x1 = kernel.reading().x1, size = x1 < 0 ? -x1 : x1;
     if (size > peak) peak = size;
     if (n == steps || (index < traced_runs && n % printed_every == 0)) {
-      const double unit = plan.force_unit * plan.units.si_penetration_unit();
+      const double unit = plan.force_scale * plan.units.si_penetration_unit();
       print_row(index, n, x1, peak, kernel.state().dissipated.total() * unit);
     }
   }

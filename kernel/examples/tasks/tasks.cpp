@@ -55,7 +55,7 @@ extern "C" void supervise(void*) {
   if (!impact::self_test<Absorber::Format>()) return;  // before the timer starts
   for (;;) {
     const auto now = absorber.snapshot();  // of one step, whatever the interrupt does meanwhile
-    if (now.fault != impact::Fault::none) has_to_begin_anew = 1;
+    if (absorber.fault() != impact::Fault::none) has_to_begin_anew = 1;
     if (now.is_whole) wanted_plan = now.displacement.raw > INT32_MAX / 8 ? 1 : 0;  // beyond an eighth of the unit
     vTaskDelay(10);
   }

@@ -40,7 +40,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   Gain rate_by_dx1, rate_by_x1;  // a velocity from the displacement that the coming step will make
   typename Drive::template Plan<Format> drive;
   typename Treatment::Plan contact;
-  double force_unit, drive_unit;  // N
+  double force_scale, drive_scale;  // N that State's forces and the drive's count in
   bool left_stop, right_stop;
   bool crosses;                      // a step can leave one stop and touch the other
   Long x1, dx1, x2, dx2;             // the initial state
@@ -67,8 +67,8 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   // The SI values of native 1.0: m, m/s, and N of a contact force and of a sample.
   constexpr double displacement_unit() const { return units.displacement_unit(); }
   constexpr double velocity_unit() const { return units.velocity_unit(step); }
-  constexpr double contact_force_unit() const { return Format::sample_unit(force_unit); }
-  constexpr double sample_unit() const { return drive_unit; }
+  constexpr double force_unit() const { return Format::sample_unit(force_scale); }
+  constexpr double sample_unit() const { return drive_scale; }
   // m/s^2, of a sample of the base's acceleration.
   constexpr double base_sample_unit() const {
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
@@ -83,7 +83,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
     static_assert(static_cast<Real>(0.5) > 0, "newtons are a double (a constant) or a float");
     if constexpr (Drive::is_sampled)
-      return sample_in(newtons, drive.per_newton, drive_unit);
+      return sample_in(newtons, drive.per_newton, drive_scale);
     else
       return {};
   }
@@ -239,8 +239,8 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::planne
   plan.rate_by_x1 = Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration);
   plan.drive = Drive::template make_plan<Format>(scene, bounds, h, flow, exponents);
   plan.contact = Treatment::make_plan(terms, flow, exponents);
-  plan.force_unit = terms.force_unit;
-  plan.drive_unit = Drive::template force_unit<Format>(scene, bounds);
+  plan.force_scale = terms.force_unit;
+  plan.drive_scale = Drive::template force_unit<Format>(scene, bounds);
   plan.left_stop = scene.stops != Stops::right;
   plan.right_stop = scene.stops != Stops::left;
   plan.crosses = terms.crosses && Treatment::meets_both_stops;

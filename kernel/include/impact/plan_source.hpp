@@ -18,7 +18,7 @@ class PlanSource {
 
   static constexpr double displacement_unit() { return plan.displacement_unit(); }
   static constexpr double velocity_unit() { return plan.velocity_unit(); }
-  static constexpr double force_unit() { return plan.contact_force_unit(); }
+  static constexpr double force_unit() { return plan.force_unit(); }
   static constexpr double sample_unit() { return plan.sample_unit(); }
   static constexpr double base_sample_unit() { return plan.base_sample_unit(); }
   template <class Real>
@@ -44,7 +44,7 @@ class PlanSource<AtRunTime, PlanType_> {
 
   constexpr double displacement_unit() const { return plan.displacement_unit(); }
   constexpr double velocity_unit() const { return plan.velocity_unit(); }
-  constexpr double force_unit() const { return plan.contact_force_unit(); }
+  constexpr double force_unit() const { return plan.force_unit(); }
   constexpr double sample_unit() const { return plan.sample_unit(); }
   constexpr double base_sample_unit() const { return plan.base_sample_unit(); }
   template <class Real>

@@ -92,6 +92,8 @@ constexpr bool explain() {
                 "Bounds::displacement: no less than main_mass * gravity / main_stiffness, where the main mass hangs");
   static_assert(!PlanType::FieldType::is_sampled || Rig::bounds.base_acceleration > 0,
                 "BaseAcceleration is among the absorber's parts: state Rig::bounds.base_acceleration, m/s^2");
+  static_assert(!PlanType::DriveType::is_sampled || Rig::bounds.force > 0,
+                "the drive is Sampled: state Rig::bounds.force, N, the largest sample");
   static_assert(!PlanType::FrictionType::is_friction || Rig::scene.ball_friction > 0,
                 "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
   static_assert(

@@ -55,7 +55,7 @@ struct Bounds {
   double displacement = 0.1;     // of either mass, m
   double speed = 2.0;            // of either mass, m/s
   double penetration = 0;        // m; 0: the deepest that the others allow, law/depth.hpp
-  double force = 10.0;           // of a sampled drive, N
+  double force = 10.0;           // of a sampled drive, N; under another the plan has room for it as well
   double base_acceleration = 0;  // of a base that shakes, m/s^2: with BaseAcceleration, which asks for it
 };
 

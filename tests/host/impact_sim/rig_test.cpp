@@ -83,6 +83,10 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
     }
     EXPECT_GT(largest, 0.1) << "nothing moved: " << runs[i].options;
   }
+  // What the run does not read is not stated.
+  EXPECT_THAT(read(file("rig2.hpp")), testing::Not(HasSubstr("scene.restitution")));
+  EXPECT_THAT(read(file("rig6.hpp")), HasSubstr("scene.restitution = 0."));
+  EXPECT_THAT(read(file("rig0.hpp")), HasSubstr("bounds.force = 0;"));
   EXPECT_THAT(read(file("rig7.hpp")),
               HasSubstr("--drive-file='it'\\''s forces' --step=1e-3 --duration=2 --rig=rig7.hpp"));
 }

@@ -11,8 +11,9 @@
 //
 // The first is all that both masses, the spring and the drive can give up; the second what the approach brings and what
 // the main spring, its damper and the drive press on the way. A field's acceleration a adds 2 (M + m) a x to the first,
-// and nothing to the second, in which it is the same for both masses. Damping and friction only take. A hundredth is
-// added for rounding. Bounds::penetration, where it is stated, limits it further.
+// and nothing to the second, in which it is the same for both masses. Damping and friction only take: Hunt-Crossley's,
+// a = c1 V/k1, leaves 2 (a - ln(1 + a))/a^2 of the approach's energy to the law's first integral (law/free_impact.hpp).
+// A hundredth is added for rounding. Bounds::penetration, where it is stated, limits it further.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>

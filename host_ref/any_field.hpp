@@ -21,14 +21,11 @@ struct AnyField : BaseAcceleration {  // whose constants are all 0 for weight: i
       return {BaseAcceleration::make_plan<Format>(scene, bounds, main, ball, unit, units), true, {}};
     return {{}, false, Gravity::make_plan<Format>(scene, bounds, main, ball, unit, units)};
   }
+  using BaseAcceleration::at_once;
   template <class Units>
   static constexpr double at_once(const Scene& scene, const Bounds& bounds, const LinearFlow& main,
                                   const LinearFlow& ball, const UnitExponents& unit) {
     return is_shaken_in(bounds) ? BaseAcceleration::at_once<Units>(scene, bounds, main, ball, unit) : 0;
-  }
-  template <class Plan, class Value>
-  [[gnu::always_inline]] static constexpr Value at_once(const Plan& plan, Value next) {
-    return BaseAcceleration::at_once(plan, next);
   }
 
   template <class Plan, class State>

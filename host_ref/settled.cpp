@@ -125,9 +125,8 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
                                                          samples_after(0, request.base_samples));
   bounds = {held(reached.displacement), held(reached.speed), held(reached.penetration), force_bound(request),
             base_bound(request)};
-  bounds.displacement =
-      smaller(bound_range.most,
-              std::max({bounds.displacement, request.scene.clearance, bounds.penetration, bounds.speed * asked_step}));
+  const double way = larger(bounds.penetration, bounds.speed * asked_step);
+  bounds.displacement = smaller(bound_range.most, larger(larger(bounds.displacement, request.scene.clearance), way));
   return planned.status;
 }
 

@@ -26,7 +26,7 @@ struct Point {
 };
 
 // Whether a step costs what it does at 1 ms and 0.1 ms, where costs are measured: the energy-consistent step of a power
-// law takes two to three times as much where a contact lasts fewer than 20 steps at the largest speed
+// law takes three to four times as much where a contact lasts fewer than 20 steps at the largest speed
 // (impact/stepper/energy/power.hpp).
 bool costs_as_measured(const std::string& law, const std::string& newmark, double step) {
   if (newmark != "energy" || law == "hooke-newton") return true;

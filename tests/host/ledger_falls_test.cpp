@@ -55,7 +55,9 @@ struct Allowance : SilentFeature {
                                             : 0x1p-20,
                      place = is_fixed ? 0x1p-31 : 0, sum = rounded_by_sum<Format>;
     const double force = plan.units.fraction(step.force.j0), way = plan.units.fraction(step.way),
-                 stored = plan.units.fraction(step.stored), response = factor_of(plan.contact.response.penetration),
+                 stored = plan.units.fraction(step.stored),
+                 response =
+                     std::ldexp(0.5 / factor_of(plan.contact.response.force), -plan.contact.response.travel_places),
                  back = response * force, free = way + back, press = free - plan.units.fraction(step.rate_at_impact),
                  length = std::abs(free) + std::abs(press);
     state.allowed += sum * std::abs(state.dissipated.total());

@@ -361,9 +361,14 @@ class Absorber
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
 
-  // A shared response changes a position by at most an eighth of 2^63, and a step's displacement by a quarter: where
-  // both come to a state in range before it is looked at, it does not wrap.
-  static constexpr bool judges_contact_once = decltype(PlanType::contact.response)::is_shared;
+  // A shared response changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a quarter: where both
+  // come to a state in range before it is looked at, it does not wrap.
+  constexpr bool judges_contact_once() const {
+    if constexpr (decltype(PlanType::contact.response)::is_shared)
+      return !Contact::is_sudden(plan.contact);
+    else
+      return false;
+  }
 
   constexpr void start() {
     state_ = State{};
@@ -437,14 +442,14 @@ class Absorber
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
     plan.units.add(state_.dx1, increment);
     if constexpr (Field::is_field) Field::fly(plan, state_, base);
-    if (!judges_contact_once && !is_flight_in_range()) {
+    if (!judges_contact_once() && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
       if constexpr (Format::calls_contact)
         call_meet_stop(increment, main_travel);
       else
         meet_stop(increment, main_travel);
-    } else if (judges_contact_once && !is_flight_in_range()) {
+    } else if (judges_contact_once() && !is_flight_in_range()) {
       hold();
     } else if constexpr (Friction::is_friction) {
       rub(main_travel);
@@ -555,7 +560,7 @@ class Absorber
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
     SeenStep step{};
     if (!is_inside(step, left)) {
-      if constexpr (judges_contact_once) hold_in_range();
+      if (judges_contact_once()) hold_in_range();
       return;
     }
     step.rate = relative_rate(left);
@@ -609,7 +614,7 @@ class Absorber
     auto impulse = contact.resolve(plan.contact, units, step);
     reload(state_);
     plan.contact.response.answer(units, state_, mirrored(impulse, left));
-    contact.place_ball(units, state_, left);
+    contact.place_ball(plan.contact, units, state_, left);
     if (hold_in_range()) return false;
     if constexpr (sizeof...(Features) > 0) {
       step.rate = rate;

@@ -42,13 +42,13 @@ struct SlowestImpact<Format, true> {
   }
 };
 
-// 1 + c1/k1 v in the unit of forces.
+// 1 + c1/k1 v, as a multiple of `elastic`.
 template <bool is_per_impact, class Units, class Value>
-constexpr Value strength(const Units& units, Value damped) {
+constexpr Value strength(Value elastic, Value damped) {
   if constexpr (is_per_impact)
-    return units.held_sum(units.one(), damped);
+    return Units::held_sum(elastic, damped);
   else
-    return units.one() + damped;
+    return elastic + damped;
 }
 
 template <class Format, bool is_per_impact>

@@ -37,6 +37,11 @@ struct Fixed32 : Fixed32Numbers {
     return {x > 0 ? static_cast<uint32_t>(impact::constant::smaller(x * 4294967296.0 + 0.5, 4294967295.0)) : 0};
   }
   static constexpr Short<16> short_constant(double x) { return {static_cast<uint32_t>(x * 65536.0 + 0.5)}; }
+  // Of a number below 1.
+  template <int bits>
+  static constexpr Unsigned<32> factor(Unsigned<bits> x) {
+    return with_bits<32>(x);
+  }
   static constexpr Value term(Gain gain, Value x) { return gain * x; }
   // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive, the gain not negative; a gain that
   // is 2^31 or more for a divisor of a few last places is held there.

@@ -10,6 +10,10 @@ constexpr Real without_sign(Real x) {
   return x;
 }
 template <class Real>
+constexpr Real as_signed(Real x) {
+  return x;
+}
+template <class Real>
 constexpr Real half(Real x) {
   return static_cast<Real>(0.5) * x;
 }

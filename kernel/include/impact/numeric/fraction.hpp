@@ -57,6 +57,12 @@ constexpr Unsigned<bits> without_sign(Signed<bits> x) {
   return {static_cast<uint32_t>(x.raw)};
 }
 
+// And the other way, of a number that leaves the sign's place free.
+template <int bits>
+constexpr Signed<bits> as_signed(Unsigned<bits> x) {
+  return {opaque(static_cast<int32_t>(x.raw))};
+}
+
 template <int a, int b>
 constexpr auto operator+(Signed<a> x, Signed<b> y) {
   constexpr int bits = a < b ? a : b;
@@ -184,6 +190,10 @@ constexpr Unsigned<2 * bits - 32> square(Signed<bits> x) {
 // instructions instead of one.
 template <int bits>
 constexpr Signed<bits> afresh(Signed<bits> x) {
+  return {opaque(x.raw)};
+}
+template <int bits>
+constexpr Unsigned<bits> afresh(Unsigned<bits> x) {
   return {opaque(x.raw)};
 }
 

@@ -183,6 +183,7 @@ struct RealFormat {
   static constexpr Weight weight(double factor, int from, int to) { return gain(factor, from, to); }
   static constexpr Real product(Weight weight, Real x, Real y) { return weight * x * y; }
   static constexpr Real constant(double x) { return static_cast<Real>(x); }
+  static constexpr Real factor(Real x) { return x; }
   static constexpr Real short_constant(double x) { return static_cast<Real>(x); }
   static constexpr Gain gain(double factor, int from, int to) {
     const double scaled = factor * constant::power_of_two(from - to), most = static_cast<double>(largest_gain);

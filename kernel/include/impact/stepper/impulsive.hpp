@@ -115,7 +115,7 @@ struct Impulsive {
     constexpr void start(const Plan&, const Units&, Value, Value) { phase = Phase::touching; }
 
     template <class State>
-    [[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left) const {
+    [[gnu::always_inline]] constexpr void place_ball(const Plan&, const Units& units, State& state, bool left) const {
       if (rests) state.x2 = units.stop(state.x1, left);
     }
     [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&,

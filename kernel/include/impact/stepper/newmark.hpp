@@ -139,7 +139,7 @@ struct Pointwise {
     template <class Shape>
     constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
       if constexpr (ContactLaw::is_damped)
-        return x * positive_part(strength<ContactLaw::is_damped_per_impact>(units, damping(plan) * v));
+        return x * positive_part(strength<ContactLaw::is_damped_per_impact, Units>(units.one(), damping(plan) * v));
       else
         return x;
     }

@@ -139,8 +139,8 @@ struct Treatment {
     return true;
   }
   // What moves the ball besides the impulse.
-  template <class Units, class State>
-  static constexpr void place_ball(const Units&, State&, bool) {}
+  template <class Plan, class Units, class State>
+  static constexpr void place_ball(const Plan&, const Units&, State&, bool) {}
   template <class Plan, class Units>
   static constexpr bool is_sound(const Plan&, const Units&) {
     return true;

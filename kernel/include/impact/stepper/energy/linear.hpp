@@ -23,7 +23,8 @@ struct EnergyLinear : ResolvedForces {
   }
 
   struct Plan {
-    ConstantForceGains<Gain> response;
+    ConstantForceGains<Format> response;
+    Gain impulse;            // G for f, twice
     Gain damping;            // C
     Gain solved;             // 1/(1 + G (1/2 + C))
     Gain loss;               // 1 + G C over that
@@ -35,7 +36,9 @@ struct EnergyLinear : ResolvedForces {
     const ConstantForceResponse answer(terms, flow);
     const double damping = terms.damping_time / terms.step, stiffness = terms.stiffness * answer.penetration();
     const double solved = 1 / (1 + stiffness * (0.5 + damping));
+    const double of_force = answer.impulse() * terms.force_unit;
     return {answer.gains<Format>(terms.force_unit, unit),
+            Format::gain(of_force, 0, unit.push),
             Format::gain(damping, unit.penetration, terms.damping_exponent),
             Format::gain(solved, 0, 0),
             Format::gain((1 + stiffness * damping) * solved, 0, 0),
@@ -60,12 +63,10 @@ struct EnergyLinear : ResolvedForces {
                                                              const Approach<Value>& step, const EnergyLinear& before,
                                                              const Impulse<Value>& impulse) const {
     const bool begins = before.phase == Phase::apart;
-    ContactStep<Value> result =
-        recorded<Format, HookeNewton>(plan.response, units, step, impulse,
-                                      {impulse.j0, Format::value(half(impulse.j0))}, begins, phase == Phase::touching);
-    result.has_way = true;
-    result.way = penetration - (begins ? step.before : before.penetration);
-    return result;
+    typename Format::Energy stored{};
+    if (phase == Phase::touching) stored = HookeNewton::stored<Format>(units, penetration);
+    return plan.response.recorded(step, impulse.j0, penetration - (begins ? step.before : before.penetration), stored,
+                                  begins);
   }
 
   [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
@@ -73,16 +74,18 @@ struct EnergyLinear : ResolvedForces {
     const Value trial = step.penetration, before = step.before;
     Value force = phase == Phase::apart ? entering(plan, units, trial, before) : inside(plan, units, trial);
     if (plan.clamped && !is_positive(force)) force = Value{};
-    penetration = trial - plan.response.penetration * force;
+    const Value impulse = plan.impulse * force, taken = Format::value(half(impulse));
+    penetration = trial - plan.response.travel(taken);
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
-    return {force, force};
+    return {impulse, taken};
   }
 
  private:
   [[gnu::always_inline]] constexpr Value inside(const Plan& plan, const Units& units, Value trial) const {
     const Value force = plan.solved * (units.elastic(Format::value(half(penetration)) + Format::value(half(trial))) +
                                        plan.damping * (trial - penetration));
-    return is_positive(trial - plan.response.penetration * force) ? force : leaving(plan, units, trial);
+    const Value end = trial - plan.response.travel(Format::value(half(plan.impulse * force)));
+    return is_positive(end) ? force : leaving(plan, units, trial);
   }
 
   // With y = d0 - d1: y^2 + (trial - d0 + G C d0) y = G d0^2/2.

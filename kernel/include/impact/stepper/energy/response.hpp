@@ -9,20 +9,42 @@
 
 namespace impact {
 
-// The ball's displacement grows by half as much as its displacement per step.
-template <class Gain>
+// To what a constant force does to the displacement between the masses, twice (j0): the ball has its share of it, and
+// the main mass the rest, and a little more, since meanwhile spring and damper act as well. The ball ends where the
+// penetration is smaller by j1, which a position correction makes another number than j0/2: it moves the ball alone,
+// and changes no rate.
+template <class Format>
 struct ConstantForceGains {
-  static constexpr bool is_shared = false;
-  Gain x1, dx1, dx2;
-  Gain penetration, rate, rate_by_moment;
+  using Value = typename Format::Value;
+
+  static constexpr bool is_shared = true;
+  typename Format::Weight ball, dx1;
+  typename Format::Gain rate;   // of penetration
+  typename Format::Gain force;  // from twice the displacement to the force
+  int travel_places;            // from displacements to penetrations
+
+  constexpr Value travel(Value displacement) const { return Format::moved(displacement, travel_places); }
 
   template <class Units, class State, class Felt>
   [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& impulse) const {
-    units.push(state.x1, x1 * impulse.j0);
-    units.push(state.dx1, dx1 * impulse.j0);
-    const auto ball = dx2 * -impulse.j0;
-    units.push(state.x2, half(ball));
-    units.push(state.dx2, ball);
+    const auto ball_part = ball * impulse.j0, main_part = impulse.j0 - ball_part;
+    units.push(state.x1, half(main_part));
+    units.push(state.dx1, main_part + dx1 * impulse.j0);
+    units.push(state.x2, half(main_part) - impulse.j1);
+    units.push(state.dx2, -ball_part);
+  }
+  // The step for the features, whose work is the force's by the contact's way.
+  [[gnu::always_inline]] constexpr ContactStep<Value> recorded(const Approach<Value>& step, Value j0, Value way,
+                                                               typename Format::Energy stored, bool begins) const {
+    const Value own_force = force * j0;
+    return {{own_force, Format::value(half(own_force))},
+            stored,
+            step.travel + step.travel - step.rate,
+            step.rate - rate * j0,
+            begins,
+            !begins,
+            true,
+            way};
   }
 };
 
@@ -37,15 +59,14 @@ struct ConstantForceResponse {
         rate_(flow.c0 + flow.c1 + dx2) {}
 
   constexpr double penetration() const { return x1 + x2; }
+  // Of a force, twice, in metres.
+  constexpr double impulse() const { return 2 * penetration(); }
 
   template <class Format>
-  constexpr ConstantForceGains<typename Format::Gain> gains(double force_unit, const UnitExponents& unit) const {
-    return {Format::gain(force_unit * x1, 0, unit.push),
-            Format::gain(force_unit * dx1, 0, unit.push),
-            Format::gain(force_unit * dx2, 0, unit.push),
-            Format::gain(force_unit * penetration(), 0, unit.penetration),
-            Format::gain(force_unit * rate_, 0, unit.penetration),
-            Format::gain(0, 0, 0)};
+  constexpr ConstantForceGains<Format> gains(double force_unit, const UnitExponents& unit) const {
+    return {Format::weight(dx2 / impulse(), 0, 0), Format::weight((dx1 - 2 * x1) / impulse(), 0, 0),
+            Format::gain(rate_ / impulse(), unit.push, unit.penetration),
+            Format::gain(1 / (impulse() * force_unit), unit.push, 0), unit.penetration - unit.push};
   }
 
  private:

@@ -202,10 +202,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   // K (1 + C v)
   constexpr Value strength(const Plan& plan, Value rate) const {
     const Value elastic = Format::value(plan.stiffness);
-    if constexpr (ContactLaw::is_damped_per_impact)
-      return Units::held_sum(elastic, this->own_damping * rate);
-    else if constexpr (ContactLaw::is_damped)
-      return elastic + damping(plan) * rate;
+    if constexpr (ContactLaw::is_damped)
+      return impact::strength<ContactLaw::is_damped_per_impact, Units>(elastic, damping(plan) * rate);
     else
       return elastic;
   }

@@ -152,12 +152,13 @@ class KeptCase : public testing::TestWithParam<Kept> {};
 TEST_P(KeptCase, IsRefusedOrHolds) { EXPECT_LE(badness(scene_of(GetParam())), 1); }
 INSTANTIATE_TEST_SUITE_P(Found, KeptCase, testing::ValuesIn(kept_cases));
 
-// Found by the search at 2000 scenes each: places of its own.
+// Found by the search at 2000 to 8000 scenes each: places of its own.
 struct KeptPlace {
   const char* what;
   Law law;
   Stepper stepper;
   Everywhere at;
+  bool is_damped_per_impact = false;
 };
 void PrintTo(const KeptPlace& kept, std::ostream* out) { *out << kept.what; }
 constexpr KeptPlace kept_places[] = {
@@ -343,12 +344,95 @@ constexpr KeptPlace kept_places[] = {
       0.82356005527609988,
       0.75175705665915371,
       0.5661060028230317}},
+    {"a ball that rests under its weight bounces inside its stop, is lifted out again, and friction takes what that "
+     "gives: 3.4 times the energy",
+     Law::hertz,
+     Stepper::impulsive,
+     {0.90907293988935356,
+      0.56292594494424919,
+      0.46812451509456449,
+      0.95389526196162056,
+      1,
+      0,
+      0,
+      0.33380121251916306,
+      1,
+      0.77976159460565631,
+      0.99696073316245437,
+      0.66687575033989066,
+      0.72709715565895694,
+      0.99779502315720869,
+      0.29955973943886999,
+      0.61800140883710786,
+      0.88073995301072583,
+      1,
+      0.98201503723690642,
+      0.40499438561000711,
+      0.88471609781947325}},
+    {"the same on a base that shakes: 5.7 %",
+     Law::hunt_crossley,
+     Stepper::automatic,
+     {0.44183246165384749,  0.93728809589271345,  0.35116438486763379, 0.039032695074703777, 0.82797916994939325,
+      0.59315751256589822,  0.98844844209516158,  0.9190462691740563,  0.036987914393332107, 0.99562074835853998,
+      0.088520927472274399, 0.040830723241627315, 0.46346748859373355, 0.828579326323584,    0.57538259608464259,
+      0.81601591489821301,  0.85606346870361061,  0.76608212730649161, 0.85761160479062082,  0.026161227761243827,
+      0.63082077424631766},
+     true},
+    {"a ball of a thousand main masses is carried along by one that turns by 0.85 rad in a step: 5 %",
+     Law::hooke_newton,
+     Stepper::impulsive,
+     {0.40787004633563301,
+      1,
+      0.98936787099095325,
+      0.47412722129251228,
+      0.65876509337661771,
+      0.067958969241492806,
+      1,
+      0.72947859395720016,
+      1,
+      0.060566603601735033,
+      0.12978062949899469,
+      0.56677943602264302,
+      0.9793126614598513,
+      0.93445014733364928,
+      1,
+      0.99038083221606954,
+      1,
+      1,
+      0.98991923014770655,
+      0.56961479687911276,
+      0.99734996539263854}},
+    {"contacts as long as the main mass's swing, one after the other: 1.3 %",
+     Law::hunt_crossley,
+     Stepper::automatic,
+     {0.71259233827379842,
+      0.58814979914800236,
+      0.88937822797506405,
+      0.10657677259702414,
+      0.29054728773522243,
+      1,
+      0.56866632042634235,
+      0.48100114439792552,
+      0.38183015245140373,
+      0.59215730437981351,
+      1,
+      0.49103619530477977,
+      0.94219833883008675,
+      0.037470368080758043,
+      0.50365283663555183,
+      0.99722071873939344,
+      0.016166052358591945,
+      0.13154442850073636,
+      0.28361874508506391,
+      0.045458047393062147,
+      0.21840666955401988},
+     true},
 };
 
 class KeptPlaceIn : public testing::TestWithParam<std::tuple<KeptPlace, Numeric>> {};
 TEST_P(KeptPlaceIn, IsRefusedOrHolds) {
   const auto& [kept, numeric] = GetParam();
-  EXPECT_LE(badness(scene_at({kept.law, false, kept.stepper, numeric}, kept.at)), 1);
+  EXPECT_LE(badness(scene_at({kept.law, kept.is_damped_per_impact, kept.stepper, numeric}, kept.at)), 1);
 }
 INSTANTIATE_TEST_SUITE_P(Found, KeptPlaceIn,
                          testing::Combine(testing::ValuesIn(kept_places),

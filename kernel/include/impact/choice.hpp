@@ -46,7 +46,8 @@ constexpr Choice choice_for(const Resolution& contact, double step) {
     return gain <= loss ? choice : Choice::energy;
   };
   if (is_right(Moment::steps(contact), Moment::longest_phase, 1)) return if_passive(Choice::moment, 1);
-  if (part(1) > 1 && Impulsive::is_instant(contact, shortest_phase)) return Choice::impulsive;
+  if (part(1) > 1 && Impulsive::is_instant(contact, shortest_phase) && Impulsive::steps(contact).holds(step))
+    return Choice::impulsive;
   using Four = SubsteppedMoment<4>;
   using Eight = SubsteppedMoment<8>;
   if (is_right(Four::steps(contact), Four::longest_phase, 4)) return if_passive(Choice::four_sub_steps, 4);

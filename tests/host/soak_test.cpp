@@ -126,7 +126,7 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
     const double next = scene.gravity - base[index];
     by_field += (field + next) / 2 * (scene.main_mass * (now.x1 - before.x1) + scene.ball_mass * (now.x2 - before.x2));
     field = next;
-    const bool slides_on = !is_positive(absorber.state().lasting - plan.lasting);
+    const bool slides_on = !is_positive(absorber.state().lasting - plan.friction.lasting);
     const int slides = !slides_on ? 0 : absorber.state().ball_push.is_negative() ? 1 : -1;
     const double rate = before.v2 - before.v1;
     turns += slides != sliding;

@@ -209,7 +209,8 @@ class Absorber
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(rate_ahead());
     if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
-    if constexpr (Friction::is_friction) rate = rate - plan.units.as_displacement(plan.rate_ahead * state_.impulse);
+    if constexpr (Friction::is_friction)
+      rate = rate - plan.units.as_displacement(plan.friction.rate_ahead * state_.impulse);
     return plan.units.velocity(plan.units.displacement(state_.dx1) + rate);
   }
   constexpr Value ball_displacement() const { return plan.units.position(place(state_.x2)); }
@@ -217,7 +218,8 @@ class Absorber
     Value rate = plan.units.displacement(state_.dx2);
     if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.dx2_share);
     if constexpr (Field::is_field) rate = rate - plan.units.as_displacement(Field::ball_rate(plan, state_));
-    if constexpr (Friction::is_friction) rate = rate + plan.units.as_displacement(plan.ball_ahead * state_.impulse);
+    if constexpr (Friction::is_friction)
+      rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * state_.impulse);
     return plan.units.velocity(rate);
   }
   // On the main mass, along x, the mean of the last step; the ball feels the opposite.
@@ -327,7 +329,7 @@ class Absorber
     if constexpr (counts_slid_way) {
       if (!rubs()) return 0;
       const double taken = state_.slid.total() - plan.units.fraction(still_to_rub());
-      return plan.friction * plan.units.si_penetration_unit() * taken;
+      return plan.friction.force * plan.units.si_penetration_unit() * taken;
     } else {
       return 0;
     }
@@ -342,8 +344,8 @@ class Absorber
     double u1 = plan.units.si(state_.dx1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.dx2);
     if constexpr (Field::is_field) u2 -= plan.units.si_penetration(Field::ball_rate(plan, state_));
     if constexpr (Friction::is_friction) {
-      u1 -= plan.units.si_penetration(plan.rate_ahead * state_.impulse);
-      u2 += plan.units.si_penetration(plan.ball_ahead * state_.impulse);
+      u1 -= plan.units.si_penetration(plan.friction.rate_ahead * state_.impulse);
+      u2 += plan.units.si_penetration(plan.friction.ball_ahead * state_.impulse);
     }
     if constexpr (Contact::keeps_force) {
       const double side = state_.at_left ? -1 : 1;
@@ -391,7 +393,7 @@ class Absorber
   // Without friction nothing is done, so that a plan AtRunTime of none makes the bits of an absorber without the part.
   constexpr bool rubs() const {
     if constexpr (Friction::is_friction)
-      return is_positive(plan.full);
+      return is_positive(plan.friction.full);
     else
       return false;
   }
@@ -690,7 +692,7 @@ class Absorber
   }
   // The half of the last impulse that acts in the step ahead.
   constexpr auto still_to_rub() const {
-    const Value main = plan.rate_ahead * state_.impulse, ball = plan.ball_ahead * state_.impulse;
+    const Value main = plan.friction.rate_ahead * state_.impulse, ball = plan.friction.ball_ahead * state_.impulse;
     const Value more = Friction::rubbing_rate(plan, main + ball, -main);
     return Friction::dissipated(plan, state_, rubbing_rate() + Format::value(half(more)));
   }

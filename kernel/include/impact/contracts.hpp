@@ -61,7 +61,7 @@
 //           step's end as the field counts it, or nothing; flows are a LinearFlow of the main mass and of the ball.
 //
 // Field     is_field, is_sampled       a part whose acceleration, m/s^2 along x, acts on both masses
-//           FieldPlan<Format>          a base of the plan
+//           FieldPlan<Format>          a base of the plan: its constants are plan.field
 //           make_plan<Format>(scene, bounds, main, ball, exponents, units)    the two flows before the exponents
 //           largest(scene, bounds)     m/s^2, of either sign
 //           at_once<Units>(scene, bounds, main, ball, exponents)    s^2: what a sample adds to what stands for x1
@@ -80,7 +80,7 @@
 //           at_once(plan, next)        increment: to x1, in the step that the sample ends
 //
 // Friction  is_friction                a part whose force acts between ball and main mass, against y' or at rest
-//           FrictionPlan<Format>       a base of the plan, with `full`, rate: 0 where it does nothing
+//           FrictionPlan<Format>       a base of the plan: its constants are plan.friction, with `full`, 0 where it does nothing
 //           increment(main, ball)      m/N: what it adds to the way of the sliding in a step
 //           make_plan<Format>(scene, main, ball, at_once, exponents, units)    at_once: what a sample adds to that, m
 //           begin(plan, state, way), undo(plan, state)    at the start, and around a change of plan

@@ -73,7 +73,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   constexpr double base_sample_unit() const {
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
     if constexpr (Field::is_sampled)
-      return this->base_unit;
+      return this->field.sample_unit;
     else
       return 0;
   }
@@ -93,7 +93,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
     static_assert(static_cast<Real>(0.5) > 0, "an acceleration is a double (a constant) or a float");
     if constexpr (Field::is_sampled)
-      return sample_in(acceleration, this->per_base_unit, this->base_unit);
+      return sample_in(acceleration, this->field.per_sample_unit, this->field.sample_unit);
     else
       return {};
   }

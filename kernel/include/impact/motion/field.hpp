@@ -79,10 +79,12 @@ struct Gravity : ScenePart {
   template <class Format>
   struct FieldPlan {
     using Value = typename Format::Value;
-    Value main_increment, ball_increment;
-    typename Format::Long ball_step;  // the same as ball_increment, with all its places
-    Value main_rate, ball_rate;       // the field's share of the displacement that the coming step will make
-    Value ahead, behind, ball_start;  // the same for a change of plan
+    struct {
+      Value main_increment, ball_increment;
+      typename Format::Long ball_step;  // the same as ball_increment, with all its places
+      Value main_rate, ball_rate;       // the field's share of the displacement that the coming step will make
+      Value ahead, behind, ball_start;  // the same for a change of plan
+    } field;
   };
   template <class Format, class Units>
   static constexpr FieldPlan<Format> make_plan(const Scene& scene, const Bounds&, const LinearFlow& main,
@@ -91,10 +93,10 @@ struct Gravity : ScenePart {
     const double main_start = main_force * main.constant_start(), ball_start = ball_force * ball.constant_start();
     const double main_step = main_force * main.constant_increment(), ball_step = ball_force * ball.constant_increment();
     const auto in = [](double x, int exponent) { return Format::sample(x * constant::power_of_two(-exponent)); };
-    return {in(main_step, unit.increment),    in(ball_step, unit.increment),
-            units.state(ball_step),           in(main_start / main.e12, unit.penetration),
-            in(ball_start, unit.penetration), in(main_start / main.e12, unit.increment),
-            in(main_start, unit.increment),   in(ball_start, unit.increment)};
+    return {{in(main_step, unit.increment), in(ball_step, unit.increment), units.state(ball_step),
+             in(main_start / main.e12, unit.penetration), in(ball_start, unit.penetration),
+             in(main_start / main.e12, unit.increment), in(main_start, unit.increment),
+             in(ball_start, unit.increment)}};
   }
   static constexpr double largest(const Scene& scene, const Bounds&) { return constant::magnitude(scene.gravity); }
   template <class Units>
@@ -112,45 +114,45 @@ struct Gravity : ScenePart {
   }
   template <class Plan, class State>
   static constexpr auto main_rate(const Plan& plan, const State&) {
-    return plan.main_rate;
+    return plan.field.main_rate;
   }
   template <class Plan, class State>
   static constexpr auto ball_rate(const Plan& plan, const State&) {
-    return plan.ball_rate;
+    return plan.field.ball_rate;
   }
   template <class Plan, class State>
   static constexpr auto rate_apart(const Plan& plan, const State&) {
-    return plan.ball_rate - plan.main_rate;
+    return plan.field.ball_rate - plan.field.main_rate;
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State&, Value) {
-    return plan.main_increment;
+    return plan.field.main_increment;
   }
   // The ball's free flight; then its way and what it added to dx2.
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value) {
     state.x2.advance(state.dx2);
-    state.dx2.advance(plan.ball_step);
+    state.dx2.advance(plan.field.ball_step);
   }
   template <class Plan, class State>
   static constexpr auto ball_travel(const Plan& plan, const State& state) {
-    return state.dx2 - plan.ball_step;
+    return state.dx2 - plan.field.ball_step;
   }
   template <class Plan, class State>
   static constexpr auto ball_increment(const Plan& plan, const State&) {
-    return plan.ball_increment;
+    return plan.field.ball_increment;
   }
   template <class Plan, class State>
   static constexpr auto ahead(const Plan& plan, const State&) {
-    return plan.ahead;
+    return plan.field.ahead;
   }
   template <class Plan, class State>
   static constexpr auto behind(const Plan& plan, const State&) {
-    return plan.behind;
+    return plan.field.behind;
   }
   template <class Plan, class State>
   static constexpr auto ball_start(const Plan& plan, const State&) {
-    return plan.ball_start;
+    return plan.field.ball_start;
   }
 };
 
@@ -166,17 +168,19 @@ struct BaseAcceleration : ScenePart {
   struct FieldPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
-    bool has_gravity;
-    decltype(Format::fraction(Gain{}, 0)) by_sample;
-    Value gravity, largest_base;
     struct {
-      Gain at_once, before, now, rate, ahead, behind;
-    } main;
-    Gain ball_rate, rate_apart;
-    Gain offset;                         // x - X
-    int state_places, increment_places;  // to the units of states and increments
-    float per_base_unit;                 // native numbers
-    double base_unit;                    // m/s^2
+      bool has_gravity;
+      decltype(Format::fraction(Gain{}, 0)) by_sample;
+      Value gravity, largest_base;
+      struct {
+        Gain at_once, before, now, rate, ahead, behind;
+      } main;
+      Gain ball_rate, rate_apart;
+      Gain offset;                         // x - X
+      int state_places, increment_places;  // to the units of states and increments
+      float per_sample_unit;               // native numbers
+      double sample_unit;                  // m/s^2
+    } field;
   };
   template <class Format, class Units>
   static constexpr FieldPlan<Format> make_plan(const Scene& scene, const Bounds& bounds, const LinearFlow& main,
@@ -191,20 +195,21 @@ struct BaseAcceleration : ScenePart {
     const double in_displacement = main_mass * main.b0 + (1 + main.e11) * taken, main_rate = in_displacement / main.e12,
                  ball_rate = ball_mass * ball.constant_start();
     const auto gain = [=](double by, int exponent) { return Format::gain(by / in_step, own, exponent); };
-    return {g < 0 || g > 0,
-            Format::fraction(Format::gain(-in_step * base, 0, own), 0),
-            Format::sample(in_step * g * constant::power_of_two(-own)),
-            Format::largest_sample(bounds.base_acceleration),
-            {gain(rest, unit.increment), gain(main_mass * share.before - (1 - main.damping()) * taken, unit.increment),
-             gain(main_mass * share.now + (1 - main.stiffness()) * taken, unit.increment),
-             gain(main_rate, unit.penetration), gain(main_rate, unit.increment), gain(in_displacement, unit.increment)},
-            gain(ball_rate, unit.penetration),
-            gain(ball_rate - main_rate, unit.penetration),
-            gain(ball_mass * ball.b1, unit.increment),
-            units.places_of(own),
-            unit.increment - own,
-            static_cast<float>(base > 0 ? 1 / base : 0),
-            base};
+    return {
+        {g < 0 || g > 0,
+         Format::fraction(Format::gain(-in_step * base, 0, own), 0),
+         Format::sample(in_step * g * constant::power_of_two(-own)),
+         Format::largest_sample(bounds.base_acceleration),
+         {gain(rest, unit.increment), gain(main_mass * share.before - (1 - main.damping()) * taken, unit.increment),
+          gain(main_mass * share.now + (1 - main.stiffness()) * taken, unit.increment),
+          gain(main_rate, unit.penetration), gain(main_rate, unit.increment), gain(in_displacement, unit.increment)},
+         gain(ball_rate, unit.penetration),
+         gain(ball_rate - main_rate, unit.penetration),
+         gain(ball_mass * ball.b1, unit.increment),
+         units.places_of(own),
+         unit.increment - own,
+         static_cast<float>(base > 0 ? 1 / base : 0),
+         base}};
   }
   static constexpr double largest(const Scene& scene, const Bounds& bounds) {
     return constant::magnitude(scene.gravity) + bounds.base_acceleration;
@@ -223,9 +228,9 @@ struct BaseAcceleration : ScenePart {
   };
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
-    state.by_field = plan.gravity;
-    plan.units.add(state.x1, -(plan.offset * state.by_field));
-    plan.units.add(state.x2, -(plan.offset * state.by_field));
+    state.by_field = plan.field.gravity;
+    plan.units.add(state.x1, -(plan.field.offset * state.by_field));
+    plan.units.add(state.x2, -(plan.field.offset * state.by_field));
   }
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
@@ -234,70 +239,70 @@ struct BaseAcceleration : ScenePart {
 
   template <class Plan, class Value>
   static constexpr bool accepts(const Plan& plan, Value sample) {
-    return Plan::FormatType::is_within(sample, plan.largest_base);
+    return Plan::FormatType::is_within(sample, plan.field.largest_base);
   }
   // What stands for a sample that is not accepted: the bound, or 0 for no number.
   template <class Plan, class Value>
   static constexpr Value held(const Plan& plan, Value sample) {
-    return Plan::FormatType::held_within(sample, plan.largest_base, Value{});
+    return Plan::FormatType::held_within(sample, plan.field.largest_base, Value{});
   }
   template <class Plan, class Value>
   [[gnu::always_inline]] static constexpr Value at_end(const Plan& plan, Value sample) {
-    const Value by_base = plan.by_sample * sample;
-    return plan.has_gravity ? by_base + plan.gravity : by_base;
+    const Value by_base = plan.field.by_sample * sample;
+    return plan.field.has_gravity ? by_base + plan.field.gravity : by_base;
   }
 
   // A position, of what is kept in its stead.
   template <class Plan, class State, class Long>
   static constexpr Long place(const Plan& plan, const State& state, Long x) {
-    plan.units.add(x, plan.offset * state.by_field);
+    plan.units.add(x, plan.field.offset * state.by_field);
     return x;
   }
   template <class Plan, class State>
   static constexpr auto main_rate(const Plan& plan, const State& state) {
-    return plan.main.rate * state.by_field;
+    return plan.field.main.rate * state.by_field;
   }
   template <class Plan, class State>
   static constexpr auto ball_rate(const Plan& plan, const State& state) {
-    return plan.ball_rate * state.by_field;
+    return plan.field.ball_rate * state.by_field;
   }
   // The ball's less the main mass's.
   template <class Plan, class State>
   static constexpr auto rate_apart(const Plan& plan, const State& state) {
-    return plan.rate_apart * state.by_field;
+    return plan.field.rate_apart * state.by_field;
   }
   // What the sample at the end of the step adds at once to the main mass's displacement.
   template <class Plan, class Value>
   [[gnu::always_inline]] static constexpr Value at_once(const Plan& plan, Value next) {
-    return plan.main.at_once * next;
+    return plan.field.main.at_once * next;
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State& state, Value next) {
-    return plan.main.before * state.by_field + plan.main.now * next;
+    return plan.field.main.before * state.by_field + plan.field.main.now * next;
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
     state.x2.advance(state.dx2);
     state.by_field = next;
-    plan.units.add(state.dx2, next, plan.state_places);
+    plan.units.add(state.dx2, next, plan.field.state_places);
   }
   template <class Plan, class State>
   static constexpr auto ball_travel(const Plan& plan, const State& state) {
     auto travel = state.dx2;
-    plan.units.add(travel, -state.by_field, plan.state_places);
+    plan.units.add(travel, -state.by_field, plan.field.state_places);
     return travel;
   }
   template <class Plan, class State>
   static constexpr auto ball_increment(const Plan& plan, const State& state) {
-    return Plan::FormatType::moved(state.by_field, plan.increment_places);
+    return Plan::FormatType::moved(state.by_field, plan.field.increment_places);
   }
   template <class Plan, class State>
   static constexpr auto ahead(const Plan& plan, const State& state) {
-    return plan.main.ahead * state.by_field;
+    return plan.field.main.ahead * state.by_field;
   }
   template <class Plan, class State>
   static constexpr auto behind(const Plan& plan, const State& state) {
-    return plan.main.behind * state.by_field;
+    return plan.field.main.behind * state.by_field;
   }
 };
 

@@ -57,16 +57,18 @@ struct DryFriction : ScenePart {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Long = typename Format::Long;
-    Value full;                       // r
-    Value lasting;                    // as positions count: where y is more, the ball slides on
-    Gain main_share;                  // of an impulse, in dx1
-    Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
-    Gain rate_ahead;                  // the same in h v1
-    Gain half_by_full;                // 1/(2 r)
-    Gain excess;                      // of the main mass's momentum by an impulse over the ball's
-    int spare_places;                 // of an impulse that is no more than r
-    Long main_sliding, ball_sliding;  // of a ball that slides forward
-    double friction;                  // R, N
+    struct {
+      Value full;                       // r
+      Value lasting;                    // as positions count: where y is more, the ball slides on
+      Gain main_share;                  // of an impulse, in dx1
+      Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
+      Gain rate_ahead;                  // the same in h v1
+      Gain half_by_full;                // 1/(2 r)
+      Gain excess;                      // of the main mass's momentum by an impulse over the ball's
+      int spare_places;                 // of an impulse that is no more than r
+      Long main_sliding, ball_sliding;  // of a ball that slides forward
+      double force;                     // R, N
+    } friction;
   };
   // m/N: what a constant force between the masses adds to y in a step.
   static constexpr double increment(const LinearFlow& main, const LinearFlow& ball) {
@@ -79,18 +81,15 @@ struct DryFriction : ScenePart {
     const double friction = scene.ball_friction, both = increment(main, ball), full = friction * both;
     const double main_momentum = scene.main_mass * main.constant_increment() / main.e12,
                  momentum_ratio = main_momentum / (scene.ball_mass * ball.constant_increment());
-    return {Format::sample(full * constant::power_of_two(-unit.penetration)),
-            Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
-            Format::gain(main.constant_increment() / both, 0, 0),
-            Format::gain(main.constant_start() / both, 0, 0),
-            Format::gain(ball.constant_start() / both, 0, 0),
-            Format::gain(main.constant_start() / main.e12 / both, 0, 0),
-            Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
-            Format::gain(momentum_ratio - 1, unit.penetration, unit.penetration),
-            unit.penetration - constant::exponent_above(2 * full),
-            units.state(friction * main.constant_increment()),
-            units.state(-friction * ball.constant_increment()),
-            friction};
+    return {{Format::sample(full * constant::power_of_two(-unit.penetration)),
+             Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
+             Format::gain(main.constant_increment() / both, 0, 0), Format::gain(main.constant_start() / both, 0, 0),
+             Format::gain(ball.constant_start() / both, 0, 0),
+             Format::gain(main.constant_start() / main.e12 / both, 0, 0),
+             Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
+             Format::gain(momentum_ratio - 1, unit.penetration, unit.penetration),
+             unit.penetration - constant::exponent_above(2 * full), units.state(friction * main.constant_increment()),
+             units.state(-friction * ball.constant_increment()), friction}};
   }
 
   template <class Format>
@@ -110,20 +109,21 @@ struct DryFriction : ScenePart {
   // little of the main mass's own.
   template <class Plan, class Value>
   static constexpr Value rubbing_rate(const Plan& plan, Value sliding, Value main) {
-    return sliding - plan.excess * main;
+    return sliding - plan.friction.excess * main;
   }
   // Half of what the last impulse dissipates at such a rate, over R.
   template <class Plan, class State, class Value>
   static constexpr auto dissipated(const Plan& plan, const State& state, Value rate) {
     using Format = typename Plan::FormatType;
-    const bool is_full = !is_positive(state.lasting - plan.lasting), back = !state.ball_push.is_negative();
-    return work(is_full ? mirrored(Format::value(Format::constant(0.5)), back) : plan.half_by_full * state.impulse,
-                rate);
+    const bool is_full = !is_positive(state.lasting - plan.friction.lasting), back = !state.ball_push.is_negative();
+    return work(
+        is_full ? mirrored(Format::value(Format::constant(0.5)), back) : plan.friction.half_by_full * state.impulse,
+        rate);
   }
   // From a rest of both or a sliding, with half of the impulse; `way` is y.
   template <class Plan, class State, class Value>
   static constexpr void begin(const Plan& plan, State& state, Value way) {
-    state.impulse = held(Passive<Value>{-plan.full, plan.full}, way + way);
+    state.impulse = held(Passive<Value>{-plan.friction.full, plan.friction.full}, way + way);
     state.lasting = never<Plan>();
     move(plan, state, state.impulse);
   }
@@ -150,9 +150,9 @@ struct DryFriction : ScenePart {
   template <class Plan, class Value>
   static constexpr Passive<Value> passive(const Plan& plan, Value rate) {
     using Format = typename Plan::FormatType;
-    const Value half_full = Format::value(half(plan.full));
+    const Value half_full = Format::value(half(plan.friction.full));
     // An impulse as large as the rate takes s of it, a little more than all; 1/s is no less than 2 - s.
-    const Value main = plan.rate_ahead * rate, ball = plan.ball_ahead * rate;
+    const Value main = plan.friction.rate_ahead * rate, ball = plan.friction.ball_ahead * rate;
     const Value half_more = rubbing_rate(plan, main + ball, -main) - Format::value(half(rate));
     const Value half_most = held(Passive<Value>{-half_full, half_full}, rate - half_more - half_more);
     const Value most = half_most + half_most;
@@ -165,17 +165,18 @@ struct DryFriction : ScenePart {
     using Format = typename Plan::FormatType;
     const Value way = plan.units.relative(ahead);
     const bool back = is_negative(is_positive(slid) || is_negative(slid) ? slid : way);
-    const Value behind = plan.full - mirrored(way, back), change = mirrored(slid, back) + behind;  // r - y, y0 + r - y
-    const Value twice_full = plan.full + plan.full;
+    const Value behind = plan.friction.full - mirrored(way, back),
+                change = mirrored(slid, back) + behind;  // r - y, y0 + r - y
+    const Value twice_full = plan.friction.full + plan.friction.full;
     if (!is_positive(behind)) {
-      const Value impulse = mirrored(plan.full, back);
+      const Value impulse = mirrored(plan.friction.full, back);
       if (allows(allowed, impulse))
         slide(plan, state, back);
       else
         set(plan, state, held(allowed, impulse));
     } else if (is_positive(change - twice_full)) {
       const auto left = Format::short_quotient(without_sign(behind), without_sign(change));
-      const Value impulse = difference(without_sign(plan.full), without_sign(twice_full) * left);
+      const Value impulse = difference(without_sign(plan.friction.full), without_sign(twice_full) * left);
       set(plan, state, held(allowed, mirrored(impulse, back)));
     } else if (allows(allowed, way)) {
       stick(plan, state, way, ahead);
@@ -186,10 +187,10 @@ struct DryFriction : ScenePart {
   // The full impulse, on and on.
   template <class Plan, class State>
   [[gnu::always_inline]] static constexpr void slide(const Plan& plan, State& state, bool back) {
-    state.main_push = mirrored(plan.main_sliding, back);
-    state.ball_push = mirrored(plan.ball_sliding, back);
-    state.impulse = mirrored(plan.full, back);
-    state.lasting = plan.lasting;
+    state.main_push = mirrored(plan.friction.main_sliding, back);
+    state.ball_push = mirrored(plan.friction.ball_sliding, back);
+    state.impulse = mirrored(plan.friction.full, back);
+    state.lasting = plan.friction.lasting;
     push(state, state.main_push, state.ball_push);
   }
 
@@ -202,7 +203,7 @@ struct DryFriction : ScenePart {
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void set(const Plan& plan, State& state, Value impulse) {
     typename Plan::FormatType::Long main{}, ball{};
-    plan.units.displace(main, plan.main_share, impulse);
+    plan.units.displace(main, plan.friction.main_share, impulse);
     plan.units.displace(ball, -impulse);
     ball.advance(main);
     push(state, main, ball);
@@ -212,8 +213,8 @@ struct DryFriction : ScenePart {
   // By half a step of this impulse.
   template <class Plan, class State, class Value>
   static constexpr void move(const Plan& plan, State& state, Value impulse) {
-    plan.units.displace(state.dx1, plan.main_ahead, impulse);
-    plan.units.displace(state.dx2, plan.ball_ahead, -impulse);
+    plan.units.displace(state.dx1, plan.friction.main_ahead, impulse);
+    plan.units.displace(state.dx2, plan.friction.ball_ahead, -impulse);
   }
   template <class Plan>
   static constexpr auto never() {
@@ -222,7 +223,7 @@ struct DryFriction : ScenePart {
   // No way at all.
   template <class Plan, class State, class Value, class Long>
   [[gnu::always_inline]] static constexpr void stick(const Plan& plan, State& state, Value way, Long ahead) {
-    const Long main = plan.units.part(plan.main_share, ahead, plan.spare_places);
+    const Long main = plan.units.part(plan.friction.main_share, ahead, plan.friction.spare_places);
     push(state, main, main - ahead);
     state.impulse = way;
     state.lasting = never<Plan>();

@@ -34,9 +34,10 @@
 // long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the ball would end a step inside the stop and
 // approach it still, the impulse takes V away, t = d/V as if V had come from rest, within the same limits, and the ball
 // is put on its stop: no buzzing, no sinking in. It rests on while V is what A makes of rest in a step, up to a third
-// more, V <= (4/3) A: a small bounce inside instead would be lifted out again, which in a field is energy that nothing
-// has paid, and friction could take it step after step. One impact a step: a ball that crosses the clearance in less
-// goes beyond the other stop by less than it flies in a step, and is turned back in the next.
+// more, V <= (4/3) A. In a field to be put on the stop is to be lifted: t is no more than V/(2 A) there, when the speed
+// was V/2 at least, so that all of V is taken. Otherwise the ball would bounce inside the stop and be lifted again, and
+// friction would take each time what that gives. One impact a step: a ball that crosses the clearance in less goes
+// beyond the other stop by less than it flies in a step, and is turned back in the next.
 
 #include <impact/law/rebound.hpp>
 #include <impact/law/resolution.hpp>
@@ -150,7 +151,8 @@ struct Impulsive {
       if (!is_positive(trial) || !is_positive(trial_rate)) return {{}, {}, trial_rate};
       const Value rate = units.held(trial_rate, plan.largest_rate);
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
-      if constexpr (__is_base_of(ApproachInField<Value>, Seen)) {
+      constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);
+      if constexpr (is_in_field) {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
         acceleration = main_part + units.increment_of_rate(step.ball_increment);
       }
@@ -173,7 +175,11 @@ struct Impulsive {
         }
       }
       rests = 1;
-      const auto t = Format::quotient(positive_part(trial), positive_part(rate));
+      auto t = Format::quotient(positive_part(trial), positive_part(rate));
+      if constexpr (is_in_field) {
+        const auto since_rest = Format::quotient(positive_part(half_rate), positive_part(acceleration));
+        if (is_positive(acceleration) && is_positive(Format::value(t) - Format::value(since_rest))) t = since_rest;
+      }
       const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
       return at.split(t, held(plan, units, no_more(no_more(half_rate, at.rate), at.undamped(plan, t, step.damped))));
     }

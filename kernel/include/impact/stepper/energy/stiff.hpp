@@ -61,7 +61,8 @@
 //
 // where a step leaves less of it: by b where |2 b - D - g| > 2 V1, as at both ends of a contact, where the slope by V1
 // has no bound. A ball that enters and leaves in one step is put back to its stop from D - b inside, and has lost b (D
-// - b): with b no less than g, or D, it gains nothing by that. The ledger counts what is taken as dissipated, with its
+// - b): with b no less than g, or D, it gains nothing by that. One that would end outside stays there in a field that
+// pulls it away: to put it nearer to its stop would lift it. The ledger counts what is taken as dissipated, with its
 // sign: it falls by that. tests/host/coupled_search_test.cpp has what a ball of many main masses gained otherwise.
 
 #include <impact/law/impact_damping.hpp>
@@ -325,9 +326,12 @@ struct StiffContact {
         const Value least = is_positive(step.travel - step.field) ? step.field : step.travel;
         if (is_positive(least - recoil)) recoil = least;
       }
-      if (!step.is_inside) return {recoil, Value{}, Value{}, false};
-      const Value end = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
-      return {recoil, Value{}, is_positive(end) ? Value{} : is_positive(end - farthest) ? end : farthest, false};
+      const Value free = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
+      Value end{};
+      if (step.is_inside && !is_positive(free)) end = is_positive(free - farthest) ? free : farthest;
+      if constexpr (is_in_field)
+        if (is_negative(step.field) && is_positive(end - free)) end = free;
+      return {recoil, Value{}, end, false};
     }
     [[gnu::always_inline]] constexpr Value slowed_half_rate(Value damped, Value base) const {
       const bool forward = is_positive(damped);

@@ -215,10 +215,6 @@ struct Fixed32Units {
   }
   // 1, and a purely elastic force, in the unit of forces.
   constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
-  // A number from what counts in the unit of forces.
-  constexpr Value as_number(Value x) const {
-    return {force_bits >= 0 ? static_cast<int32_t>(static_cast<uint32_t>(x.raw) << force_bits) : x.raw >> -force_bits};
-  }
   constexpr Value elastic(Value x) const {
     return {force_bits >= 0 ? x.raw >> force_bits : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -force_bits)};
   }

@@ -176,7 +176,6 @@ struct RealFormat {
     static constexpr bool holds_start(Long, Long, Long, Long) { return true; }
     static constexpr Value one() { return 1; }
     static constexpr Value elastic(Value x) { return x; }
-    static constexpr Value as_number(Value x) { return x; }
   };
 
   using Weight = Gain;

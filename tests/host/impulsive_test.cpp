@@ -309,32 +309,6 @@ TYPED_TEST(ImpulsiveStep, GivesNothingBackThatTheDamperTook) {
   EXPECT_GE(impacts, 600u);
 }
 
-// The damper slows the main mass before the impact and after it: v1 exp(-c t/M). An elastic impact at its instant, at
-// which v2 of a ball at rest is 2 mu/m times v1, to second order in c h/M: also in the step of the impact itself.
-TYPED_TEST(ImpulsiveStep, ReboundsFromADampedMainMassToSecondOrder) {
-  const double h = 1e-3, rounding = is_double<TypeParam> ? 1e-5 : 3e-5;  // a contact of 3e-4 of a step
-  for (const double damping : {0.003, 0.01, 0.03})
-    for (const double ratio : {0.05, 0.3})
-      for (int phase = 0; phase < 64; ++phase) {
-        Scene scene = free_scene();
-        scene.main_damping = damping / h;
-        scene.ball_mass = ratio;
-        scene.stops = Stops::right;
-        scene.contact_stiffness = 1e16;
-        scene.v1 = -1;
-        const double way = h * (phase + 0.5) / 64;  // of the main mass until the impact
-        scene.x2 = scene.clearance / 2 - way;
-        const auto plan = Kernel<TypeParam, Hertz>::PlanType::make(scene, {0.1, 2, 0, 0}, h);
-        ASSERT_EQ(plan.status, PlanStatus::ok);
-        Kernel<TypeParam, Hertz> absorber(plan);
-        absorber.step();
-        absorber.step();
-        const double v1 = scene.v1 + scene.main_damping * way;  // c x + M v1 is constant
-        ASSERT_NEAR(absorber.reading().v2, 2 / (1 + ratio) * v1, damping * damping + rounding)
-            << damping << " " << ratio << " " << phase;
-      }
-}
-
 // A ball that starts inside a stop is put on it.
 TYPED_TEST(ImpulsiveStep, StartsInsideAStop) {
   for (double side : {1.0, -1.0}) {

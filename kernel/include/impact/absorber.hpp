@@ -569,7 +569,7 @@ class Absorber
     step.travel = mirrored(flown(main_travel), left);
     step.before = step.penetration - step.travel;
     if constexpr (Contact::is_instantaneous)
-      step.main_travel = mirrored(plan.units.relative(main_travel), left);
+      step.damped = mirrored(Format::term(plan.damping, plan.units.displacement(main_travel)), left);
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }
 

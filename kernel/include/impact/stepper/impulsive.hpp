@@ -25,10 +25,8 @@
 //
 //     J = 2 mu (Vi - loss V0)    V0 = Vi - A depth/D >= 0
 //
-// so that rounding cannot put it above. The damper changes the main mass's speed between the impact and the end of the
-// step, by up to t c h/M of its way X in the step: Vi is the rate with that, and without it V is lower or higher. An
-// impulse beyond it gains up to J t c X/(M h) of the energy at the end of the step, of which the damper has taken
-// c X^2/h at least, so that it creates none for t J h <= M |X|; otherwise J is held to 2 mu V. V0 is the rate at first
+// so that rounding cannot put it above. What the damper takes of the main mass's speed between the impact and the end
+// of the step is in Vi, and no more there to be given back: J is held to 2 mu Vi without it. V0 is the rate at first
 // touch, A the acceleration towards the stop by spring and drive: it makes the ball faster on its way to the centroid,
 // and gives that speed back on the way out.
 //
@@ -84,8 +82,6 @@ struct Impulsive {
       Rebound<Format, ContactLaw> rebound;
       Gain acceleration;  // the change of the displacement per step, as one of the rate
       Gain turn;          // (w0 h)^2
-      Gain damper;        // the change of the rate by the damper, of the main mass's way in a step
-      Gain main_share;    // mu/M
       Value largest_rate, largest_impulse;
     };
     // Rates and penetrations count in one unit, impulses in 2 mu of it.
@@ -103,8 +99,6 @@ struct Impulsive {
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const double h = terms.step, main_mass = terms.main_mass, ball_mass = terms.ball_mass;
       const double impulse = terms.force_unit * h * h, turn = terms.main_stiffness * h * h / main_mass;
-      // Over the flow's own curvature at a displacement, so that the rate is that of the derivation above.
-      const double curvature = turn > 0 ? turn / flow.stiffness() : 1;
       const double unit_impulse =
           impulse / constant::smaller(ball_mass, main_mass) * constant::power_of_two(-unit.push);
       return {
@@ -113,10 +107,9 @@ struct Impulsive {
            Format::gain(impulse / ball_mass, 0, unit.push), Format::gain(0, 0, 0), Format::gain(0, 0, 0),
            Format::gain(0, 0, 0)},
           Rebound<Format, ContactLaw>::make(terms, unit),
-          Format::gain(curvature, unit.increment, unit.penetration),
+          // Over the flow's own curvature at a displacement, so that the rate is that of the derivation above.
+          Format::gain(turn > 0 ? turn / flow.stiffness() : 1, unit.increment, unit.penetration),
           Format::gain(turn, 0, 0),
-          Format::gain(terms.main_damping > 0 ? flow.damping() * curvature : 0, 0, 0),
-          Format::gain(reduced_mass(terms) / main_mass, 0, 0),
           Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
           Format::sample(0.999999 / unit_impulse)};
     }
@@ -174,7 +167,7 @@ struct Impulsive {
         const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
         const Value touch_rate = at.rate - over(pressed, travel);
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
-        const Value impulse = held(plan, units, at.passive(plan, t, asked, step.main_travel));
+        const Value impulse = held(plan, units, no_more(asked, at.undamped(plan, t, step.damped)));
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - Format::value(half(rate)))) {
           if (!is_inside) phase = Phase::apart;
@@ -188,7 +181,7 @@ struct Impulsive {
         if (is_positive(acceleration) && is_positive(Format::value(t) - Format::value(since_rest))) t = since_rest;
       }
       const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
-      return at.split(t, held(plan, units, at.passive(plan, t, no_more(half_rate, at.rate), step.main_travel)));
+      return at.split(t, held(plan, units, no_more(no_more(half_rate, at.rate), at.undamped(plan, t, step.damped))));
     }
 
    private:
@@ -217,14 +210,11 @@ struct Impulsive {
           : turned(plan.turn * Format::value(square(t))),
             rate(rate_at_end - Format::value(t * (acceleration - sixth(main_part))) +
                  Format::value(half(turned * main_rate))) {}
-      // No more than the rate without what the damper has taken since, or than the damper has paid for.
+      // Without what the damper has taken since.
       template <class Share>
-      constexpr Value passive(const Plan& plan, Share t, Value asked, Value main_travel) const {
-        const Value part = Format::term(plan.damper, main_travel);
-        const Value undamped = rate + Format::value(t * (part - sixth(part)));
-        const Value way = Format::value(half(mirrored(main_travel, is_negative(main_travel))));
-        const bool is_paid = !is_positive(plan.main_share * Format::value(t * asked) - way);
-        return is_paid ? asked : no_more(asked, undamped);
+      constexpr Value undamped(const Plan& plan, Share t, Value damped) const {
+        const Value part = plan.acceleration * damped;
+        return rate + Format::value(t * (part - sixth(part)));
       }
       constexpr Value sixth(Value x) const { return Format::value(turned * x * Format::short_constant(1.0 / 6)); }
       template <class Share>

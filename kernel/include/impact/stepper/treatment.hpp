@@ -45,7 +45,7 @@ struct ApproachInField : Approach<Value> {
 // Either, for an impact at an instant.
 template <class Seen, class Value>
 struct ApproachAtInstant : Seen {
-  Value main_travel;  // of the main mass in the step
+  Value damped;  // the damper's part of the increment
 };
 
 // The impulse of the contact's force in a step, and its moment about the step's end.

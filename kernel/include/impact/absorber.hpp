@@ -597,8 +597,10 @@ class Absorber
   [[gnu::always_inline]] constexpr bool push(SeenStep& step, Value increment, bool left) {
     const auto& units = plan.units;
     Contact& contact = state_.contact;
-    if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left))
+    if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left)) {
+      if (judges_contact_once()) hold_in_range();
       return false;
+    }
     if constexpr (Field::is_field) {
       const Value ball = Field::ball_increment(plan, state_);
       step.ball_increment = left ? -ball : ball;

@@ -62,13 +62,18 @@ struct Impulsive {
   // Radians of the main mass in a step, in a field: a ball of a thousand main masses that rests on its stop while both
   // are carried along is lifted by what the response leaves of the fourth order, and gains 5 % of the energy at 0.9.
   static constexpr double longest_phase_in_field = 0.5;
+  // What a ball at rest comes with in a step, (1 + m/M) a h, of the fastest impact's rate: beyond the whole of that it
+  // would be held, and what is cut off would stay in its speed.
+  static constexpr double largest_rate_of_rest = 0.5;
   static constexpr bool is_instant(const Resolution& contact, double main_phase) {
     return contact.main_phase <= main_phase && contact.field_share <= largest_field_share;
   }
   static constexpr Range steps(const Resolution& contact) {
     if (!is_instant(contact, longest_main_phase)) return {0, 0};
     if (!(contact.field_share > 0)) return any_step;
-    return {0, constant::smaller(any_step.most, longest_phase_in_field / (contact.main_pulsation + 1e-300))};
+    const double by_phase = longest_phase_in_field / (contact.main_pulsation + 1e-300),
+                 by_rest = largest_rate_of_rest * contact.contact_time / contact.field_share;
+    return {0, constant::smaller(any_step.most, constant::smaller(by_phase, by_rest))};
   }
 
   template <class Format, class ContactLaw>

@@ -24,9 +24,9 @@
 // omega)^6/900 at first, and grows above h omega = 2.69. With both it grows nowhere within z <= 2.7, h omega <= 2.2.
 // The step is taken up to z = 2.5 and h omega = 0.9 (5 steps a contact), where both are well inside.
 // The response of the main mass (moment/response.hpp) leaves out terms of third order in w0 h. Of the energy of both
-// masses a contact without damping creates by them up to 6e-5 at 0.15, with the fourth power of w0 h (coupled to a ball
+// masses a contact without damping creates by them up to 8e-5 at 0.16, with the fourth power of w0 h (coupled to a ball
 // of 1e-1 to 1e2 main masses, 8 to 20 steps a contact). A ball that is never free, since it crosses its clearance in a
-// small part of a step, gains 0.3 % in 2000 steps so; at 0.19, beyond the limit, 1.3 %.
+// small part of a step, gains 0.1 % in 2000 steps so; at 0.19, beyond the limit, 1.3 %.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>
@@ -39,7 +39,7 @@ namespace impact {
 struct Moment {
   static constexpr uint32_t kind = 1;  // a saved state is of one kind of stepper
   // Radians of the main mass's own vibration in a step.
-  static constexpr double longest_phase = 0.15;
+  static constexpr double longest_phase = 0.16;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
   static constexpr double fewest_steps = 5, precise_steps = 8;  // per Resolution::detail

@@ -33,11 +33,17 @@
 // Settling. A presses the ball against its stop when the contact, which lasts about twice the time to its centroid, is
 // long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the ball would end a step inside the stop and
 // approach it still, the impulse takes V away, t = d/V as if V had come from rest, within the same limits, and the ball
-// is put on its stop: no buzzing, no sinking in. It rests on while V is what A makes of rest in a step, up to a third
-// more, V <= (4/3) A. In a field to be put on the stop is to be lifted: t is no more than V/(2 A) there, when the speed
-// was V/2 at least, so that all of V is taken. Otherwise the ball would bounce inside the stop and be lifted again, and
-// friction would take each time what that gives. One impact a step: a ball that crosses the clearance in less goes
-// beyond the other stop by less than it flies in a step, and is turned back in the next.
+// is put on its stop. In a field that is to be lifted: t is no more than V/(2 A) there, when the speed was V/2 at
+// least, so that all of V is taken. One impact a step: a ball that crosses the clearance in less goes beyond the other
+// stop by less than it flies in a step, and is turned back in the next.
+//
+// Rest. A ball on its stop is held there by a force that is constant over the step,
+//
+//     f = d/(b + h^2/2m)        x1 += b f    v1 += c f    x2 -= f h^2/2m    v2 -= f h/m
+//
+// with the flow's own response (b, c), so that it does exactly what a force does, at any damping and in any field: from
+// the stop to the stop it does no work. A rate of penetration that it leaves at the end is taken by an impulse there; a
+// ball that it leaves going away is let go. So nothing buzzes or sinks in, and the force is the static one at rest.
 
 #include <impact/law/rebound.hpp>
 #include <impact/law/resolution.hpp>
@@ -59,8 +65,8 @@ struct Impulsive {
   // A ball that is put on its stop is lifted against a field a by up to the depth d of an impact, which makes m a d: of
   // the fastest impact's energy mu V^2/2, with d = V tc/pi, (2/pi) (1 + m/M) a tc/V = 0.64 field_share.
   static constexpr double largest_field_share = 0.01;
-  // Radians of the main mass in a step, in a field: a ball of a thousand main masses that rests on its stop while both
-  // are carried along is lifted by what the response leaves of the fourth order, and gains 5 % of the energy at 0.9.
+  // Radians of the main mass in a step, in a field: what the response to an impact leaves of the fourth order can leave
+  // the ball inside its stop, and it is lifted out, which made up to 2 % of a swing's energy at 0.9.
   static constexpr double longest_phase_in_field = 0.5;
   // What a ball at rest comes with in a step, (1 + m/M) a h, of the fastest impact's rate: beyond the whole of that it
   // would be held, and what is cut off would stay in its speed.
@@ -88,6 +94,11 @@ struct Impulsive {
       Gain acceleration;  // the change of the displacement per step, as one of the rate
       Gain turn;          // (w0 h)^2
       Value largest_rate, largest_impulse;
+      struct {
+        typename Format::HeldGain force;  // f h, from d
+        Gain displacement, rate;  // what it does to the main mass, over what an impulse at the step's start does
+        Gain penetration_rate;    // and to the rate of penetration
+      } rest;
     };
     // Rates and penetrations count in one unit, impulses in 2 mu of it.
     static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
@@ -104,6 +115,8 @@ struct Impulsive {
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const double h = terms.step, main_mass = terms.main_mass, ball_mass = terms.ball_mass;
       const double impulse = terms.force_unit * h * h, turn = terms.main_stiffness * h * h / main_mass;
+      const double mass = 2 * reduced_mass(terms), displacement_by_force = (flow.b0 + flow.b1) / (h * h),
+                   rate_by_force = (flow.c0 + flow.c1) / (h * h);
       const double unit_impulse =
           impulse / constant::smaller(ball_mass, main_mass) * constant::power_of_two(-unit.push);
       return {
@@ -112,11 +125,16 @@ struct Impulsive {
            Format::gain(impulse / ball_mass, 0, unit.push), Format::gain(0, 0, 0), Format::gain(0, 0, 0),
            Format::gain(0, 0, 0)},
           Rebound<Format, ContactLaw>::make(terms, unit),
-          // Over the flow's own curvature at a displacement, so that the rate is that of the derivation above.
-          Format::gain(turn > 0 ? turn / flow.stiffness() : 1, unit.increment, unit.penetration),
+          // What a force does to a free main mass over what it adds to the displacement per step, so that the rate is
+          // that of the derivation above.
+          Format::gain(h * h / (main_mass * flow.constant_increment()), unit.increment, unit.penetration),
           Format::gain(turn, 0, 0),
           Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
-          Format::sample(0.999999 / unit_impulse)};
+          Format::sample(0.999999 / unit_impulse),
+          {{Format::gain(1 / (mass * (displacement_by_force + 0.5 / ball_mass)), 0, 0)},
+           Format::gain(main_mass * displacement_by_force, 0, 0),
+           Format::gain(main_mass * rate_by_force, 0, 0),
+           Format::gain(mass * (rate_by_force + 1 / ball_mass), 0, 0)}};
     }
 
     static constexpr bool is_instantaneous = true;
@@ -125,7 +143,10 @@ struct Impulsive {
     Phase phase;
     uint32_t rests;  // put on the stop by the last step
 
-    constexpr void start(const Plan&, const Units&, Value, Value) { phase = Phase::touching; }
+    constexpr void start(const Plan&, const Units&, Value, Value) {
+      phase = Phase::touching;
+      rests = 0;
+    }
 
     template <class State>
     [[gnu::always_inline]] constexpr void place_ball(const Plan&, const Units& units, State& state, bool left) const {
@@ -153,8 +174,10 @@ struct Impulsive {
       const bool has_rested = rests && phase == Phase::touching;
       rests = 0;
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
-      if (!is_positive(trial) || !is_positive(trial_rate)) return {{}, {}, trial_rate};
+      if (!is_positive(trial)) return {{}, {}, trial_rate};
       const Value rate = units.held(trial_rate, plan.largest_rate);
+      if (has_rested) return rest(plan, units, trial, rate);
+      if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);
       if constexpr (is_in_field) {
@@ -164,8 +187,7 @@ struct Impulsive {
       const auto bounce = plan.rebound.at(is_positive(travel) ? units.held(travel, plan.largest_rate) : rate);
       const Value pressed = Format::value(acceleration * bounce.depth);
       const Value half_rate = Format::value(half(rate));
-      const bool rests_on = has_rested && !is_positive(half_rate + Format::value(half(half_rate)) - acceleration);
-      if (!rests_on && !is_positive(pressed - Format::value(half(rate * rate)))) {
+      if (!is_positive(pressed - Format::value(half(rate * rate)))) {
         const Value beyond = trial - bounce.depth;
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
@@ -174,7 +196,7 @@ struct Impulsive {
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
         const Value impulse = held(plan, units, no_more(asked, at.undamped(plan, t, step.damped)));
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
-        if (!is_inside || is_positive(impulse - Format::value(half(rate)))) {
+        if (!is_inside || is_positive(impulse - half_rate)) {
           if (!is_inside) phase = Phase::apart;
           return at.split(t, impulse);
         }
@@ -183,13 +205,22 @@ struct Impulsive {
       auto t = Format::quotient(positive_part(trial), positive_part(rate));
       if constexpr (is_in_field) {
         const auto since_rest = Format::quotient(positive_part(half_rate), positive_part(acceleration));
-        if (is_positive(acceleration) && is_positive(Format::value(t) - Format::value(since_rest))) t = since_rest;
+        if (is_positive(Format::value(t) - Format::value(since_rest))) t = since_rest;
       }
       const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
       return at.split(t, held(plan, units, no_more(no_more(half_rate, at.rate), at.undamped(plan, t, step.damped))));
     }
 
    private:
+    [[gnu::always_inline]] constexpr SplitImpulse<Value> rest(const Plan& plan, const Units& units, Value trial,
+                                                              Value rate) {
+      rests = 1;
+      const Value force = held(plan, units, plan.rest.force * trial), left = rate - plan.rest.penetration_rate * force,
+                  last = Format::value(half(is_positive(left) ? left : Value{})), impulse = force + last;
+      return {{plan.rest.rate * force + last, plan.rest.displacement * force},
+              {impulse, Format::value(half(force))},
+              impulse};
+    }
     static constexpr double reduced_mass(const ContactTerms& terms) {
       return 1 / (1 / terms.ball_mass + 1 / terms.main_mass);
     }

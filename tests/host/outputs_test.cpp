@@ -358,6 +358,44 @@ TEST(Restoring, RefusesAnotherBetaOrRoot) {
   EXPECT_FALSE(takes_over(lookup, run<Saver<BasicFloat32<HardwareRoot>, Moment>>()));
 }
 
+// At every step of a run with corrections, and not with a contact whose numbers are not each other's.
+template <class Kernel>
+void restore_at_every_step() {
+  Scene scene;
+  scene.ball_friction = 0.2;
+  const auto plan = Kernel::PlanType::make(scene, Bounds{}, h);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Kernel kernel(plan), other(plan);
+  const auto dx = native<typename Kernel::Format>(1e-6, kernel.displacement_unit());
+  int contacts = 0;
+  for (int n = 0; n < 20000; ++n) {
+    kernel.step();
+    if (n % 16 == 0) kernel.correct(n % 32 ? dx : -dx, {});
+    const auto saved = kernel.save();
+    ASSERT_TRUE(other.restore(saved)) << n;
+    if (!kernel.is_touching()) continue;
+    auto shallow = saved, rootless = saved;
+    shallow.state.contact.penetration = {};
+    rootless.state.contact.root = {};
+    ASSERT_FALSE(other.restore(shallow) || other.restore(rootless)) << n;
+    ++contacts;
+  }
+  EXPECT_GT(contacts, 500);
+}
+TYPED_TEST(Formats, RestoresEveryStateAndNoContactThatDoesNotFitTogether) {
+  restore_at_every_step<Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, DryFriction, EnergyLedger>>();
+  restore_at_every_step<Absorber<AtRunTime, Hertz, SubsteppedMoment<4>, Sine, TypeParam, DryFriction>>();
+  restore_at_every_step<Absorber<AtRunTime, HuntCrossley, EnergyConsistent, Sine, TypeParam, DryFriction>>();
+}
+
+TEST(Restoring, RefusesALedgerFarFromItsMainMass) {
+  auto kernel = run<Saver<Fixed32, Moment, EnergyLedger>>();
+  auto saved = kernel.save();
+  saved.state.x1.raw = -(INT64_C(1) << 61);
+  saved.state.x1_before.raw = (INT64_C(1) << 62) - 1;
+  EXPECT_FALSE(kernel.restore(saved));
+}
+
 TEST(Restoring, IsPossibleForImpulsiveSteppersOfEveryLaw) {
   using Kernel = Absorber<AtRunTime, HuntCrossleyPerImpact, Impulsive, Sine, Fixed32>;
   const auto kernel = run<Kernel>(1e9);

@@ -281,8 +281,9 @@ class Absorber
   // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same
   // on every little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's
   // version, the scene, the bounds, the step or a type differ, or when no step can have left the state: displacements,
-  // drive or kind of contact are out of range. (What a contact remembers of its forces is not judged: it cannot do
-  // more than raise a fault.)
+  // drive or kind of contact are out of range, or a contact under way does not fit together. It is no signature: of
+  // bytes that somebody has made up to pass, the next steps are defined and end in range or with a fault, but they are
+  // no motion of this absorber.
   static constexpr uint32_t state_version = 3;
   struct Saved {
     uint32_t version, plan_identity;
@@ -718,7 +719,8 @@ class Absorber
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (counts_slid_way) is_sound = is_sound && Format::is_sound(state.slid);
     if constexpr (has_own_damping) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
-    return is_sound && state.contact.is_sound(plan.contact, units) && (Features::is_sound(plan, state) && ...);
+    return is_sound && state.contact.is_sound(plan.contact, units) && state.contact.fits_together(plan.contact) &&
+           (Features::is_sound(plan, state) && ...);
   }
 
   // What contact or a change of plan has left beyond its range.

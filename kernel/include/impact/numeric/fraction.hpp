@@ -23,6 +23,8 @@ struct Signed {
 template <int bits>
 struct Unsigned {
   uint32_t raw;
+
+  friend constexpr bool operator==(Unsigned x, Unsigned y) { return x.raw == y.raw; }
 };
 
 // A factor of 15 bits, for what is small or a constant of no weight: without a long multiplication a product with it

@@ -145,6 +145,11 @@ struct Treatment {
   static constexpr bool is_sound(const Plan&, const Units&) {
     return true;
   }
+  // Of a contact from elsewhere.
+  template <class Plan>
+  static constexpr bool fits_together(const Plan&) {
+    return true;
+  }
 };
 
 // The ball goes back to its stop before it is touched: a penetration that it has flown into freely would store energy

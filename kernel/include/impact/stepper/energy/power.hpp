@@ -142,6 +142,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     taken[1] = taken[0] + fall;
     taken[2] = taken[1] + fall;
   }
+  constexpr bool fits_together(const Plan& plan) const {
+    return !plan.is_resolved || phase == Phase::apart ||
+           (is_positive(penetration) && root == Format::root(penetration));
+  }
   template <class State>
   [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
                                                             bool left) {

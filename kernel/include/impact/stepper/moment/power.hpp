@@ -74,6 +74,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     root = Format::root(at);
     phase = Phase::touching;
   }
+  constexpr bool fits_together(const Plan&) const {
+    return phase == Phase::apart || (is_positive(penetration) && root == Format::root(penetration));
+  }
   constexpr void bear(const Plan& plan, Value load) { change = Format::moved(load, -plan.travel_places); }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                              const Approach<Value>& step, const MomentPower& before,

@@ -115,6 +115,7 @@ struct SubsteppedMoment {
     constexpr void hold_damping(const Plan& plan, Value at, Value rate) {
       Inner::hold_damping(plan.inner, at, plan.part * rate);
     }
+    constexpr bool fits_together(const Plan& plan) const { return Inner::fits_together(plan.inner); }
     constexpr void change_rate(const Plan& plan, Value by) {
       step_rate = step_rate + by;
       Inner::change_rate(plan.inner, plan.part * by);

@@ -92,7 +92,7 @@ struct Fixed32Units {
   static constexpr double fraction(Value x) { return x.raw * constant::power_of_two(-31); }
   static constexpr double fraction(Energy x) { return static_cast<double>(x.raw) * constant::power_of_two(-62); }
 
-  static constexpr Value position(Long x) { return {opaque(static_cast<int32_t>(x.raw >> 32))}; }
+  static constexpr Value position(Long x) { return {upper_word(x.raw)}; }
   constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
   // Of a displacement per step and of a force: their own units serve.
   static constexpr Value velocity(Value per_step) { return per_step; }

@@ -47,6 +47,9 @@ constexpr int32_t opaque(int32_t x) {
 
 constexpr uint32_t opaque(uint32_t x) { return static_cast<uint32_t>(opaque(static_cast<int32_t>(x))); }
 
+// The upper word. (Shifted with its sign GCC knows it for one, see above.)
+constexpr int32_t upper_word(int64_t x) { return static_cast<int32_t>(static_cast<uint64_t>(x) >> 32); }
+
 // The same address, by which the compiler then reads all that stands there.
 template <class Entry>
 inline const Entry* veiled(const Entry* x) {

@@ -76,7 +76,7 @@ struct IntegerOscillator {
            slope >= -plan.largest_slope;
   }
   static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }
-  constexpr int32_t value_head() const { return opaque(static_cast<int32_t>(value >> 32)); }
+  constexpr int32_t value_head() const { return upper_word(value); }
   constexpr int32_t slope_head(const Plan& plan) const { return static_cast<int32_t>(slope >> (32 - plan.slope_bits)); }
 };
 

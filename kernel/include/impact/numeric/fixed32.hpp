@@ -97,7 +97,7 @@ struct Fixed32 : Fixed32Numbers {
   }
   template <int bits>
   static constexpr Value value(Unsigned<bits> x) {
-    return with_bits<31>(with_sign(x));
+    return as_signed(with_bits<31>(x));
   }
   // numerator <= denominator
   template <int a, int b>

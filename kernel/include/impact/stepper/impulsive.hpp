@@ -31,19 +31,22 @@
 // and gives that speed back on the way out.
 //
 // Settling. A presses the ball against its stop when the contact, which lasts about twice the time to its centroid, is
-// long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the ball would end a step inside the stop and
-// approach it still, the impulse takes V away, t = d/V as if V had come from rest, within the same limits, and the ball
-// is put on its stop. In a field that is to be lifted: t is no more than V/(2 A) there, when the speed was V/2 at
-// least, so that all of V is taken. One impact a step: a ball that crosses the clearance in less goes beyond the other
-// stop by less than it flies in a step, and is turned back in the next.
-//
-// Rest. A ball on its stop is held there by a force that is constant over the step,
+// long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the impulse would leave the ball inside the
+// stop and approaching it, the ball is held by a force that is constant over the step, and ends it on the stop:
 //
 //     f = d/(b + h^2/2m)        x1 += b f    v1 += c f    x2 -= f h^2/2m    v2 -= f h/m
 //
-// with the flow's own response (b, c), so that it does exactly what a force does, at any damping and in any field: from
-// the stop to the stop it does no work. A rate of penetration that it leaves at the end is taken by an impulse there; a
-// ball that it leaves going away is let go. So nothing buzzes or sinks in, and the force is the static one at rest.
+// with the flow's own response (b, c), so that it does exactly what a force does, at any damping and in any field: it
+// takes f D of the energy. A rate of penetration that it leaves is taken by an impulse at the step's end. Where it
+// would send the ball back faster than V/8, f takes V alone; the ball ends inside the stop and is put on it. In a field
+// a that is to be lifted, for m a times the way: no farther than what f and the impulse have taken pays for. By what is
+// left the ball lies inside its stop, until another impulse pays for it.
+//
+// Rest. From then on the force is the one that keeps the ball where it lies, and does no work; it is the static one at
+// rest, and nothing buzzes or sinks in. A ball that it leaves going away is let go.
+//
+// One impact a step: a ball that crosses the clearance in less goes beyond the other stop by less than it flies in a
+// step, and is turned back in the next.
 
 #include <impact/law/rebound.hpp>
 #include <impact/law/resolution.hpp>
@@ -62,24 +65,13 @@ struct Impulsive {
   // The impact is at an instant for the main mass, whatever the step: what contact dissipates in a driven run is off by
   // 1.6 % at 0.04 rad of the main mass's vibration during a contact, by 10 % at 0.25.
   static constexpr double longest_main_phase = 0.25;
-  // A ball that is put on its stop is lifted against a field a by up to the depth d of an impact, which makes m a d: of
-  // the fastest impact's energy mu V^2/2, with d = V tc/pi, (2/pi) (1 + m/M) a tc/V = 0.64 field_share.
-  static constexpr double largest_field_share = 0.01;
-  // Radians of the main mass in a step, in a field: what the response to an impact leaves of the fourth order can leave
-  // the ball inside its stop, and it is lifted out, which made up to 2 % of a swing's energy at 0.9.
-  static constexpr double longest_phase_in_field = 0.5;
   // What a ball at rest comes with in a step, (1 + m/M) a h, of the fastest impact's rate: beyond the whole of that it
   // would be held, and what is cut off would stay in its speed.
   static constexpr double largest_rate_of_rest = 0.5;
-  static constexpr bool is_instant(const Resolution& contact, double main_phase) {
-    return contact.main_phase <= main_phase && contact.field_share <= largest_field_share;
-  }
   static constexpr Range steps(const Resolution& contact) {
-    if (!is_instant(contact, longest_main_phase)) return {0, 0};
+    if (contact.main_phase > longest_main_phase) return {0, 0};
     if (!(contact.field_share > 0)) return any_step;
-    const double by_phase = longest_phase_in_field / (contact.main_pulsation + 1e-300),
-                 by_rest = largest_rate_of_rest * contact.contact_time / contact.field_share;
-    return {0, constant::smaller(any_step.most, constant::smaller(by_phase, by_rest))};
+    return {0, constant::smaller(any_step.most, largest_rate_of_rest * contact.contact_time / contact.field_share)};
   }
 
   template <class Format, class ContactLaw>
@@ -94,10 +86,11 @@ struct Impulsive {
       Gain acceleration;  // the change of the displacement per step, as one of the rate
       Gain turn;          // (w0 h)^2
       Value largest_rate, largest_impulse;
+      Gain weight;  // m a, over 2 mu
       struct {
-        typename Format::HeldGain force;  // f h, from d
+        typename Format::HeldGain by_penetration, by_rate;  // f h that takes d, and V
         Gain displacement, rate;  // what it does to the main mass, over what an impulse at the step's start does
-        Gain penetration_rate;    // and to the rate of penetration
+        Gain penetration, penetration_rate;
       } rest;
     };
     // Rates and penetrations count in one unit, impulses in 2 mu of it.
@@ -116,7 +109,9 @@ struct Impulsive {
       const double h = terms.step, main_mass = terms.main_mass, ball_mass = terms.ball_mass;
       const double impulse = terms.force_unit * h * h, turn = terms.main_stiffness * h * h / main_mass;
       const double mass = 2 * reduced_mass(terms), displacement_by_force = (flow.b0 + flow.b1) / (h * h),
-                   rate_by_force = (flow.c0 + flow.c1) / (h * h);
+                   rate_by_force = (flow.c0 + flow.c1) / (h * h),
+                   penetration_by_force = mass * (displacement_by_force + 0.5 / ball_mass),
+                   penetration_rate_by_force = mass * (rate_by_force + 1 / ball_mass);
       const double unit_impulse =
           impulse / constant::smaller(ball_mass, main_mass) * constant::power_of_two(-unit.push);
       return {
@@ -131,17 +126,21 @@ struct Impulsive {
           Format::gain(turn, 0, 0),
           Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
           Format::sample(0.999999 / unit_impulse),
-          {{Format::gain(1 / (mass * (displacement_by_force + 0.5 / ball_mass)), 0, 0)},
+          Format::gain(ball_mass / mass, unit.increment, unit.penetration),
+          {{Format::gain(1 / penetration_by_force, 0, 0)},
+           {Format::gain(1 / penetration_rate_by_force, 0, 0)},
            Format::gain(main_mass * displacement_by_force, 0, 0),
            Format::gain(main_mass * rate_by_force, 0, 0),
-           Format::gain(mass * (rate_by_force + 1 / ball_mass), 0, 0)}};
+           Format::gain(penetration_by_force, 0, 0),
+           Format::gain(penetration_rate_by_force, 0, 0)}};
     }
 
     static constexpr bool is_instantaneous = true;
     static constexpr bool is_sudden(const Plan&) { return true; }
 
     Phase phase;
-    uint32_t rests;  // put on the stop by the last step
+    uint32_t rests;  // held by the last step
+    Value lies;      // and how far inside the stop
 
     constexpr void start(const Plan&, const Units&, Value, Value) {
       phase = Phase::touching;
@@ -150,7 +149,9 @@ struct Impulsive {
 
     template <class State>
     [[gnu::always_inline]] constexpr void place_ball(const Plan&, const Units& units, State& state, bool left) const {
-      if (rests) state.x2 = units.stop(state.x1, left);
+      if (!rests) return;
+      state.x2 = units.stop(state.x1, left);
+      units.displace(state.x2, mirrored(lies, left));
     }
     [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&,
                                                                const Contact& before,
@@ -176,10 +177,13 @@ struct Impulsive {
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
       if (!is_positive(trial)) return {{}, {}, trial_rate};
       const Value rate = units.held(trial_rate, plan.largest_rate);
-      if (has_rested) return rest(plan, units, trial, rate);
+      constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);
+      Value weight{};
+      if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
+      const Value before = trial - travel, from = is_positive(before) ? before : Value{};
+      if (has_rested) return rest(plan, trial, lies, {}, weight, hold(plan, units, trial - lies, rate));
       if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
-      constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);
       if constexpr (is_in_field) {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
         acceleration = main_part + units.increment_of_rate(step.ball_increment);
@@ -201,25 +205,52 @@ struct Impulsive {
           return at.split(t, impulse);
         }
       }
+      const Hold on_the_stop = hold(plan, units, trial - from, rate);
+      const bool sends_back = is_positive(-on_the_stop.rate - Format::value(quarter(half_rate)));
+      if (!sends_back) return rest(plan, trial, from, from - before, weight, on_the_stop);
       rests = 1;
-      auto t = Format::quotient(positive_part(trial), positive_part(rate));
-      if constexpr (is_in_field) {
-        const auto since_rest = Format::quotient(positive_part(half_rate), positive_part(acceleration));
-        if (is_positive(Format::value(t) - Format::value(since_rest))) t = since_rest;
-      }
-      const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
-      return at.split(t, held(plan, units, no_more(no_more(half_rate, at.rate), at.undamped(plan, t, step.damped))));
+      const Value force = held(plan, units, plan.rest.by_rate * rate), inside = trial - plan.rest.penetration * force;
+      lies = left_inside(inside, weight, force, inside - before);
+      return given(plan, force, {}, inside - before);
     }
 
    private:
-    [[gnu::always_inline]] constexpr SplitImpulse<Value> rest(const Plan& plan, const Units& units, Value trial,
-                                                              Value rate) {
+    // A force that keeps the ball from going on by `way`, and the rate that it leaves.
+    struct Hold {
+      Value force, rate;
+    };
+    [[gnu::always_inline]] static constexpr Hold hold(const Plan& plan, const Units& units, Value way, Value rate) {
+      const Value force = held(plan, units, plan.rest.by_penetration * way);
+      return {force, rate - plan.rest.penetration_rate * force};
+    }
+    [[gnu::always_inline]] constexpr SplitImpulse<Value> rest(const Plan& plan, Value trial, Value from, Value way,
+                                                              Value weight, const Hold& hold) {
+      const Value last = Format::value(half(is_positive(hold.rate) ? hold.rate : Value{}));
       rests = 1;
-      const Value force = held(plan, units, plan.rest.force * trial), left = rate - plan.rest.penetration_rate * force,
-                  last = Format::value(half(is_positive(left) ? left : Value{})), impulse = force + last;
+      lies = left_inside(is_positive(trial - from) ? from : trial, weight, last, last);
+      return given(plan, hold.force, last, way);
+    }
+    // A force over the step, against which the ball comes by `way`, and an impulse at its end. The energy that both
+    // take is that of one impulse at the rate J + (f way + last^2)/J.
+    [[gnu::always_inline]] static constexpr SplitImpulse<Value> given(const Plan& plan, Value force, Value last,
+                                                                      Value way) {
+      const Value impulse = force + last;
+      const auto share = Format::quotient(positive_part(force), positive_part(impulse));
       return {{plan.rest.rate * force + last, plan.rest.displacement * force},
               {impulse, Format::value(half(force))},
-              impulse};
+              impulse + Format::value(share * way) + (last - Format::value(share * last))};
+    }
+    // Of a ball inside its stop by `depth`, how far it stays there: `impulse` times `more` has been taken from it,
+    // which pays for lifting it.
+    [[gnu::always_inline]] static constexpr Value left_inside(Value depth, Value weight, Value impulse, Value more) {
+      if (!is_positive(depth) || !is_positive(weight)) return Value{};
+      const int by_weight = Format::spare_places(weight, weight, weight),
+                by_rate = Format::spare_places(depth, impulse, more);
+      const auto unit = Format::own_unit(by_weight < by_rate ? by_weight : by_rate);
+      const Value price = Format::value(unit.own(weight) * unit.own(depth)),
+                  paid = Format::value(unit.own(impulse) * unit.own(more));
+      if (!is_positive(price - paid)) return Value{};
+      return depth - Format::value(depth * Format::quotient(positive_part(paid), positive_part(price)));
     }
     static constexpr double reduced_mass(const ContactTerms& terms) {
       return 1 / (1 / terms.ball_mass + 1 / terms.main_mass);

@@ -118,10 +118,15 @@ std::string allowed_text(const Request& asked, const Explanation& found) {
 Refusal refusal_of(const Request& asked, const Settled& settled) {
   const Request& request = settled.request;
   if (settled.planned.status == PlanStatus::contact_time) {
+    const Resolution contact = resolution(request);
+    const bool is_long = contact.main_phase > Impulsive::longest_main_phase;
     return {"newmark", std::string(name_of(request.stepper)),
-            "auto: the contact lasts " + short_text(resolution(request).main_phase) +
-                " rad of the main mass's vibration, impulsive holds up to " +
-                short_text(Impulsive::longest_main_phase)};
+            is_long ? "auto: the contact lasts " + short_text(contact.main_phase) +
+                          " rad of the main mass's vibration, impulsive holds up to " +
+                          short_text(Impulsive::longest_main_phase)
+                    : "auto: weight and base add " + short_text(contact.field_share) +
+                          " of the fastest impact's speed while it lasts, impulsive holds up to " +
+                          short_text(Impulsive::largest_field_share)};
   }
   const Values values{request.scene, *request.bounds, request.step};
   const Explanation found = explained(asked, settled);

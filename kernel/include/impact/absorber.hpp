@@ -521,7 +521,7 @@ class Absorber
     Contact& contact = state_.contact;
     const Phase phase = contact.phase;
     const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left()));
-    if (is_positive(inside)) {
+    if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = relative_rate(at_left());
       if constexpr (has_own_damping) contact.hold_damping(plan.contact, inside, rate);
       contact.start(plan.contact, plan.units, inside, rate);

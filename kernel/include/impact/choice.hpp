@@ -46,7 +46,7 @@ constexpr Choice choice_for(const Resolution& contact, double step) {
     return gain <= loss ? choice : Choice::energy;
   };
   if (is_right(Moment::steps(contact), Moment::longest_phase, 1)) return if_passive(Choice::moment, 1);
-  if (part(1) > 1 && contact.main_phase <= shortest_phase && Impulsive::steps(contact).holds(step))
+  if (part(1) > 1 && Impulsive::is_instant(contact, shortest_phase) && Impulsive::steps(contact).holds(step))
     return Choice::impulsive;
   using Four = SubsteppedMoment<4>;
   using Eight = SubsteppedMoment<8>;

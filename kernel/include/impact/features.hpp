@@ -24,7 +24,8 @@ namespace impact {
 //
 // What is dissipated never falls
 //
-//     Impulsive           at all, in any format: an entry is J (V - J), 0 <= J <= V
+//     Impulsive           at all, in any format: an entry is J (V - J), 0 <= J <= V. What lifts a ball out of its stop
+//                         against a field counts as dissipated
 //     EnergyConsistent    but for the motion's rounding: an entry is the damping's own work. In a resolved contact of a
 //                         power law (stepper/energy/power.hpp) also by f times what its equation leaves over: while an
 //                         elastic one of 20 steps lasts, by 4e-4 of its energy

@@ -20,8 +20,9 @@
 //
 //     at most J^2/(2 mu) - J Vi <= 0 for every J from 0 to 2 mu Vi, 1/mu = 1/m + 1/M:
 //
-// an impact creates no energy, whatever t is and however wrong e or the depth may be; one of restitution 1 loses up to
-// (w0 t h)^4/12 of the main mass's share. The impulse counts in 2 mu:
+// an impact creates no energy, whatever t is and however wrong e or the depth may be (a sampled force counts as it is
+// at the end: where it jumps by dF in the step, Vi is off by up to t h dF/2M); one of restitution 1 loses up to (w0 t
+// h)^4/12 of the main mass's share. The impulse counts in 2 mu:
 //
 //     J = 2 mu (Vi - loss V0)    V0 = Vi - A depth/D >= 0
 //
@@ -65,13 +66,15 @@ struct Impulsive {
   // The impact is at an instant for the main mass, whatever the step: what contact dissipates in a driven run is off by
   // 1.6 % at 0.04 rad of the main mass's vibration during a contact, by 10 % at 0.25.
   static constexpr double longest_main_phase = 0.25;
-  // What a ball at rest comes with in a step, (1 + m/M) a h, of the fastest impact's rate: beyond the whole of that it
-  // would be held, and what is cut off would stay in its speed.
-  static constexpr double largest_rate_of_rest = 0.5;
+  // A slow ball that comes to rest at its impact's depth, V tc/pi, is not lifted out by its own energy where V is below
+  // (2/pi) (1 + m/M) a tc: 0.64 field_share of the fastest impact's. What it then lies inside is little beside that
+  // one's depth.
+  static constexpr double largest_field_share = 0.01;
+  static constexpr bool is_instant(const Resolution& contact, double main_phase) {
+    return contact.main_phase <= main_phase && contact.field_share <= largest_field_share;
+  }
   static constexpr Range steps(const Resolution& contact) {
-    if (contact.main_phase > longest_main_phase) return {0, 0};
-    if (!(contact.field_share > 0)) return any_step;
-    return {0, constant::smaller(any_step.most, largest_rate_of_rest * contact.contact_time / contact.field_share)};
+    return is_instant(contact, longest_main_phase) ? any_step : Range{0, 0};
   }
 
   template <class Format, class ContactLaw>
@@ -89,21 +92,21 @@ struct Impulsive {
       Gain weight;  // m a, over 2 mu
       struct {
         typename Format::HeldGain by_penetration, by_rate;  // f h that takes d, and V
-        Gain displacement, rate;  // what it does to the main mass, over what an impulse at the step's start does
-        Gain penetration, penetration_rate;
+        Gain displacement, rate;      // what it does to the main mass, over what an impulse at the step's start does,
+        Gain penetration, half_rate;  // and to penetration and half its rate
       } rest;
     };
     // Rates and penetrations count in one unit, impulses in 2 mu of it.
     static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
       return 2 * reduced_mass(terms) * constant::power_of_two(unit.penetration) / (terms.step * terms.step);
     }
-    // No impact within the bounds changes a speed by more than twice the bound. What would is held at the push's unit,
-    // which takes the speed beyond its bound.
+    // No impact within the bounds changes a speed by more than twice the bound, and no rest by more than what presses.
+    // What would is held at the push's unit, which takes the speed beyond its bound.
     static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
       const double rate = terms.largest_rate * terms.step;
       largest.force_factor = 1;
       largest.penetration = (terms.crosses ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
-      largest.push = rate;
+      largest.push = rate + 2 * largest.increment;
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const double h = terms.step, main_mass = terms.main_mass, ball_mass = terms.ball_mass;
@@ -132,7 +135,7 @@ struct Impulsive {
            Format::gain(main_mass * displacement_by_force, 0, 0),
            Format::gain(main_mass * rate_by_force, 0, 0),
            Format::gain(penetration_by_force, 0, 0),
-           Format::gain(penetration_rate_by_force, 0, 0)}};
+           Format::gain(penetration_rate_by_force / 2, 0, 0)}};
     }
 
     static constexpr bool is_instantaneous = true;
@@ -171,12 +174,11 @@ struct Impulsive {
 
     template <class Seen>
     [[gnu::always_inline]] constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, Seen step) {
-      const Value trial = step.penetration, trial_rate = step.rate, travel = step.travel;
+      const Value trial = step.penetration, rate = step.rate, travel = step.travel;
       const bool has_rested = rests && phase == Phase::touching;
       rests = 0;
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
-      if (!is_positive(trial)) return {{}, {}, trial_rate};
-      const Value rate = units.held(trial_rate, plan.largest_rate);
+      if (!is_positive(trial)) return {{}, {}, rate};
       constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
@@ -188,7 +190,7 @@ struct Impulsive {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
         acceleration = main_part + units.increment_of_rate(step.ball_increment);
       }
-      const auto bounce = plan.rebound.at(is_positive(travel) ? units.held(travel, plan.largest_rate) : rate);
+      const auto bounce = plan.rebound.at(units.held(is_positive(travel) ? travel : rate, plan.largest_rate));
       const Value pressed = Format::value(acceleration * bounce.depth);
       const Value half_rate = Format::value(half(rate));
       if (!is_positive(pressed - Format::value(half(rate * rate)))) {
@@ -206,7 +208,7 @@ struct Impulsive {
         }
       }
       const Hold on_the_stop = hold(plan, units, trial - from, rate);
-      const bool sends_back = is_positive(-on_the_stop.rate - Format::value(quarter(half_rate)));
+      const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(half(quarter(half_rate))));
       if (!sends_back) return rest(plan, trial, from, from - before, weight, on_the_stop);
       rests = 1;
       const Value force = held(plan, units, plan.rest.by_rate * rate), inside = trial - plan.rest.penetration * force;
@@ -215,17 +217,17 @@ struct Impulsive {
     }
 
    private:
-    // A force that keeps the ball from going on by `way`, and the rate that it leaves.
+    // A force that keeps the ball from going on by `way`, and half the rate that it leaves.
     struct Hold {
-      Value force, rate;
+      Value force, half_rate;
     };
     [[gnu::always_inline]] static constexpr Hold hold(const Plan& plan, const Units& units, Value way, Value rate) {
       const Value force = held(plan, units, plan.rest.by_penetration * way);
-      return {force, rate - plan.rest.penetration_rate * force};
+      return {force, Format::value(half(rate)) - plan.rest.half_rate * force};
     }
     [[gnu::always_inline]] constexpr SplitImpulse<Value> rest(const Plan& plan, Value trial, Value from, Value way,
                                                               Value weight, const Hold& hold) {
-      const Value last = Format::value(half(is_positive(hold.rate) ? hold.rate : Value{}));
+      const Value last = is_positive(hold.half_rate) ? hold.half_rate : Value{};
       rests = 1;
       lies = left_inside(is_positive(trial - from) ? from : trial, weight, last, last);
       return given(plan, hold.force, last, way);

@@ -309,6 +309,40 @@ TYPED_TEST(ImpulsiveStep, GivesNothingBackThatTheDamperTook) {
   EXPECT_GE(impacts, 600u);
 }
 
+// A drive presses a light main mass onto a heavy ball, so hard that alone it would pass Bounds::speed in a step many
+// times over: both go on as one, within six roundings a step of what a step makes.
+TYPED_TEST(ImpulsiveStep, HoldsAHeavyBallHoweverHardTheMainMassIsPressedOntoIt) {
+  using Pressed = Kernel<TypeParam, Hertz, Sampled>;
+  const double h = 1e-3, speed = 0.5;
+  for (const double ratio : {30.0, 300.0})
+    for (const double passes : {0.5, 1.1, 2.0, 4.0}) {
+      Scene scene = free_scene();
+      scene.main_mass = 1;
+      scene.ball_mass = ratio;
+      scene.stops = Stops::right;
+      scene.contact_stiffness = 1e16;
+      scene.x2 = scene.clearance / 2;
+      const double force = -2 * passes * speed / h;
+      const auto plan = Pressed::PlanType::make(scene, {1, speed, 0, -2 * force}, h);
+      ASSERT_EQ(plan.status, PlanStatus::ok);
+      Pressed absorber(plan);
+      const auto sample = plan.sample_of(force);
+      int steps = 0;
+      for (double together = 0; std::abs(together) < 0.8 * speed && steps < 40; ++steps) {
+        absorber.step(sample);
+        // From the force's first sample, which is 0.
+        together = force * (steps + 0.5) * h / (1 + ratio);
+        const auto now = absorber.reading();
+        const double place = 2 * passes * speed * 6 * 40 * (is_double<TypeParam> ? 0x1p-53 : 0x1p-24);
+        ASSERT_NEAR(now.v2, together, place) << ratio << " " << passes << ", step " << steps;
+        if (steps > 0) {
+          ASSERT_NEAR(now.v1, together, place) << ratio << " " << passes << ", step " << steps;
+        }
+      }
+      EXPECT_EQ(absorber.fault(), Fault::none);
+    }
+}
+
 // A ball that starts inside a stop is put on it.
 TYPED_TEST(ImpulsiveStep, StartsInsideAStop) {
   for (double side : {1.0, -1.0}) {

@@ -20,9 +20,9 @@
 //
 //     at most J^2/(2 mu) - J Vi <= 0 for every J from 0 to 2 mu Vi, 1/mu = 1/m + 1/M:
 //
-// an impact creates no energy, whatever t is and however wrong e or the depth may be (a sampled force counts as it is
-// at the end: where it jumps by dF in the step, Vi is off by up to t h dF/2M); one of restitution 1 loses up to (w0 t
-// h)^4/12 of the main mass's share. The impulse counts in 2 mu:
+// an impact creates no energy, whatever t is and however wrong e or the depth may be. (A sampled force counts as it is
+// at the step's end: where it jumps by dF in the step, Vi is off by up to t h dF/2M.) One of restitution 1 loses up to
+// (w0 t h)^4/12 of the main mass's share. The impulse counts in 2 mu:
 //
 //     J = 2 mu (Vi - loss V0)    V0 = Vi - A depth/D >= 0
 //

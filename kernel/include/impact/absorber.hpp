@@ -281,7 +281,8 @@ class Absorber
   // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same
   // on every little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's
   // version, the scene, the bounds, the step or a type differ, or when no step can have left the state: displacements,
-  // drive or kind of contact are out of range, or a contact under way does not fit together. It is no signature: of
+  // drive or kind of contact are out of range, or a contact under way does not fit together; one that a motion far
+  // beyond the bounds has just left, and that the next step would hold, is refused as well. It is no signature: of
   // bytes that somebody has made up to pass, the next steps are defined and end in range or with a fault, but they are
   // no motion of this absorber.
   static constexpr uint32_t state_version = 3;

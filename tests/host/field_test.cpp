@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <impact/absorber.hpp>
+#include <random>
 #include <vector>
 
 #include "against_reference.hpp"
@@ -320,6 +321,65 @@ TYPED_TEST(FieldIn, BallOnAnImpulsiveStopIsCarriedAlongForNothing) {
           }
           EXPECT_EQ(absorber.fault(), Fault::none);
         }
+}
+
+// Whatever falls and bounces between impulsive stops, in no step is there more energy: of both masses, the main spring,
+// the weight and a constant drive, over the largest kinetic energy until then. Beyond that only rounding, which a ball
+// a thousand times lighter or heavier than the main mass magnifies.
+TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
+  using Absorber = Absorber<AtRunTime, Hertz, Impulsive, Sampled, Float64, Gravity>;
+  std::mt19937_64 engine(1);
+  const auto between = [&engine](double least, double most) {
+    return std::exp(std::uniform_real_distribution<>(std::log(least), std::log(most))(engine));
+  };
+  const auto any = [&engine](double most) { return std::uniform_real_distribution<>(-most, most)(engine); };
+  const double h = 1e-3;
+  int accepted = 0, impacts = 0;
+  for (int n = 0; n < 20000; ++n) {
+    Scene scene;
+    scene.drive_amplitude = scene.drive_pulsation = scene.contact_damping = 0;
+    scene.main_mass = 1;
+    scene.ball_mass = between(1e-3, 1e3);
+    const double mu = scene.ball_mass / (1 + scene.ball_mass), turn = between(1e-3, 0.99);
+    scene.main_stiffness = turn * turn / (h * h);
+    scene.main_damping = between(1e-3, 0.9) / h;
+    scene.contact_stiffness = 1.25 * mu * std::pow(2.943 / (between(0.02, 20) * h), 2.5);
+    scene.clearance = between(1, 50) * h;
+    scene.stops = n % 3 == 0 ? Stops::both : n % 3 == 1 ? Stops::left : Stops::right;
+    scene.v1 = any(1);
+    scene.v2 = any(1);
+    scene.x1 = any(1) * h / turn;
+    scene.x2 = scene.x1 + any(0.499) * scene.clearance;
+    scene.gravity = any(1) < 0 ? between(1e-4, 100) : -between(1e-4, 100);
+    const double force = any(1) * scene.main_stiffness * h / turn;
+    const Bounds bounds{
+        2 * (std::abs(scene.x1) + 5 * h / turn + std::abs(force) / scene.main_stiffness) + 2 * scene.clearance,
+        2 + 2 * std::abs(force) * h, 0, std::abs(force) + 1};
+    const auto plan = Absorber::PlanType::make(scene, bounds, h);
+    if (plan.status != PlanStatus::ok) continue;
+    ++accepted;
+    Absorber absorber(plan);
+    double before = 0, most = 0;
+    bool touched = false;
+    for (int step = 0; step < 60; ++step) {
+      absorber.step(force);
+      const auto now = absorber.reading();
+      const double kinetic = (now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2) / 2,
+                   strain = scene.main_stiffness * now.x1 * now.x1 / 2, fallen = now.x1 + scene.ball_mass * now.x2;
+      const double energy = kinetic + strain - force * now.x1 - scene.gravity * fallen;
+      most = larger(most, kinetic);
+      // The force is linear from 0 in the first step.
+      if (step > 1) {
+        ASSERT_LE(energy - before, 1e-10 * most + 1e-13 * (strain + std::abs(force * now.x1)))
+            << n << ", step " << step;
+      }
+      before = energy;
+      impacts += absorber.is_touching() && !touched;
+      touched = absorber.is_touching();
+    }
+  }
+  EXPECT_GE(accepted, 8000);
+  EXPECT_GE(impacts, 5000);
 }
 
 // Both masses fall as one, whatever the step: exact but for rounding.

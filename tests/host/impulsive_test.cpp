@@ -277,6 +277,76 @@ TYPED_TEST(ImpulsiveStep, PressGivesBackTheSpeedThatItAdds) {
   }
 }
 
+// An elastic impact turns the rate around that it came at, whatever the drive does within its step, at 64 phases. With
+// that rate J is 2 mu V, and more than that would be energy from nothing. The instant is where the ball's two straight
+// lines meet, and v1 there a free mass's under the drive.
+template <class Simulated, class Sample, class Velocity>
+void expect_turned_around(const Scene& scene, double h, double tolerance, Sample step, Velocity main_velocity) {
+  Simulated absorber(Simulated::PlanType::make(scene, {1, 4, 0, 2000}, h));
+  ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+  for (int n = 0; n < 4; ++n) {
+    const auto before = absorber.reading();
+    step(absorber, n);
+    const auto now = absorber.reading();
+    const double change = now.v2 - before.v2;
+    if (std::abs(change) < 1e-3) continue;
+    const double since = (now.x2 - before.x2 - h * before.v2) / change;
+    ASSERT_GE(since, -1e-3 * h) << n;
+    ASSERT_LE(since, 1.001 * h) << n;
+    const double rate = before.v2 - main_velocity(before.v1, n, h - since);
+    ASSERT_NEAR(-change * (1 + scene.ball_mass) / 2, rate, tolerance) << n;
+    return;
+  }
+  FAIL() << "no impact";
+}
+Scene about_to_meet_its_stop(double ratio, double h, int phase) {
+  Scene scene = free_scene();
+  scene.main_mass = 1;
+  scene.ball_mass = ratio;
+  scene.stops = Stops::right;
+  scene.contact_stiffness = 1e16;
+  scene.v2 = 1;
+  scene.x2 = scene.clearance / 2 - h * (1 + (phase + 0.5) / 64);
+  return scene;
+}
+TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundUnderADriveThatJumps) {
+  using Jolted = Kernel<TypeParam, Hertz, Sampled>;
+  const double h = 1e-3, rounding = is_double<TypeParam> ? 1e-9 : 1e-4;
+  for (const double ratio : {0.03, 1.0, 30.0})
+    for (const double first : {-100.0, 0.0, 100.0})
+      for (const double jump : {-100.0, 0.0, 100.0})
+        for (int phase = 0; phase < 64; ++phase) {
+          SCOPED_TRACE(testing::Message() << ratio << " " << first << " " << jump << " " << phase);
+          const double force[] = {0, first, first + jump, first, first + jump};
+          expect_turned_around<Jolted>(
+              about_to_meet_its_stop(ratio, h, phase), h, rounding,
+              [&](Jolted& absorber, int n) { absorber.step(absorber.plan.sample_of(force[n + 1])); },
+              [&](double v1, int n, double t) {
+                return v1 + t * (force[n] + (force[n + 1] - force[n]) * t / (2 * h));
+              });
+        }
+}
+// A sine counts by its slope at the step's end.
+TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundUnderAFastSine) {
+  using Driven = Kernel<TypeParam, Hertz, Sine>;
+  const double h = 1e-3, rounding = is_double<TypeParam> ? 1e-9 : 1e-4;
+  for (const double turn : {0.03, 0.1, 0.3})
+    for (const double ratio : {0.03, 1.0, 30.0})
+      for (int phase = 0; phase < 64; ++phase) {
+        SCOPED_TRACE(testing::Message() << turn << " " << ratio << " " << phase);
+        Scene scene = about_to_meet_its_stop(ratio, h, phase);
+        scene.drive_amplitude = 300;
+        scene.drive_pulsation = turn / h;
+        const double speed = scene.drive_amplitude / scene.drive_pulsation;
+        expect_turned_around<Driven>(
+            scene, h, rounding + turn * turn / 12 * scene.drive_amplitude * h,
+            [](Driven& absorber, int) { absorber.step(); },
+            [&](double v1, int n, double t) {
+              return v1 + speed * (std::cos(turn * n) - std::cos(turn * (n + t / h)));
+            });
+      }
+}
+
 // A damper takes from the main mass between the impact and the step's end: that is not given back. In each step of an
 // elastic impact, at 64 phases, up to the longest step that the damper allows.
 TYPED_TEST(ImpulsiveStep, GivesNothingBackThatTheDamperTook) {

@@ -439,6 +439,7 @@ class Absorber
     if constexpr (Field::is_sampled) plan.units.add(main_travel, Field::at_once(plan, base));
     state_.x1.advance(main_travel);
     if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
+    [[maybe_unused]] const auto drive_before = state_.drive;
     Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
                       Format::term(plan.damping, plan.units.displacement(state_.dx1));
     if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
@@ -449,8 +450,8 @@ class Absorber
     if (!judges_contact_once() && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
-      if constexpr (Format::calls_contact)
-        call_meet_stop(increment, main_travel);
+      if constexpr (Contact::is_instantaneous && (Drive::is_sine || Drive::is_sampled))
+        meet_stop(increment, main_travel, state_.drive.change(plan.drive, drive_before));
       else
         meet_stop(increment, main_travel);
     } else if (judges_contact_once() && !is_flight_in_range()) {
@@ -546,32 +547,43 @@ class Absorber
     return ahead;
   }
 
-  [[gnu::noinline]] constexpr void call_meet_stop(Value increment, Long main_travel) {
-    meet_stop(increment, main_travel);
+  template <class... Change>
+  [[gnu::always_inline]] constexpr void meet_stop(Value increment, Long main_travel, const Change&... of_drive) {
+    if constexpr (Format::calls_contact)
+      call_meet_stop_and_rub(increment, main_travel, of_drive...);
+    else
+      meet_stop_and_rub(increment, main_travel, of_drive...);
   }
-  [[gnu::always_inline]] constexpr void meet_stop(Value increment, Long main_travel) {
+  template <class... Change>
+  [[gnu::noinline]] constexpr void call_meet_stop_and_rub(Value increment, Long main_travel,
+                                                          const Change&... of_drive) {
+    meet_stop_and_rub(increment, main_travel, of_drive...);
+  }
+  template <class... Change>
+  [[gnu::always_inline]] constexpr void meet_stop_and_rub(Value increment, Long main_travel,
+                                                          const Change&... of_drive) {
     if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(plan, state_) - main_travel, apart = state_.x2 - state_.x1;
-      touch(increment, main_travel);
+      touch(increment, main_travel, of_drive...);
       if (rubs()) rub_at_stop(flight, apart - (state_.x2 - state_.x1));
     } else {
-      touch(increment, main_travel);
+      touch(increment, main_travel, of_drive...);
     }
   }
-  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel) {
+  template <class... Change>
+  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel, const Change&... of_drive) {
     if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
     const bool left = at_left();
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
     SeenStep step{};
-    if (!is_inside(step, left)) {
-      if (judges_contact_once()) hold_in_range();
-      return;
-    }
+    if (!is_inside(step, left)) return hold_unjudged();
     step.rate = relative_rate(left);
     step.travel = mirrored(flown(main_travel), left);
     step.before = step.penetration - step.travel;
-    if constexpr (Contact::is_instantaneous)
+    if constexpr (Contact::is_instantaneous) {
       step.damped = mirrored(Format::term(plan.damping, plan.units.displacement(main_travel)), left);
+      ((step.half_jump = -mirrored(of_drive.half, left), increment = increment + of_drive.to_end), ...);
+    }
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }
 
@@ -600,7 +612,7 @@ class Absorber
     const auto& units = plan.units;
     Contact& contact = state_.contact;
     if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left)) {
-      if (judges_contact_once()) hold_in_range();
+      hold_unjudged();
       return false;
     }
     if constexpr (Field::is_field) {
@@ -729,6 +741,10 @@ class Absorber
     if (plan.units.in_range(state_.x1, state_.x2, state_.dx1, state_.dx2)) return false;
     hold();
     return true;
+  }
+  // A flight that was left to a contact to judge, where there is none.
+  [[gnu::always_inline]] constexpr void hold_unjudged() {
+    if (judges_contact_once()) hold_in_range();
   }
   __attribute__((noinline)) constexpr void hold() {
     const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);

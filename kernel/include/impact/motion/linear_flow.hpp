@@ -26,6 +26,13 @@ struct DriveShares {
   Value ahead, behind;
 };
 
+// How a drive's force changes within a step, as what it adds to the displacement per step: what it adds as it is at the
+// step's end beyond what it does add, and half of the change.
+template <class Value>
+struct DriveChange {
+  Value to_end, half;
+};
+
 // The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.
 struct LinearFlow {
   double e11 = 0, e12 = 0, e21 = 0, e22 = 0;

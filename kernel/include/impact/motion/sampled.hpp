@@ -5,6 +5,7 @@
 // which every value is good. In newtons it must be a number within Bounds::force.
 
 #include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
 
@@ -72,6 +73,11 @@ struct Sampled {
       return increment;
     }
     constexpr typename Format::Value rate(const Plan<Format>& plan) const { return plan.rate * sample; }
+    // Of the step that began with `before`.
+    constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, const State& before) const {
+      const auto late = plan.increment_before * sample - plan.increment_before * before.sample;
+      return {late, Format::value(half(late + (plan.increment_now * sample - plan.increment_now * before.sample)))};
+    }
     constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>& from,
                                                             const Plan<Format>&, const Handover<Format>& to) const {
       return {from.ahead * sample, to.behind * sample};

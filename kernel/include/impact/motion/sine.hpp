@@ -5,6 +5,7 @@
 // and slope.
 
 #include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
 
@@ -117,6 +118,12 @@ struct Sine {
     [[gnu::always_inline]] constexpr typename Format::Value rate(const Plan<Format>& plan) const {
       return plan.rate_by_value * Format::reading(oscillator.value_head()) +
              plan.rate_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
+    }
+    // Of the step that began with `before`, by the slope at its end.
+    constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, const State& before) const {
+      const auto next = plan.increment * Format::reading(oscillator.value_head()),
+                 last = plan.increment * Format::reading(before.oscillator.last_head());
+      return {{}, Format::value(quarter(next - last))};
     }
     // The force now, over twice the amplitude.
     constexpr typename Format::Value force(const Plan<Format>& plan) const {

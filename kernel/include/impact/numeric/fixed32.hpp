@@ -159,9 +159,10 @@ struct Fixed32 : Fixed32Numbers {
     return {t.raw < step ? 0 : t.raw - step};
   }
   // By how many places the numbers may move to the left and stay below a quarter.
-  static constexpr int spare_places(Value x, Value y, Value z) {
+  template <class... Values>
+  static constexpr int spare_places(Values... x) {
     const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };
-    return leading_zeros(size(x) | size(y) | size(z)) - 3;
+    return leading_zeros((size(x) | ...)) - 3;
   }
   // Of the unit in which a number up to `largest` is a Value.
   static constexpr int exponent_of(double largest) { return impact::constant::exponent_above(largest); }

@@ -77,6 +77,7 @@ struct IntegerOscillator {
   }
   static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }
   constexpr int32_t value_head() const { return upper_word(value); }
+  constexpr int32_t last_head() const { return upper_word(value - slope); }
   constexpr int32_t slope_head(const Plan& plan) const { return static_cast<int32_t>(slope >> (32 - plan.slope_bits)); }
 };
 
@@ -111,6 +112,7 @@ struct RealOscillator {
   }
   static constexpr int slope_bits(const Plan&) { return 0; }
   constexpr Real value_head() const { return value; }
+  constexpr Real last_head() const { return value - slope; }
   constexpr Real slope_head(const Plan&) const { return slope; }
 };
 

@@ -233,7 +233,10 @@ struct RealFormat {
   static constexpr Value sample_of_float(float force) { return static_cast<Real>(force); }
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
-  static constexpr int spare_places(Value, Value, Value) { return 0; }
+  template <class... Values>
+  static constexpr int spare_places(Values...) {
+    return 0;
+  }
   static constexpr int exponent_of(double) { return 0; }
   static constexpr Value power_of_two(int) { return 1; }
   // x / (x + a) for x >= 0

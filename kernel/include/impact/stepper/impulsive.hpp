@@ -20,9 +20,10 @@
 //
 //     at most J^2/(2 mu) - J Vi <= 0 for every J from 0 to 2 mu Vi, 1/mu = 1/m + 1/M:
 //
-// an impact creates no energy, whatever t is and however wrong e or the depth may be. (A sampled force counts as it is
-// at the step's end: where it jumps by dF in the step, Vi is off by up to t h dF/2M.) One of restitution 1 loses up to
-// (w0 t h)^4/12 of the main mass's share. The impulse counts in 2 mu:
+// an impact creates no energy, whatever t is and however wrong e or the depth may be. One of restitution 1 loses up to
+// (w0 t h)^4/12 of the main mass's share. F is the drive at the step's end: of one that has come to it from F - dF in
+// the step, Vi has t^2 h dF/2M (1 - (w0 t h)^2/12) more (of a sine by its slope at the end, so that it misses up to a
+// twelfth of what its bend makes of F in the step). The impulse counts in 2 mu:
 //
 //     J = 2 mu (Vi - loss V0)    V0 = Vi - A depth/D >= 0
 //
@@ -145,9 +146,10 @@ struct Impulsive {
     uint32_t rests;  // held by the last step
     Value lies;      // and how far inside the stop
 
-    constexpr void start(const Plan&, const Units&, Value, Value) {
+    // A ball that has rested rests on, where a correction has put it.
+    constexpr void start(const Plan&, const Units&, Value at, Value) {
       phase = Phase::touching;
-      rests = 0;
+      lies = at;
     }
 
     template <class State>
@@ -183,7 +185,7 @@ struct Impulsive {
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
       const Value before = trial - travel, from = is_positive(before) ? before : Value{};
-      if (has_rested) return rest(plan, trial, lies, {}, weight, hold(plan, units, trial - lies, rate));
+      if (has_rested) return rest(plan, trial, lies, {}, weight, support(plan, units, trial - lies, rate));
       if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
@@ -197,7 +199,7 @@ struct Impulsive {
         const Value beyond = trial - bounce.depth;
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
-        const Instant at(plan, t, rate, acceleration, main_part, step.main_rate);
+        const Instant at(plan, t, rate, acceleration, main_part, plan.acceleration * step.half_jump, step.main_rate);
         const Value touch_rate = at.rate - over(pressed, travel);
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
         const Value impulse = held(plan, units, no_more(asked, at.undamped(plan, t, step.damped)));
@@ -207,7 +209,7 @@ struct Impulsive {
           return at.split(t, impulse);
         }
       }
-      const Hold on_the_stop = hold(plan, units, trial - from, rate);
+      const Support on_the_stop = support(plan, units, trial - from, rate);
       const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(half(quarter(half_rate))));
       if (!sends_back) return rest(plan, trial, from, from - before, weight, on_the_stop);
       rests = 1;
@@ -218,19 +220,20 @@ struct Impulsive {
 
    private:
     // A force that keeps the ball from going on by `way`, and half the rate that it leaves.
-    struct Hold {
+    struct Support {
       Value force, half_rate;
     };
-    [[gnu::always_inline]] static constexpr Hold hold(const Plan& plan, const Units& units, Value way, Value rate) {
+    [[gnu::always_inline]] static constexpr Support support(const Plan& plan, const Units& units, Value way,
+                                                            Value rate) {
       const Value force = held(plan, units, plan.rest.by_penetration * way);
       return {force, Format::value(half(rate)) - plan.rest.half_rate * force};
     }
     [[gnu::always_inline]] constexpr SplitImpulse<Value> rest(const Plan& plan, Value trial, Value from, Value way,
-                                                              Value weight, const Hold& hold) {
-      const Value last = is_positive(hold.half_rate) ? hold.half_rate : Value{};
+                                                              Value weight, const Support& support) {
+      const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
       rests = 1;
       lies = left_inside(is_positive(trial - from) ? from : trial, weight, last, last);
-      return given(plan, hold.force, last, way);
+      return given(plan, support.force, last, way);
     }
     // A force over the step, against which the ball comes by `way`, and an impulse at its end. The energy that both
     // take is that of one impulse at the rate J + (f way + last^2)/J.
@@ -246,9 +249,7 @@ struct Impulsive {
     // which pays for lifting it.
     [[gnu::always_inline]] static constexpr Value left_inside(Value depth, Value weight, Value impulse, Value more) {
       if (!is_positive(depth) || !is_positive(weight)) return Value{};
-      const int by_weight = Format::spare_places(weight, weight, weight),
-                by_rate = Format::spare_places(depth, impulse, more);
-      const auto unit = Format::own_unit(by_weight < by_rate ? by_weight : by_rate);
+      const auto unit = Format::own_unit(Format::spare_places(weight, depth, impulse, more));
       const Value price = Format::value(unit.own(weight) * unit.own(depth)),
                   paid = Format::value(unit.own(impulse) * unit.own(more));
       if (!is_positive(price - paid)) return Value{};
@@ -275,9 +276,10 @@ struct Impulsive {
 
       template <class Share>
       constexpr Instant(const Plan& plan, Share t, Value rate_at_end, Value acceleration, Value main_part,
-                        Value main_rate)
+                        Value half_jump, Value main_rate)
           : turned(plan.turn * Format::value(square(t))),
             rate(rate_at_end - Format::value(t * (acceleration - sixth(main_part))) +
+                 Format::value(square(t) * (half_jump - Format::value(half(sixth(half_jump))))) +
                  Format::value(half(turned * main_rate))) {}
       // Without what the damper has taken since.
       template <class Share>

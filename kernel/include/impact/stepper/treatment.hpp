@@ -45,8 +45,15 @@ struct ApproachInField : Approach<Value> {
 // Either, for an impact at an instant.
 template <class Seen, class Value>
 struct ApproachAtInstant : Seen {
-  Value damped;  // the damper's part of the increment
+  Value damped;     // the damper's part of the increment
+  Value half_jump;  // of the increment with the drive at the step's end, what the drive makes of it within the step
 };
+
+// Whether a root that is kept with a penetration is that penetration's.
+template <class Format>
+constexpr bool is_root_of(typename Format::Value penetration, typename Format::Root root) {
+  return is_positive(penetration) && root == Format::root(penetration);
+}
 
 // The impulse of the contact's force in a step, and its moment about the step's end.
 template <class Value>

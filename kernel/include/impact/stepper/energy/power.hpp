@@ -143,8 +143,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     taken[2] = taken[1] + fall;
   }
   constexpr bool fits_together(const Plan& plan) const {
-    return !plan.is_resolved || phase == Phase::apart ||
-           (is_positive(penetration) && root == Format::root(penetration));
+    return !plan.is_resolved || phase == Phase::apart || is_root_of<Format>(penetration, root);
   }
   template <class State>
   [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,

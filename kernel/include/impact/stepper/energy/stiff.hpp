@@ -119,9 +119,8 @@ struct StiffContact {
   template <bool is_in_field = false>
   [[gnu::always_inline]] constexpr End end() const {
     // In a unit of the step's own, of which lengths are less than a quarter.
-    int places = Format::spare_places(travel, rate, press);
-    if (is_in_field && Format::spare_places(field, field, field) < places)
-      places = Format::spare_places(field, field, field);
+    const int places =
+        is_in_field ? Format::spare_places(travel, rate, press, field) : Format::spare_places(travel, rate, press);
     const int least = plan.exponent - places, exponent = is_per_impact ? plan.exponent : least > 2 ? least : 2;
     const auto unit = Format::own_unit(places);
     return Scaled{*this,
@@ -217,7 +216,7 @@ struct StiffContact {
     // What the correction has gained by the field and `taken` has not yet, out of b or V1.
     [[gnu::always_inline]] constexpr void pay_for_correction(End& end, Value& taken) const {
       const Value moved = moved_to(end);
-      if (Format::spare_places(moved, moved, moved) < places || !is_positive(end.rate)) return;
+      if (Format::spare_places(moved) < places || !is_positive(end.rate)) return;
       const Value own_field = scaled(step.field), v1 = scaled(end.rate), back = scaled(end.recoil),
                   gained = -Format::value(own_field * scaled(moved)) - taken, half_v1 = Format::value(half(v1));
       const Value by_back = Format::value(quarter(d + own_field)) - Format::value(half(back));
@@ -242,7 +241,7 @@ struct StiffContact {
         by_both = by_both + Format::value(change * (v1 + v1 - change));
       }
       const Value moved_now = moved_to(paid);
-      if (Format::spare_places(moved_now, moved_now, moved_now) < places) return;
+      if (Format::spare_places(moved_now) < places) return;
       const Value left = -by_both - Format::value(own_field * scaled(moved_now));
       if (is_positive(mirrored(left, is_negative(left)) - gained)) return;
       end = paid;

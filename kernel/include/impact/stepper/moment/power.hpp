@@ -75,7 +75,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     phase = Phase::touching;
   }
   constexpr bool fits_together(const Plan&) const {
-    return phase == Phase::apart || (is_positive(penetration) && root == Format::root(penetration));
+    return phase == Phase::apart || is_root_of<Format>(penetration, root);
   }
   constexpr void bear(const Plan& plan, Value load) { change = Format::moved(load, -plan.travel_places); }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,

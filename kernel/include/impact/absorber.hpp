@@ -441,7 +441,7 @@ class Absorber
     if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
     [[maybe_unused]] const auto drive_before = state_.drive;
     Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
-                      Format::term(plan.damping, plan.units.displacement(state_.dx1));
+                      Format::term(plan.damping, plan.units.damped(state_.dx1));
     if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
@@ -581,7 +581,7 @@ class Absorber
     step.travel = mirrored(flown(main_travel), left);
     step.before = step.penetration - step.travel;
     if constexpr (Contact::is_instantaneous) {
-      step.damped = mirrored(Format::term(plan.damping, plan.units.displacement(main_travel)), left);
+      step.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
       ((step.half_jump = -mirrored(of_drive.half, left), increment = increment + of_drive.to_end), ...);
     }
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);

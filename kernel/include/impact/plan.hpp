@@ -197,6 +197,8 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::planne
     largest.increment += 2 * in_field;
   }
 
+  largest.is_lightly_damped = 8 * flow.damping() <= flow.stiffness();
+
   Treatment::bound_forces(terms, largest);
   // Deeper than any motion within the bounds leads to, and so than the step is judged at. An impact at an instant
   // stores nothing, and puts the ball on its stop.
@@ -234,7 +236,7 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::planne
   plan.step = h;
   plan.units = units;
   plan.stiffness = Format::gain(flow.stiffness(), exponents.position, exponents.increment);
-  plan.damping = Format::gain(scene.main_damping > 0 ? flow.damping() : 0, exponents.displacement, exponents.increment);
+  plan.damping = Format::gain(scene.main_damping > 0 ? flow.damping() : 0, exponents.damped, exponents.increment);
   plan.rate_by_dx1 = Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration);
   plan.rate_by_x1 = Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration);
   plan.drive = Drive::template make_plan<Format>(scene, bounds, h, flow, exponents);

@@ -41,6 +41,8 @@ struct Fixed32Units {
       if (*own < e.position - 31) *own = e.position - 31;
     if (e.displacement <= e.increment) e.displacement = e.increment + 1;
     e.recoil = e.push - 1;
+    // A place of a position changes the next step an eighth as much by the damper as by the spring, or less.
+    e.damped = bounds.is_lightly_damped ? e.position : e.displacement;
     return e;
   }
   // A force of more than 2^20 times k1 times the penetrations' unit to its power has no factor. Rates count in the
@@ -62,13 +64,14 @@ struct Fixed32Units {
   static constexpr bool resolves(double change, int exponent) { return change > constant::power_of_two(exponent - 31); }
 
   int64_t gap;
-  int position_exponent, displacement_shift, increment_shift, push_shift, penetration_shift, penetration_exponent,
-      force_bits;
+  int position_exponent, displacement_shift, damped_shift, increment_shift, push_shift, penetration_shift,
+      penetration_exponent, force_bits;
 
   static constexpr Fixed32Units make(const UnitExponents& e, double gap, double, double) {
     return {static_cast<int64_t>(gap * constant::power_of_two(63 - e.position)),
             e.position,
             32 - (e.position - e.displacement),
+            32 - (e.position - e.damped),
             32 - (e.position - e.increment),
             32 - (e.position - e.push),
             32 - (e.position - e.penetration),
@@ -94,6 +97,7 @@ struct Fixed32Units {
 
   static constexpr Value position(Long x) { return {upper_word(x.raw)}; }
   constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
+  constexpr Value damped(Long w) const { return {static_cast<int32_t>(static_cast<uint64_t>(w.raw) >> damped_shift)}; }
   // Of a displacement per step and of a force: their own units serve.
   static constexpr Value velocity(Value per_step) { return per_step; }
   static constexpr Value newtons(Value force) { return force; }
@@ -158,16 +162,17 @@ struct Fixed32Units {
   }
   constexpr bool fits(Long relative_displacement) const {
     const auto upper = static_cast<uint32_t>((relative_displacement - Long{gap}).raw >> 32);
-    return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) <= 1;
+    return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) >> 1 == 0;
   }
-  // On the upper words alone: true whenever x2 - x1 > gap, and at times one last place early.
+  // On the upper words alone, and without the last twelve places of the gap's, which one instruction of RISC-V loads
+  // then: true whenever x2 - x1 > gap, and at times by up to 2^12 last places of a position early.
   constexpr bool beyond_stop(Long x2, Long x1) const {
-    return upper_difference(x2, x1) >= static_cast<int32_t>(gap >> 32);
+    return upper_difference(x2, x1) >= (static_cast<int32_t>(gap >> 32) & ~0xfff);
   }
-  // Either stop, at times two last places early.
+  // Either stop; the upper words of a negative difference may say one place less.
   constexpr bool beyond_stops(Long x2, Long x1) const {
     const int32_t apart = upper_difference(x2, x1);
-    return (apart ^ apart >> 31) >= static_cast<int32_t>(gap >> 32) - 1;
+    return (apart ^ apart >> 31) >= ((static_cast<int32_t>(gap >> 32) - 1) & ~0xfff);
   }
   // Whether w less `other` is more than `least`, or where the sign is negative less than its opposite; on the upper
   // words alone, at times two last places late.

@@ -125,6 +125,7 @@ struct RealFormat {
 
     static constexpr Value position(Long x) { return x.sum; }
     static constexpr Value displacement(Long w) { return w.sum; }
+    static constexpr Value damped(Long w) { return w.sum; }
     static constexpr void add(Long& x, Value increment) { x.add(increment); }
     static constexpr void add(Long& x, Value value, int) { x.add(value); }
     static constexpr int places_of(int) { return 0; }

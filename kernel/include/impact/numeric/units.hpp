@@ -8,6 +8,7 @@ namespace impact {
 struct UnitExponents {
   int position = 0;      // of x1 and x2, m
   int displacement = 0;  // of the displacement per step, m
+  int damped = 0;        // the same as the damper counts it
   int increment = 0;     // of what spring and drive add to it in a step, m
   int push = 0;          // of what contact adds to it in a step, m
   int recoil = 0;        // of what contact adds to the rate of penetration in a step, m
@@ -18,9 +19,11 @@ struct UnitExponents {
 // Which quantity is too large beside the others for a format of fixed point.
 enum class Overflow { none, force, penetration, position };
 
-// The largest magnitudes in a scene, in the same units.
+// The largest magnitudes in a scene, in the same units; whether the damper takes an eighth of a displacement per step
+// of what the spring adds of a displacement, or less.
 struct UnitBounds {
   double gap, amplitude, position, displacement, increment, push, penetration, force_factor;
+  bool is_lightly_damped;
 };
 
 }  // namespace impact

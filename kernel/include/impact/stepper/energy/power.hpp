@@ -183,7 +183,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       penetration = step.penetration - plan.response.travel(predicted);
       n = is_positive(penetration) ? stay() : leave(before);
     }
-    const Impulse<Value> push = pushed(plan, n, penetration - before);
+    Impulse<Value> push = pushed(plan, n, penetration - before);  // not const: GCC would keep it in memory
     taken[0] = push.j1, taken[1] = last, taken[2] = last_but_one;
     return {push.j0, predicted};
   }

@@ -170,7 +170,7 @@ struct SubsteppedMoment {
           if (is_positive(at)) at = Value{};
         }
         const Value part_rate = free_rate - Format::moved(u + w, plan.travel_places);
-        const Impulse<Value> impulse =
+        Impulse<Value> impulse =  // not const: GCC would keep it in memory
             Inner::resolve(plan.inner, units, {part_trial, part_rate, part_trial - at, at, curvature, Value{}});
         x = x + plan.main_x * impulse.j1;
         u = u + plan.main_u * impulse.j0 + plan.main_u_by_moment * impulse.j1;

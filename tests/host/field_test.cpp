@@ -325,6 +325,52 @@ TYPED_TEST(FieldIn, BallOnAnImpulsiveStopIsCarriedAlongForNothing) {
           }
 }
 
+// An observer that corrects the main mass in every step: by nothing, or to and fro. A ball at rest on either stop stays
+// on it, as one touch, and sinks no deeper than positions round; sent into it at more than a step of its weight makes,
+// it bounces as the law says.
+TYPED_TEST(FieldIn, CorrectedBallStaysOnAnImpulsiveStop) {
+  using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity, ImpactLog>;
+  const double h = 1e-3, restitution = 0.3;
+  const double rounding = std::is_same_v<TypeParam, Float64> ? 1e-15 : 1e-9;
+  for (const bool left : {false, true})
+    for (const double by : {0.0, 1e-7, 1e-5}) {
+      SCOPED_TRACE(testing::Message() << left << " " << by);
+      const double side = left ? -1 : 1;
+      Scene scene;
+      scene.drive_amplitude = scene.drive_pulsation = 0;
+      scene.main_stiffness = 2500;
+      scene.main_damping = 20;
+      scene.contact_stiffness = 1e16;
+      scene.restitution = restitution;
+      scene.gravity = side * weight;
+      scene.x1 = side * (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
+      scene.x2 = scene.x1 + side * scene.clearance / 2;
+      const auto plan = Absorber::PlanType::make(scene, {0.1, 1, 0, 0}, h);
+      ASSERT_EQ(plan.status, PlanStatus::ok);
+      Absorber absorber(plan);
+      const auto native = [](double x, double unit) { return TypeParam::sample(x / unit); };
+      for (int n = 0; n < 4; ++n) absorber.step();
+      const uint32_t impacts = absorber.state().impacts;
+      double deepest = 0;
+      for (int n = 0; n < 20000; ++n) {
+        absorber.step();
+        absorber.correct(native(n % 2 == 0 ? by : -by, absorber.displacement_unit()), {});
+        const auto now = absorber.reading();
+        deepest = larger(deepest, side * (now.x2 - now.x1) - scene.clearance / 2);
+        ASSERT_TRUE(by > 0 || absorber.is_touching()) << n;
+      }
+      EXPECT_LE(deepest, rounding);
+      if (by > 0) continue;
+      EXPECT_EQ(absorber.state().impacts, impacts);
+      const double speed = 0.2;
+      absorber.correct({}, native(-side * speed, absorber.velocity_unit()));
+      absorber.step();
+      const auto now = absorber.reading();
+      // The weight turns the rate by up to (1 + m/M) g h within the step.
+      EXPECT_NEAR(side * (now.v2 - now.v1), -restitution * speed, 2 * weight * h);
+    }
+}
+
 // Whatever falls and bounces between impulsive stops, in no step is there more energy: of both masses, the main spring,
 // the weight and a constant drive, over the largest kinetic energy until then. Beyond that only rounding, which a ball
 // a thousand times lighter or heavier than the main mass magnifies.

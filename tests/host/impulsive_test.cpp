@@ -281,8 +281,9 @@ TYPED_TEST(ImpulsiveStep, PressGivesBackTheSpeedThatItAdds) {
 // that rate J is 2 mu V, and more than that would be energy from nothing. The instant is where the ball's two straight
 // lines meet, and v1 there a free mass's under the drive.
 template <class Simulated, class Sample, class Velocity>
-void expect_turned_around(const Scene& scene, double h, double tolerance, Sample step, Velocity main_velocity) {
-  Simulated absorber(Simulated::PlanType::make(scene, {1, 4, 0, 2000}, h));
+void expect_turned_around(const Scene& scene, double h, double tolerance, Sample step, Velocity main_velocity,
+                          double largest_force = 2000) {
+  Simulated absorber(Simulated::PlanType::make(scene, {1, 4, 0, largest_force}, h));
   ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
   for (int n = 0; n < 4; ++n) {
     const auto before = absorber.reading();
@@ -325,6 +326,23 @@ TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundUnderADriveThatJumps) {
                 return v1 + t * (force[n] + (force[n + 1] - force[n]) * t / (2 * h));
               });
         }
+}
+// From one end of the samples' range to the other, where what that changes in a step is a power of two.
+TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundUnderTheLargestJump) {
+  using Jolted = Kernel<TypeParam, Hertz, Sampled>;
+  const double h = 0x1p-10, force = 64, rounding = is_double<TypeParam> ? 1e-9 : 1e-4;
+  for (const double ratio : {0.1, 1.0, 10.0})
+    for (int phase = 0; phase < 64; ++phase) {
+      SCOPED_TRACE(testing::Message() << ratio << " " << phase);
+      const auto force_at = [&](int n) { return n == 0 ? 0 : n % 2 == 0 ? force : -force; };
+      expect_turned_around<Jolted>(
+          about_to_meet_its_stop(ratio, h, phase), h, rounding,
+          [&](Jolted& absorber, int n) { absorber.step(absorber.plan.sample_of(force_at(n + 1))); },
+          [&](double v1, int n, double t) {
+            return v1 + t * (force_at(n) + (force_at(n + 1) - force_at(n)) * t / (2 * h));
+          },
+          force);
+    }
 }
 // A sine counts by its slope at the step's end.
 TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundUnderAFastSine) {
@@ -377,6 +395,45 @@ TYPED_TEST(ImpulsiveStep, GivesNothingBackThatTheDamperTook) {
           impacts += absorber.state().impacts;
         }
   EXPECT_GE(impacts, 600u);
+}
+
+// The same under samples that jump to and fro: what the impulse makes of the energy of both masses, less the work of
+// the drive over what it makes of the main mass's way, a straight line from its instant on.
+TYPED_TEST(ImpulsiveStep, GivesNothingBackThatTheDamperTookUnderADriveThatJumps) {
+  using Jolted = Kernel<TypeParam, Hertz, Sampled>;
+  const double h = 1e-3, speed = 0.3, rounding = is_double<TypeParam> ? 1e-12 : 1e-4;
+  for (const double damping : {0.01, 0.1, 0.3})
+    for (const double push : {30.0, 100.0, 300.0})
+      for (int phase = 0; phase < 64; ++phase) {
+        SCOPED_TRACE(testing::Message() << damping << " " << push << " " << phase);
+        Scene scene = about_to_meet_its_stop(1, h, phase);
+        scene.v2 = speed;
+        scene.x2 = scene.clearance / 2 - speed * h * (1 + (phase + 0.5) / 64);
+        scene.main_damping = damping / h;
+        Jolted absorber(Jolted::PlanType::make(scene, {1, 4, 0, push}, h));
+        ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+        double f0 = 0;
+        bool has_met = false;
+        for (int n = 1; n <= 8 && !has_met; ++n) {
+          const double f1 = n % 2 == 0 ? push : -push;
+          const auto before = absorber.reading();
+          absorber.step(absorber.plan.sample_of(f1));
+          const auto now = absorber.reading();
+          const LinearFlow flow = exact_flow(scene, h);
+          const double u = before.v1 * h, x1 = before.x1 + flow.e12 * u + flow.b0 * f0 + flow.b1 * f1,
+                       v1 = before.v1 + (flow.e22 * u + flow.c0 * f0 + flow.c1 * f1) / h;
+          const double change = now.v2 - before.v2;
+          if (std::abs(change) > 1e-3) {
+            const double since = (now.x2 - before.x2 - h * before.v2) / change, gained = now.v1 - v1;
+            const double work = gained * since * (f1 - (f1 - f0) * since / (2 * h));
+            EXPECT_NEAR(now.x1 - x1, gained * since, 1e-6);
+            const double made = (now.v1 * now.v1 - v1 * v1 + now.v2 * now.v2 - before.v2 * before.v2) / 2 - work;
+            EXPECT_LE(made, rounding * speed * speed / 4);
+            has_met = true;
+          }
+          f0 = f1;
+        }
+      }
 }
 
 // A drive presses a light main mass onto a heavy ball, so hard that alone it would pass Bounds::speed in a step many

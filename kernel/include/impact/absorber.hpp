@@ -257,8 +257,8 @@ class Absorber
   // of displacement() and velocity(). At most half a unit of each; a state that leaves its range is held, with a fault.
   // A contact under way goes on from the corrected penetration; a damping that was set at its impact is held to what a
   // step bears there (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands
-  // at that stop. Dry friction begins anew. A ledger counts what a correction does to the stored energy as dissipated,
-  // and nothing as the drive's work.
+  // at that stop, and one at rest on an impulsive stop stays on it. Dry friction begins anew. A ledger counts what a
+  // correction does to the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
@@ -359,8 +359,10 @@ class Absorber
 
  private:
   using SeenForce = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
+  using SeenChange =
+      typename detail::Either<Contact::sees_change, ApproachUnderChange<SeenForce, Value>, SeenForce>::Type;
   using SeenStep =
-      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<SeenForce, Value>, SeenForce>::Type;
+      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<SeenForce, Value>, SeenChange>::Type;
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
@@ -450,7 +452,7 @@ class Absorber
     if (!judges_contact_once() && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
-      if constexpr (Contact::is_instantaneous && (Drive::is_sine || Drive::is_sampled))
+      if constexpr (Contact::sees_change && (Drive::is_sine || Drive::is_sampled))
         meet_stop(increment, main_travel, state_.drive.change(plan.drive, drive_before));
       else
         meet_stop(increment, main_travel);
@@ -521,6 +523,7 @@ class Absorber
   // bears that.
   constexpr void touch_anew() {
     Contact& contact = state_.contact;
+    if (contact.rests_on(plan.units, state_, at_left())) return;
     const Phase phase = contact.phase;
     const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left()));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
@@ -580,9 +583,10 @@ class Absorber
     step.rate = relative_rate(left);
     step.travel = mirrored(flown(main_travel), left);
     step.before = step.penetration - step.travel;
+    if constexpr (Contact::sees_change) ((step.half_change = -mirrored(of_drive.half, left)), ...);
     if constexpr (Contact::is_instantaneous) {
       step.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
-      ((step.half_jump = -mirrored(of_drive.half, left), increment = increment + of_drive.to_end), ...);
+      ((increment = increment + of_drive.to_end), ...);
     }
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }

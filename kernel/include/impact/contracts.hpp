@@ -22,6 +22,7 @@
 //
 // Treatment a base                     Treatment or ResolvedForces of stepper/treatment.hpp, which have the rest
 //           is_instantaneous           an impact takes no time: its forces are not judged by their size in a step
+//           sees_change                the approach says what the drive changes by in the step
 //           Plan                       its constants, with `response`: what an impulse and a moment do to the state
 //           make_plan(terms, flow, exponents)      SI in, law/terms.hpp
 //           force_unit(terms, exponents)           N: what its forces count in
@@ -37,6 +38,7 @@
 //                                      change of plan needs
 //           make_plan, make_handover   <Format>(scene, bounds, h, flow, exponents)
 //           force_unit<Format>(scene, bounds)    N: what State::force counts in
+//           State::change(plan, before)    DriveChange of the last step, for a treatment that sees_change
 //           largest(scene, bounds)     N: the largest force
 //           at_start(scene, flow), largest_at_once(scene, bounds, flow)    m: what it adds to dx1 at the start, and
 //                                      what a sample may add to x1 as it comes

@@ -22,7 +22,7 @@ struct Sampled {
 
   template <class Format>
   struct Plan {
-    typename Format::Gain at_once, increment_before, increment_now, rate;
+    typename Format::Gain at_once, increment_before, increment_now, increment_throughout, rate;
     typename Format::Value largest;
     float per_newton;  // native numbers
   };
@@ -35,6 +35,7 @@ struct Sampled {
     return {Format::gain(newtons * share.at_once, 0, unit.increment),
             Format::gain(newtons * share.before, 0, unit.increment),
             Format::gain(newtons * share.now, 0, unit.increment),
+            Format::gain(newtons * flow.constant_increment(), 0, unit.increment),
             Format::gain(newtons * flow.b0 / flow.e12, 0, unit.penetration),
             Format::largest_sample(bounds.force),
             static_cast<float>(newtons > 0 ? 1 / newtons : 0)};
@@ -75,8 +76,8 @@ struct Sampled {
     constexpr typename Format::Value rate(const Plan<Format>& plan) const { return plan.rate * sample; }
     // Of the step that began with `before`.
     constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, const State& before) const {
-      const auto late = plan.increment_before * sample - plan.increment_before * before.sample;
-      return {late, Format::value(half(late + (plan.increment_now * sample - plan.increment_now * before.sample)))};
+      return {plan.increment_before * sample - plan.increment_before * before.sample,
+              plan.increment_throughout * (Format::value(half(sample)) - Format::value(half(before.sample)))};
     }
     constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>& from,
                                                             const Plan<Format>&, const Handover<Format>& to) const {

@@ -22,8 +22,9 @@
 //
 // an impact creates no energy, whatever t is and however wrong e or the depth may be. One of restitution 1 loses up to
 // (w0 t h)^4/12 of the main mass's share. F is the drive at the step's end: of one that has come to it from F - dF in
-// the step, Vi has t^2 h dF/2M (1 - (w0 t h)^2/12) more (of a sine by its slope at the end, so that it misses up to a
-// twelfth of what its bend makes of F in the step). The impulse counts in 2 mu:
+// the step, Vi has t^2 h dF/2M (1 - (w0 t h)^2/12) more. (A sine F0 of the pulsation w counts by its slope at the end:
+// Vi misses up to (w h)^2/12 F0 h/M, where the main spring turns w0 h = 0.3 in the step up to three times that. Of what
+// a base changes by, da h, it misses (w0 t h)^2/24.) The impulse counts in 2 mu:
 //
 //     J = 2 mu (Vi - loss V0)    V0 = Vi - A depth/D >= 0
 //
@@ -139,24 +140,31 @@ struct Impulsive {
            Format::gain(penetration_rate_by_force / 2, 0, 0)}};
     }
 
-    static constexpr bool is_instantaneous = true;
+    static constexpr bool is_instantaneous = true, sees_change = true;
     static constexpr bool is_sudden(const Plan&) { return true; }
 
     Phase phase;
     uint32_t rests;  // held by the last step
     Value lies;      // and how far inside the stop
 
-    // A ball that has rested rests on, where a correction has put it.
-    constexpr void start(const Plan&, const Units&, Value at, Value) {
-      phase = Phase::touching;
-      lies = at;
+    constexpr void start(const Plan&, const Units&, Value, Value) { phase = Phase::touching; }
+    // No deeper in it than it lay.
+    template <class State>
+    constexpr bool rests_on(const Units& units, State& state, bool left) {
+      if (!rests) return false;
+      const auto place = resting_place(units, state, left), deeper = left ? place - state.x2 : state.x2 - place;
+      if (!deeper.is_negative()) {
+        state.x2 = place;
+      } else {
+        lies = units.penetration(mirrored(state.x2 - state.x1, left));
+        if (!is_positive(lies)) phase = Phase::apart;
+      }
+      return true;
     }
 
     template <class State>
     [[gnu::always_inline]] constexpr void place_ball(const Plan&, const Units& units, State& state, bool left) const {
-      if (!rests) return;
-      state.x2 = units.stop(state.x1, left);
-      units.displace(state.x2, mirrored(lies, left));
+      if (rests) state.x2 = resting_place(units, state, left);
     }
     [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&,
                                                                const Contact& before,
@@ -177,7 +185,9 @@ struct Impulsive {
     template <class Seen>
     [[gnu::always_inline]] constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, Seen step) {
       const Value trial = step.penetration, rate = step.rate, travel = step.travel;
-      const bool has_rested = rests && phase == Phase::touching;
+      // A ball that came into the step at more than half the rate that it leaves it with has been sent by a correction.
+      const bool is_sent = is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate))),
+                 has_rested = rests && phase == Phase::touching && !is_sent;
       rests = 0;
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
       if (!is_positive(trial)) return {{}, {}, rate};
@@ -199,7 +209,7 @@ struct Impulsive {
         const Value beyond = trial - bounce.depth;
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
-        const Instant at(plan, t, rate, acceleration, main_part, plan.acceleration * step.half_jump, step.main_rate);
+        const Instant at(plan, t, rate, acceleration, main_part, plan.acceleration * step.half_change, step.main_rate);
         const Value touch_rate = at.rate - over(pressed, travel);
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
         const Value impulse = held(plan, units, no_more(asked, at.undamped(plan, t, step.damped)));
@@ -219,6 +229,12 @@ struct Impulsive {
     }
 
    private:
+    template <class State>
+    [[gnu::always_inline]] constexpr auto resting_place(const Units& units, const State& state, bool left) const {
+      auto place = units.stop(state.x1, left);
+      units.displace(place, mirrored(lies, left));
+      return place;
+    }
     // A force that keeps the ball from going on by `way`, and half the rate that it leaves.
     struct Support {
       Value force, half_rate;
@@ -276,10 +292,10 @@ struct Impulsive {
 
       template <class Share>
       constexpr Instant(const Plan& plan, Share t, Value rate_at_end, Value acceleration, Value main_part,
-                        Value half_jump, Value main_rate)
+                        Value half_change, Value main_rate)
           : turned(plan.turn * Format::value(square(t))),
             rate(rate_at_end - Format::value(t * (acceleration - sixth(main_part))) +
-                 Format::value(square(t) * (half_jump - Format::value(half(sixth(half_jump))))) +
+                 Format::value(square(t) * (half_change - Format::value(half(sixth(half_change))))) +
                  Format::value(half(turned * main_rate))) {}
       // Without what the damper has taken since.
       template <class Share>

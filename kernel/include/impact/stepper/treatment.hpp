@@ -42,11 +42,16 @@ struct ApproachInField : Approach<Value> {
   Value ball_increment;  // the ball's part of the increment
 };
 
-// Either, for an impact at an instant.
+// Either, for a step that goes on from a rate within it, which a drive that changes has made.
 template <class Seen, class Value>
-struct ApproachAtInstant : Seen {
-  Value damped;     // the damper's part of the increment
-  Value half_jump;  // of the increment with the drive at the step's end, what the drive makes of it within the step
+struct ApproachUnderChange : Seen {
+  Value half_change;  // of what the drive adds to the rate in a step, from the step's start to its end
+};
+
+// The same for an impact at an instant.
+template <class Seen, class Value>
+struct ApproachAtInstant : ApproachUnderChange<Seen, Value> {
+  Value damped;  // the damper's part of the increment
 };
 
 // Whether a root that is kept with a penetration is that penetration's.
@@ -117,6 +122,8 @@ template <class Format, class ContactLaw, class Response, class Value>
 struct Treatment {
   // Whether it can leave one stop and touch the other in the same step; otherwise the other one waits for the next.
   static constexpr bool meets_both_stops = false;
+  // Whether it asks what the drive changes by in a step.
+  static constexpr bool sees_change = false;
   // Whether it keeps a force from step to step, in its plan's units.
   static constexpr bool keeps_force = false;
   // Whether it may change the rate of penetration in a step as no force over that step does.
@@ -144,6 +151,11 @@ struct Treatment {
   [[gnu::always_inline]] static constexpr bool begin_inside(const Units&, State&, Approach<Value>& step, bool) {
     step.before = Value{};
     return true;
+  }
+  // A correction of the main mass finds the ball at rest on its stop, where it stays. False where it does not rest.
+  template <class Units, class State>
+  static constexpr bool rests_on(const Units&, State&, bool) {
+    return false;
   }
   // What moves the ball besides the impulse.
   template <class Plan, class Units, class State>

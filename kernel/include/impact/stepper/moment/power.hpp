@@ -17,6 +17,8 @@
 //
 // d1 and v1 - v0 follow from the trial values less J1 and J0. d1 is predicted by a Taylor step (staying, leaving) or is
 // the trial's (entering), v1 - v0 likewise, and J0 and J1 are corrected once by their derivatives for what d1 missed.
+// How a drive changes within a step is not in them: samples that jump to and fro by dF in each step of an impact of 8
+// steps at the rate V make up to 0.5 % of dF h/(M V) of its energy, in one of 16 steps 0.1 %.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/moment/response.hpp>

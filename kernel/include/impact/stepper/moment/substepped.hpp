@@ -46,6 +46,7 @@ struct SubsteppedMoment {
       Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // the main mass's flow over a sub-step, less (1 1; 0 1)
       Gain main_x, main_u, main_u_by_moment, ball;      // of a sub-step's impulse
       Gain to_penetration;                              // n, from impulses to penetrations
+      Gain late;                                        // what a change of the drive makes of the rate at the start
       Gain force;                                       // from the ball's impulse to the force's impulse
       int travel_places;
     };
@@ -98,12 +99,14 @@ struct SubsteppedMoment {
       plan.main_u_by_moment = Format::gain(scale * answer.hg1, from, unit.recoil);
       plan.ball = Format::gain(scale / terms.ball_mass, from, unit.recoil);
       plan.to_penetration = Format::gain(n, unit.recoil, unit.penetration);
+      plan.late = Format::gain(terms.step * terms.step / (3 * terms.main_mass * flow.constant_increment()),
+                               unit.increment, unit.penetration);
       plan.force = Format::gain(per_ball, unit.recoil, 0);
       plan.travel_places = unit.penetration - unit.recoil;
       return plan;
     }
 
-    static constexpr bool meets_both_stops = false;
+    static constexpr bool meets_both_stops = false, sees_change = true;
 
     Value step_rate;  // of penetration, at the end of the last step in contact
 
@@ -136,11 +139,13 @@ struct SubsteppedMoment {
               !begins};
     }
 
-    constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, const Approach<Value>& step) {
+    template <class Seen>
+    constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, const Seen& step) {
       const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
       const bool begins = this->phase == Phase::apart;
       Value at = begins ? before : this->penetration;
-      const Value rate_before = begins ? (trial - before) + (trial - before) - trial_rate : step_rate;
+      const Value rate_before =
+          begins ? (trial - before) + (trial - before) - trial_rate + plan.late * step.half_change : step_rate;
       const Value curving = trial - at - rate_before, rate_change = trial_rate - rate_before;
       const Value second = plan.square * (curving + curving + curving - rate_change),
                   third = plan.cube * (rate_change - curving - curving);

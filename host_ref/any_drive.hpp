@@ -60,8 +60,8 @@ struct AnyDrive : NoDrive {  // whose Handover it has: the tool changes no plan 
     constexpr Value rate(const Plan<Format>& plan) const {
       return plan.is_sine ? sine.rate(plan.sine) : Samples::rate(plan);
     }
-    constexpr DriveChange<Value> change(const Plan<Format>& plan, const State& before) const {
-      return plan.is_sine ? sine.change(plan.sine, before.sine) : Samples::change(plan, before);
+    constexpr DriveChange<Value> change(const Plan<Format>& plan, Value last) const {
+      return plan.is_sine ? sine.change(plan.sine, {}) : Samples::change(plan, last);
     }
     constexpr Value force(const Plan<Format>& plan) const {
       return plan.is_sine ? sine.force(plan.sine) : Samples::force(plan);

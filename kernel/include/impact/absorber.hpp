@@ -441,7 +441,7 @@ class Absorber
     if constexpr (Field::is_sampled) plan.units.add(main_travel, Field::at_once(plan, base));
     state_.x1.advance(main_travel);
     if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
-    [[maybe_unused]] const auto drive_before = state_.drive;
+    [[maybe_unused]] const auto drive_before = state_.drive.before();
     Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
                       Format::term(plan.damping, plan.units.damped(state_.dx1));
     if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);

@@ -31,6 +31,7 @@ struct NoDrive {
   template <class Format>
   struct State {
     static constexpr State start(const Plan<Format>&) { return {}; }
+    static constexpr State before() { return {}; }
     static constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>&,
                                                                    const Plan<Format>&, const Handover<Format>&) {
       return {};

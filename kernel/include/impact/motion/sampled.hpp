@@ -74,10 +74,12 @@ struct Sampled {
       return increment;
     }
     constexpr typename Format::Value rate(const Plan<Format>& plan) const { return plan.rate * sample; }
-    // Of the step that began with `before`.
-    constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, const State& before) const {
-      return {plan.increment_before * sample - plan.increment_before * before.sample,
-              plan.increment_throughout * (Format::value(half(sample)) - Format::value(half(before.sample)))};
+    // What must be kept of the step's start for change().
+    constexpr typename Format::Value before() const { return sample; }
+    // Of the last step.
+    constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, typename Format::Value last) const {
+      return {plan.increment_before * sample - plan.increment_before * last,
+              plan.increment_throughout * (Format::value(half(sample)) - Format::value(half(last)))};
     }
     constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>& from,
                                                             const Plan<Format>&, const Handover<Format>& to) const {

@@ -119,10 +119,14 @@ struct Sine {
       return plan.rate_by_value * Format::reading(oscillator.value_head()) +
              plan.rate_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
     }
-    // Of the step that began with `before`, by the slope at its end.
-    constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, const State& before) const {
+    // What must be kept of the step's start for change().
+    struct Before {};
+    constexpr Before before() const { return {}; }
+    // Of the last step, by the slope at its end.
+    [[gnu::always_inline]] constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan,
+                                                                                Before) const {
       const auto next = plan.increment * Format::reading(oscillator.value_head()),
-                 last = plan.increment * Format::reading(before.oscillator.last_head());
+                 last = plan.increment * Format::reading(oscillator.head_before_last(plan.oscillator));
       return {{}, Format::value(quarter(next - last))};
     }
     // The force now, over twice the amplitude.

@@ -77,7 +77,13 @@ struct IntegerOscillator {
   }
   static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }
   constexpr int32_t value_head() const { return upper_word(value); }
-  constexpr int32_t last_head() const { return upper_word(value - slope); }
+  // Of the value two steps before this one. The map is its own reverse.
+  [[gnu::always_inline]] constexpr int32_t head_before_last(const Plan& plan) const {
+    const uint64_t last = static_cast<uint64_t>(value) - static_cast<uint64_t>(slope);
+    IntegerOscillator back{static_cast<int64_t>(last), static_cast<int64_t>(0 - static_cast<uint64_t>(slope))};
+    back.advance(plan);
+    return back.value_head();
+  }
   constexpr int32_t slope_head(const Plan& plan) const { return static_cast<int32_t>(slope >> (32 - plan.slope_bits)); }
 };
 
@@ -112,7 +118,11 @@ struct RealOscillator {
   }
   static constexpr int slope_bits(const Plan&) { return 0; }
   constexpr Real value_head() const { return value; }
-  constexpr Real last_head() const { return value - slope; }
+  constexpr Real head_before_last(const Plan& plan) const {
+    RealOscillator back{value - slope, -slope};
+    back.advance(plan);
+    return back.value_head();
+  }
   constexpr Real slope_head(const Plan&) const { return slope; }
 };
 

@@ -38,9 +38,8 @@
 //                                      change of plan needs
 //           make_plan, make_handover   <Format>(scene, bounds, h, flow, exponents)
 //           force_unit<Format>(scene, bounds)    N: what State::force counts in
-//           State::before(), State::change(plan, before)    what is kept of a step's start; the DriveChange of the
-//           step,
-//                                      for a treatment that sees_change
+//           State::before()            what change() asks of a step's start
+//           State::change(plan, before)    the step's DriveChange, for a treatment that sees_change
 //           largest(scene, bounds)     N: the largest force
 //           at_start(scene, flow), largest_at_once(scene, bounds, flow)    m: what it adds to dx1 at the start, and
 //                                      what a sample may add to x1 as it comes
@@ -84,8 +83,9 @@
 //           at_once(plan, next)        increment: to x1, in the step that the sample ends
 //
 // Friction  is_friction                a part whose force acts between ball and main mass, against y' or at rest
-//           FrictionPlan<Format>       a base of the plan: its constants are plan.friction, with `full`, 0 where it
-//           does nothing increment(main, ball)      m/N: what it adds to the way of the sliding in a step
+//           FrictionPlan<Format>       a base of the plan: its constants are plan.friction
+//           plan.friction.full         0 where it does nothing
+//           increment(main, ball)      m/N: what it adds to the way of the sliding in a step
 //           make_plan<Format>(scene, main, ball, at_once, exponents, units)    at_once: what a sample adds to that, m
 //           begin(plan, state, way), undo(plan, state)    at the start, and around a change of plan
 //           slides_on(plan, state, ball)    after a step: true where the same impulse as the last has acted again

@@ -32,8 +32,23 @@ wasm-ld lld
 /usr/share/doc/libclang-rt-14-dev-wasm32 libclang-rt-14-dev-wasm32
 END
   case $1 in
-    report) echo gnuplot gnuplot-nox && echo /usr/lib/arm-none-eabi/newlib/libm.a libnewlib-arm-none-eabi ;;
-    test) printf "%s\n" "/usr/share/doc/libclang-rt-14-dev libclang-rt-14-dev" "node nodejs" "chromium chromium" "clang-tidy clang-tidy" "cppcheck cppcheck" "gnuplot gnuplot-nox" ;;
+    report)
+      cat <<END
+gnuplot gnuplot-nox
+/usr/lib/arm-none-eabi/newlib/libm.a libnewlib-arm-none-eabi
+END
+      ;;
+    test)
+      cat <<END
+/usr/share/doc/libclang-rt-14-dev libclang-rt-14-dev
+node nodejs
+chromium chromium
+clang-tidy clang-tidy
+cppcheck cppcheck
+gnuplot gnuplot-nox
+/usr/include/newlib/string.h libnewlib-dev
+END
+      ;;
   esac
 }
 

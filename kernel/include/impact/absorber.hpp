@@ -452,10 +452,9 @@ class Absorber
     if (!judges_contact_once() && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
-      if constexpr (Contact::sees_change && (Drive::is_sine || Drive::is_sampled))
-        meet_stop(increment, main_travel, state_.drive.change(plan.drive, drive_before));
-      else
-        meet_stop(increment, main_travel);
+      DriveChange<Value> change{};
+      if constexpr (Contact::sees_change) change = state_.drive.change(plan.drive, drive_before);
+      meet_stop(increment, main_travel, change);
     } else if (judges_contact_once() && !is_flight_in_range()) {
       hold();
     } else if constexpr (Friction::is_friction) {
@@ -550,31 +549,27 @@ class Absorber
     return ahead;
   }
 
-  template <class... Change>
-  [[gnu::always_inline]] constexpr void meet_stop(Value increment, Long main_travel, const Change&... of_drive) {
+  [[gnu::always_inline]] constexpr void meet_stop(Value increment, Long main_travel, DriveChange<Value> change) {
     if constexpr (Format::calls_contact)
-      call_meet_stop_and_rub(increment, main_travel, of_drive...);
+      call_meet_stop_and_rub(increment, main_travel, change);
     else
-      meet_stop_and_rub(increment, main_travel, of_drive...);
+      meet_stop_and_rub(increment, main_travel, change);
   }
-  template <class... Change>
   [[gnu::noinline]] constexpr void call_meet_stop_and_rub(Value increment, Long main_travel,
-                                                          const Change&... of_drive) {
-    meet_stop_and_rub(increment, main_travel, of_drive...);
+                                                          DriveChange<Value> change) {
+    meet_stop_and_rub(increment, main_travel, change);
   }
-  template <class... Change>
   [[gnu::always_inline]] constexpr void meet_stop_and_rub(Value increment, Long main_travel,
-                                                          const Change&... of_drive) {
+                                                          DriveChange<Value> change) {
     if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(plan, state_) - main_travel, apart = state_.x2 - state_.x1;
-      touch(increment, main_travel, of_drive...);
+      touch(increment, main_travel, change);
       if (rubs()) rub_at_stop(flight, apart - (state_.x2 - state_.x1));
     } else {
-      touch(increment, main_travel, of_drive...);
+      touch(increment, main_travel, change);
     }
   }
-  template <class... Change>
-  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel, const Change&... of_drive) {
+  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel, DriveChange<Value> change) {
     if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
     const bool left = at_left();
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
@@ -583,10 +578,10 @@ class Absorber
     step.rate = relative_rate(left);
     step.travel = mirrored(flown(main_travel), left);
     step.before = step.penetration - step.travel;
-    if constexpr (Contact::sees_change) ((step.half_change = -mirrored(of_drive.half, left)), ...);
+    if constexpr (Contact::sees_change) step.half_change = -mirrored(change.half, left);
     if constexpr (Contact::is_instantaneous) {
       step.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
-      ((increment = increment + of_drive.to_end), ...);
+      increment = increment + change.to_end;
     }
     if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
   }

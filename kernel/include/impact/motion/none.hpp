@@ -32,6 +32,7 @@ struct NoDrive {
   struct State {
     static constexpr State start(const Plan<Format>&) { return {}; }
     static constexpr State before() { return {}; }
+    static constexpr DriveChange<typename Format::Value> change(const Plan<Format>&, State) { return {}; }
     static constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>&,
                                                                    const Plan<Format>&, const Handover<Format>&) {
       return {};

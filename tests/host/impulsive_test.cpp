@@ -412,6 +412,7 @@ TYPED_TEST(ImpulsiveStep, GivesNothingBackThatTheDamperTookUnderADriveThatJumps)
         scene.main_damping = damping / h;
         Jolted absorber(Jolted::PlanType::make(scene, {1, 4, 0, push}, h));
         ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+        const LinearFlow flow = exact_flow(scene, h);
         double f0 = 0;
         bool has_met = false;
         for (int n = 1; n <= 8 && !has_met; ++n) {
@@ -419,7 +420,6 @@ TYPED_TEST(ImpulsiveStep, GivesNothingBackThatTheDamperTookUnderADriveThatJumps)
           const auto before = absorber.reading();
           absorber.step(absorber.plan.sample_of(f1));
           const auto now = absorber.reading();
-          const LinearFlow flow = exact_flow(scene, h);
           const double u = before.v1 * h, x1 = before.x1 + flow.e12 * u + flow.b0 * f0 + flow.b1 * f1,
                        v1 = before.v1 + (flow.e22 * u + flow.c0 * f0 + flow.c1 * f1) / h;
           const double change = now.v2 - before.v2;

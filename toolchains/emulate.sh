@@ -5,14 +5,14 @@
 # the 24-bit SysTick the finest view of one instruction (16.384 or 25.6 ticks), and 1 on RISC-V, where minstret counts
 # it. Time asleep passes at once.
 set -eu
-case $1 in
+case ${1-} in
   cortex-m0 | cortex-m0plus) set -- "$2" "${3-10}" qemu-system-arm -machine microbit ;;
   cortex-m3) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an385 ;;
   cortex-m4f) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an386 ;;
   cortex-m7f) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an500 ;;
   rv32imac) set -- "$2" "${3-0}" qemu-system-riscv32 -machine virt -bios none ;;
   rp2350-riscv) set -- "$2" "${3-0}" qemu-system-riscv32 -machine virt -bios none -cpu rv32,zba=true,zbb=true ;;
-  *) echo "emulate.sh: no board for target '$1'" >&2 && exit 2 ;;
+  *) echo "emulate.sh: no board for target '${1-}'; usage: emulate.sh TARGET IMAGE [SHIFT]" >&2 && exit 2 ;;
 esac
 image=$1 shift=$2 && shift 2
 # Without a console device of its own QEMU prints semihosting text on standard error.

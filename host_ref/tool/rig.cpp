@@ -129,11 +129,12 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
                        {"restitution", scene.restitution, "of a damping that is set at each impact"},
                        {"gravity", scene.gravity, "m/s^2, along x"},
                        {"ball_friction", scene.ball_friction, "N"}},
-    bound_numbers[] = {{"displacement", bounds.displacement, "m"},
-                       {"speed", bounds.speed, "m/s"},
-                       {"penetration", bounds.penetration, "m"},
-                       {"force", bounds.force, "N, of a sampled drive"},
-                       {"base_acceleration", bounds.base_acceleration, "m/s^2"}};
+    bound_numbers[] = {
+        {"displacement", bounds.displacement, "m"},
+        {"speed", bounds.speed, "m/s"},
+        {"penetration", bounds.penetration, "m"},
+        {"force", bounds.force, "N, the largest sample of a drive: more is clipped"},
+        {"base_acceleration", bounds.base_acceleration, "m/s^2, the largest sample of a base: more is clipped"}};
   std::string text =
       "#pragma once\n// The absorber of this run, bit for bit; bounds that the command leaves open are those that it "
       "found:\n//\n//     " +

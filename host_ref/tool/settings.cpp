@@ -120,6 +120,13 @@ void settle(Settings& settings, const Given& given) {
   for (const auto* samples : {&request.samples, &request.base_samples})
     if (!samples->empty()) lines = lines > 0 ? std::min(lines, samples->size()) : samples->size();
   if (lines > 0 && !has("duration")) request.duration = static_cast<double>(lines) * request.step;
+  if (lines > 0 && !has("step"))
+    settings.remarks.push_back(std::to_string(lines) + " samples, one each " + short_text(request.step) +
+                               " s (--step): " + short_text(static_cast<double>(lines) * request.step) + " s");
+  if (request.is_shaken && request.drive == DriveKind::sine && !has("drive") && !has("drive-amplitude") &&
+      !has("drive-pulsation"))
+    settings.remarks.push_back("beside the base a sine drives with " + short_text(scene.drive_amplitude) + " N at " +
+                               short_text(scene.drive_pulsation) + " rad/s; the base alone: --drive none");
   // A file of samples and a stepper that was named are for a step that the user knows.
   settings.is_step_automatic = !has("step") && lines == 0 && request.stepper == Stepper::automatic;
   if (settings.is_step_automatic) request.step = automatic_step(request);

@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace impact::host {
 
@@ -19,6 +20,7 @@ struct Settings {
   double impact_speed = 0.8;  // m/s, at which Hunt-Crossley is to show the stated restitution
   bool paper_damping = false, benchmark = false, is_step_automatic = false;
   std::string drive_file, base_file, base_acceleration_file, output, plot, rig, sweep;
+  std::vector<std::string> remarks;  // what was not stated and may be taken for something else
   Shard shard;
 };
 

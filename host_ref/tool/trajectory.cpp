@@ -47,6 +47,8 @@ int write_trajectory(const Settings& settings, const std::vector<Argument>& argu
   const std::string step = settings.is_step_automatic ? "step " + short_text(request.step) + " s, " : "";
   if (!outcome.description.empty()) std::cerr << "impact-sim: " << step << outcome.description << "\n";
 
+  for (const std::string& remark : settings.remarks) std::cerr << "impact-sim: " << remark << "\n";
+
   const long steps = step_count(request);
   const int digits = significant_digits(request.numeric);
   const bool plots = !settings.plot.empty();

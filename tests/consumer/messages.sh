@@ -71,6 +71,10 @@ scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCross
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCrossley 0
 scene 1 'Rig::step: too few steps per contact for this stepper' 's.main_stiffness = 100;' HuntCrossley 6e-3
 grep -Eq 'StepsPerContact<[0-9]+, false>' "$folder/errors" || { echo "no longest step is said" && failures=1; }
+# A restitution that the law does not read, and one that it does.
+scene 1 'Rig::scene.restitution is stated, but this law does not read it' 's.restitution = 0.7;'
+scene 1 'Rig::scene.restitution is stated, but this law does not read it' 's.restitution = 0.7; s.contact_damping = 0;' Hertz
+scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' 's.restitution = 0.7;' Exact 0.1
 # A field that is too much, and a weight that the spring holds beyond the bounds.
 scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large' '' HuntCrossley 1e-3 \
   'b.base_acceleration = 1e6;' BaseAcceleration

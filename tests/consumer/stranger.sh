@@ -9,6 +9,10 @@ begin=$(date +%s%N)
 sh -eu build.sh
 echo "from the files to an image: $((($(date +%s%N) - begin) / 1000000)) ms"
 arm-none-eabi-size scene.elf
+kilobytes=$(arm-none-eabi-size scene.elf | awk 'NR == 2 { printf "%.1f", ($1 + $2) / 1000 }')
+for readme in README.md kernel/README.md; do
+  grep -q "has $kilobytes kB of code, tables and data" "$project/$readme" || { echo "$readme: not $kilobytes kB" && exit 1; }
+done
 # The plan is folded into the step: neither it nor what a change of plan needs is in the image.
 ! arm-none-eabi-nm -C scene.elf | grep -E 'hand_over|::plan$' || exit 1
 

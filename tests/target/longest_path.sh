@@ -91,7 +91,7 @@ set -eu
       delete call[node]
       delete next_to[node]
     }
-    if (start == "") { print "# no function " entry; exit 1 }
+    if (start == "") { gsub(/^<|>:$/, "", entry); print "# no function " entry; exit 1 }
     visit(start)
     while (depth > 0) {
       node = way[depth]

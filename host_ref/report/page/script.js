@@ -88,7 +88,7 @@ function answer() {
   const [law, stepper, format, instructions, time, share, error, flash, ram, stack] = answers[index[at]];
   const rows = stepper === undefined ? [["Answer", law]] : [
     ["Law", law], ["Stepper", stepper], ["Format", format],
-    ["Worst step", `${instructions} instructions, about ${time} µs: ${share} % of the period`],
+    ["Largest step seen", `${instructions} instructions, about ${time} µs: ${share} % of the period`],
     ["Restitution", `right within ${error.replace("below ", "")}`],
     ...(flash ? [["Memory", `${flash} bytes of flash, ${ram} of RAM, ${stack} of stack`]] : [])];
   const list = form.querySelector("dl");

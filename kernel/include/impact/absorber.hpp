@@ -140,7 +140,9 @@ class Absorber
 
   // All that changes from step to step. Plain: it can be copied, kept and given back.
   struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
-    Long x1, dx1, x2, dx2;  // displacement, as place() reads it, and displacement per step: main mass, ball
+    // Displacement, as place() reads it, and displacement per step, the one that the coming step will make
+    // (motion/linear_flow.hpp): main mass, ball.
+    Long x1, dx1, x2, dx2;
     typename Drive::template State<Format> drive;
     Contact contact;
     uint16_t at_left;  // the stop of the contact under way or last
@@ -425,6 +427,8 @@ class Absorber
     }
   }
 
+  // A step: both masses fly, here; meet_stop() sees the ball inside a stop, touch() makes the approach of it, push() has
+  // the treatment resolve it and both masses answer; friction rubs at the step's end, in flight or at the stop.
   constexpr void advance(Value sample, Value base) {
     if (Source::is_refused()) return;
     if constexpr (Drive::is_sampled)

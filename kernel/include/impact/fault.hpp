@@ -11,7 +11,8 @@
 //
 // A hold lets go of the contact under way; recorded features leave such a step out. A sample counts in newtons in
 // floating point: beyond Bounds::force it is held there, and instead of one that is not a number the one before it goes
-// on. In Fixed32 it is a fraction of that bound, all of whose bits are good.
+// on; an acceleration of the base likewise, and 0 instead of no number. In Fixed32 either is a fraction of its bound, all
+// of whose bits are good.
 
 #include <stdint.h>
 
@@ -22,7 +23,7 @@ enum class Fault : uint16_t {
   displacement,  // of a mass, or of a correction
   speed,         // of a mass, or of a correction
   penetration,   // Fixed32 only
-  sample,        // of a sampled drive, floating point only
+  sample,        // of a sampled drive or a base, floating point only
   plan,          // refused, AtRunTime only: the absorber holds still
 };
 

@@ -20,11 +20,11 @@ struct Step {
 };
 template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct StepsPerContact {
-  static_assert(
-      is_in_range,
-      "Rig::step: too few steps per contact for this stepper, which takes steps up to the "
-      "longest_step_in_nanoseconds named here for impacts at twice Bounds::speed and as deep as Bounds allow; "
-      "the stepper of the rule is impact::Chosen<Rig, Law> of impact/choice.hpp");
+  static_assert(is_in_range,
+                "Rig::step: too few steps per contact for this stepper, which takes steps up to the "
+                "longest_step_in_nanoseconds named here, in angle brackets, for impacts at twice Bounds::speed and as "
+                "deep as Bounds allow; "
+                "the stepper of the rule is impact::Chosen<Rig, Law> of impact/choice.hpp");
 };
 
 template <class Rig, class PlanType, PlanStatus status>
@@ -80,6 +80,9 @@ constexpr bool explain() {
                 "Rig::bounds.base_acceleration is stated: append BaseAcceleration to the absorber's type");
   static_assert(status != PlanStatus::ball_friction_not_named,
                 "Rig::scene.ball_friction is stated: append DryFriction to the absorber's type");
+  static_assert(status != PlanStatus::ok || PlanType::LawType::is_damped_per_impact || !(Rig::scene.restitution < 1),
+                "Rig::scene.restitution is stated, but this law does not read it: take Exact or another law of "
+                "law/per_impact.hpp, or state contact_damping, which impact-sim --restitution finds");
   // The other way round: a part without its value.
   static_assert(!PlanType::FieldType::is_field || PlanType::FieldType::is_sampled || Rig::scene.gravity != 0,
                 "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2");

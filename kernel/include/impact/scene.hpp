@@ -33,7 +33,7 @@ struct Scene {
   double ball_mass = 0.3;              // m, kg
   double clearance = 0.02;             // d, m
   double contact_stiffness = 32600.0;  // k1, N/m (Hooke-Newton) or N/m^(3/2)
-  double contact_damping = 19560.0;    // c1, N s/m (Hooke-Newton) or N s/m^(5/2)
+  double contact_damping = 19560.0;    // c1, N s/m (Hooke-Newton) or N s/m^(5/2); of this k1: change both
   double drive_amplitude = 10.0;       // F0, N: F(t) = F0 sin(w t) for a sine drive
   double drive_pulsation = 40.0;       // w, rad/s
   double x1 = 0.0;                     // initial displacement of the main mass, m
@@ -42,7 +42,7 @@ struct Scene {
   double v2 = 0.0;                     // initial velocity of the ball, m/s
   Stops stops = Stops::both;
   Tension tension = Tension::clamp;
-  double restitution = 1.0;    // e, for a damping that is set at each impact: law/per_impact.hpp
+  double restitution = 1.0;    // e, read by Exact and the other laws of law/per_impact.hpp alone
   double gravity = 0.0;        // g along x, m/s^2, on both masses: with Gravity or BaseAcceleration, motion/field.hpp
   double ball_friction = 0.0;  // R, N, dry friction between ball and main mass: with DryFriction, motion/friction.hpp
 };

@@ -15,14 +15,14 @@
 // falling with the sixth power); from 8 on its restitution is within 1 % of the law's.
 //
 // In the coupled machine (coupled_scenes_test.cpp) three more numbers decide. A contact linearised at a penetration has
-// per step the stiffness k = (h omega)^2 and the damping z = h c/mu, and the formulas of moment/power.hpp map its
+// per step the stiffness k = (h omega)^2 and the damping q = h c/mu, and the formulas of moment/power.hpp map its
 // deviation (a, b) of penetration and rate to (a + b - J1, b - J0). Without stiffness that takes the rate by
 //
-//     b' = (1 - z + z^2/2 - z^3/6 + z^4/24) b
+//     b' = (1 - q + q^2/2 - q^3/6 + q^4/24) b
 //
-// the exponential series to fourth order, which grows above z = 2.785. Without damping the map damps, by 1 - (h
-// omega)^6/900 at first, and grows above h omega = 2.69. With both it grows nowhere within z <= 2.7, h omega <= 2.2.
-// The step is taken up to z = 2.5 and h omega = 0.9 (5 steps a contact), where both are well inside.
+// the exponential series to fourth order, which grows above q = 2.785. Without damping the map damps, by 1 - (h
+// omega)^6/900 at first, and grows above h omega = 2.69. With both it grows nowhere within q <= 2.7, h omega <= 2.2.
+// The step is taken up to q = 2.5 and h omega = 0.9 (5 steps a contact), where both are well inside.
 // The response of the main mass (moment/response.hpp) leaves out terms of third order in w0 h. Of the energy of both
 // masses a contact without damping creates by them up to 8e-5 at 0.16, with the fourth power of w0 h (coupled to a ball
 // of 1e-1 to 1e2 main masses, 8 to 20 steps a contact). A ball that is never free, since it crosses its clearance in a

@@ -6,7 +6,7 @@
 //     f = K d^(3/2) (1 + C d')         C = c1/k1, 0 for Hertz
 //
 // counts as what it does to the rate: K contains both masses, so that J0 is the change of rate that contact causes in
-// the step and J1 all but the change of penetration.
+// the step, and J1, in the unit of penetrations (travel), what it takes of the penetration.
 //
 //     staying   n = p^3 + 2 p z^2 + z^4/(5p)           the mean of d^(3/2), so that n (d1 - d0) = (2/5) [d^(5/2)]
 //               w = (p + 2 z^2/(5p))/8                 E = K + K C (d1 - d0)
@@ -15,8 +15,11 @@
 //               J0 = K' s^3 u - K' s u^2 b (v1 - v0) + L      J1 = J0/2 - b (K' s^3 u + L)
 //     leaving   the mirror image of entering, with r, d0 and -L
 //
-// d1 and v1 - v0 follow from the trial values less J1 and J0. d1 is predicted by a Taylor step (staying, leaving) or is
-// the trial's (entering), v1 - v0 likewise, and J0 and J1 are corrected once by their derivatives for what d1 missed.
+// d1 and v1 - v0 follow from the trial values less J1 and J0. They are predicted by a Taylor step (staying, leaving),
+//
+//     J0 = f + f'/2             J1 = f/2 + f'/6             f' = (3/2) r K (1 + C v) v + K C d0^(3/2) (g - f)
+//
+// or d1 is the trial's (entering), and J0 and J1 are corrected once by their derivatives for what d1 missed.
 // How a drive changes within a step is not in them: samples that jump to and fro by dF in each step of an impact of 8
 // steps at the rate V make up to 0.5 % of dF h/(M V) of its energy, in one of 16 steps 0.1 %.
 
@@ -107,7 +110,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto shape = root * without_sign(penetration);
     const Value factor = strength(plan, rate);
     const Value force = Format::value(shape * factor);
-    Value third_rise = Format::value(quarter(root * factor * rate));  // of the force's change in half the step
+    Value third_rise = Format::value(quarter(root * factor * rate));  // f'/6
     if constexpr (ContactLaw::is_damped) third_rise = third_rise + damped_sixth(plan, g - force, shape);
     const Value d = trial - travel(plan, Format::value(half(force)) + third_rise);
     if (!is_positive(d)) return leave(plan, trial, g, d);
@@ -119,9 +122,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto p = half(s + root);
     const auto z = half(difference(s, root));
     const auto pp = square(p), zz = square(z);
-    const auto e = Format::square_over_five(z, p);
-    const auto n = p * (pp + zz + zz) + zz * e;
-    const auto w = eighth(p + twice(e));
+    const auto zz_5p = Format::square_over_five(z, p);
+    const auto n = p * (pp + zz + zz) + zz * zz_5p;
+    const auto w = eighth(p + twice(zz_5p));
     const Value dd = d - penetration;
     const auto factor = positive_part(strength(plan, dd));
     const auto by_change = plan.stiffness * w;
@@ -131,7 +134,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
     const Value missed = trial - travel(plan, j1) - d;
-    const auto slope = p - quarter(root) + e;
+    const auto slope = p - quarter(root) + zz_5p;
     Value correction = Format::value(slope * factor * missed) - travel(plan, Format::value(by_change * (g - j0 - dv)));
     if constexpr (ContactLaw::is_damped) correction = correction + Format::value(damping(plan) * missed * n);
     return {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))};

@@ -309,7 +309,7 @@ Settings settings_from(const std::vector<Argument>& arguments) {
   for (const auto& [name, value] : arguments) {
     const Option& option = option_named(name, value);
     if (!given.emplace(name, value).second)
-      throw BadInput("--" + name, value + " (given twice)", "once, on the command line or in a sweep's header");
+      throw BadInput("--" + name, value, "once, on the command line or in a sweep's header; it is given twice");
     if (!option.store(settings, value)) throw BadInput("--" + name, value.empty() ? "''" : value, option.allowed);
   }
   settle(settings, given);

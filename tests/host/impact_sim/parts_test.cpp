@@ -52,6 +52,21 @@ TEST_F(ImpactSim, ABasesDisplacementAndItsAccelerationAreTheSameMotion) {
   EXPECT_NEAR(last_row(outside.out).at(3) - z, last_row(inside.out).at(3), 3e-6);
 }
 
+// What a file is taken for where nothing says it: samples of a step, beside the paper's drive.
+TEST_F(ImpactSim, SaysWhatASampleFileIsTakenFor) {
+  using testing::HasSubstr;
+  using testing::Not;
+  write(file("a"), "1\n2\n3\n4\n");
+  const std::string all_open = run("--base-acceleration-file a").err;
+  EXPECT_THAT(all_open, HasSubstr("4 samples, one each 0.0001 s (--step): 0.0004 s\n"));
+  EXPECT_THAT(all_open, HasSubstr("beside the base a sine drives with 10 N at 40 rad/s; the base alone: --drive none"));
+  const std::string stated = run("--base-acceleration-file a --step 1e-3 --drive none").err;
+  EXPECT_THAT(stated, Not(HasSubstr("samples")));
+  EXPECT_THAT(stated, Not(HasSubstr("sine")));
+  EXPECT_THAT(run("--base-acceleration-file a --step 1e-3 --drive-amplitude 3").err, Not(HasSubstr("sine")));
+  EXPECT_THAT(run("--drive-file a").err, HasSubstr("4 samples, one each 0.0001 s"));
+}
+
 TEST_F(ImpactSim, PartsAreRefusedByName) {
   write(file("a"), "1\n2\n");
   write(file("bad"), "1\nx\n");

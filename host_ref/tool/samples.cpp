@@ -19,6 +19,7 @@ std::vector<double> forces_of(const std::vector<double>& z, const Scene& scene, 
 }  // namespace
 
 bool take_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line) {
+  if (column.samples.empty()) line = without_byte_order_mark(line);
   const auto sample = number_from(trimmed(line));
   if (sample && std::abs(*sample) <= kind.largest) {
     column.samples.push_back(*sample);

@@ -68,6 +68,7 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
   std::ifstream input(settings.sweep);
   std::string line;
   if (!input || !std::getline(input, line)) throw BadInput("--sweep", settings.sweep, "a CSV file with a header");
+  line = without_byte_order_mark(line);
   const auto where = [&](long number) { return settings.sweep + " line " + std::to_string(number); };
 
   std::vector<Argument> common;

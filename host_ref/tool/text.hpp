@@ -66,4 +66,9 @@ inline std::string_view trimmed(std::string_view text) {
   return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+// Of a file's first line: what some programs put before it to say that it is UTF-8.
+inline std::string_view without_byte_order_mark(std::string_view line) {
+  return line.substr(line.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
+}
+
 }  // namespace impact::host

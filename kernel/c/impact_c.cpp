@@ -12,7 +12,7 @@ namespace {
 static_assert(sizeof(Absorber) <= sizeof(impact_absorber), "define IMPACT_C_BYTES, a multiple of 8, large enough");
 static_assert(alignof(Absorber) <= alignof(impact_absorber));
 #ifdef IMPACT_C_FLOAT
-static_assert(sizeof(Absorber::Value{} + 0.0f) == sizeof(float),
+static_assert(sizeof(Absorber::Value) == sizeof(float) && !impact::detail::is_one_of<Absorber::Format, impact::Fixed32>,
               "IMPACT_C_FLOAT, but the rig's format is not Float32 or Float32Plain");
 constexpr Absorber::Value in(impact_number x) { return x; }
 constexpr impact_number out(Absorber::Value x) { return x; }

@@ -427,8 +427,8 @@ class Absorber
     }
   }
 
-  // A step: both masses fly, here; meet_stop() sees the ball inside a stop, touch() makes the approach of it, push() has
-  // the treatment resolve it and both masses answer; friction rubs at the step's end, in flight or at the stop.
+  // A step: both masses fly, here; meet_stop() sees the ball inside a stop, touch() makes the approach of it, push()
+  // has the treatment resolve it and both masses answer; friction rubs at the step's end, in flight or at the stop.
   constexpr void advance(Value sample, Value base) {
     if (Source::is_refused()) return;
     if constexpr (Drive::is_sampled)
@@ -528,7 +528,9 @@ class Absorber
     Contact& contact = state_.contact;
     if (contact.rests_on(plan.units, state_, at_left())) return;
     const Phase phase = contact.phase;
-    const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left()));
+    const Value found = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left())),
+                inside = contact.no_deeper(found);
+    if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, at_left()));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = relative_rate(at_left());
       if constexpr (has_own_damping) contact.hold_damping(plan.contact, inside, rate);

@@ -193,11 +193,14 @@ constexpr Parameter candidates[] = {Parameter::displacement_bound, Parameter::sp
                                     Parameter::contact_damping,    Parameter::main_stiffness,
                                     Parameter::main_damping,       Parameter::clearance};
 
+// Where none of them would do, at this step or a shorter one: what the scene is of.
+constexpr Parameter last_candidates[] = {Parameter::ball_mass, Parameter::main_mass, Parameter::gravity,
+                                         Parameter::base_acceleration_bound, Parameter::ball_friction};
+
 // That are to be less, where they are at fault beside the others.
 constexpr Parameter less_of[] = {Parameter::ball_friction, Parameter::gravity, Parameter::base_acceleration_bound,
                                  Parameter::x1, Parameter::x2};
 
-constexpr bool orders[] = {true, false};
 constexpr double shorter_steps[] = {1e-6, step_range.least};
 
 // Between one that is accepted and one that is not, both positive: the last accepted one, within 2^-20 of itself.
@@ -250,21 +253,32 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
   const bool is_below_start = is_alone(first) && range_of(first.parameter).holds(first.value);
   if (is_alone(first) && !is_below_start) return first;
 
+  enum class Others { fit, can_follow, are_at_fault };  // what the other values may be
+  constexpr Others fit_first[] = {Others::fit, Others::can_follow};
+  constexpr int most_others = 4;
   Explanation found = first;
-  const auto would_do = [&](Parameter parameter, double step, bool alone) {
+  const auto would_do = [&](Parameter parameter, double step, Others others) {
     Values changed = refused;
     changed.step = step;
     // A displacement counts from the other mass's.
     const double origin = parameter == Parameter::x1   ? refused.scene.x2
                           : parameter == Parameter::x2 ? refused.scene.x1
                                                        : 0;
-    const double value = *changed.find(parameter), sign = value < origin ? -1 : 1, size = sign * (value - origin);
+    const double value = *changed.find(parameter), sign = value < origin ? -1 : 1,
+                 size = constant::smaller(sign * (value - origin), 2 * range_of(parameter).most);
     if (!(size > 0)) return false;
     const auto accepts = [&](double x) {
       *changed.find(parameter) = origin + sign * x;
-      const PlanStatus status = status_with(changed);
-      const Explanation next = explain(status, changed);
-      return status == PlanStatus::ok || (!alone && is_alone(next) && next.parameter != parameter);
+      Values followed = changed;
+      PlanStatus status = status_with(followed);
+      for (int n = 0; others != Others::fit && status != PlanStatus::ok && n < most_others; ++n) {
+        const Explanation next = explain(status, followed);
+        if (!is_alone(next) || next.parameter == parameter) return false;
+        if (others == Others::are_at_fault) return true;
+        *followed.find(next.parameter) = next.value < next.allowed.least ? next.allowed.least : next.allowed.most;
+        status = status_with(followed);
+      }
+      return status == PlanStatus::ok;
     };
     // Of a value that may have either sign, those on its own side.
     const Range own = range_of(parameter), within{constant::larger(own.least, 0), own.most};
@@ -277,26 +291,30 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
     return true;
   };
   if (is_below_start) {
-    if (would_do(first.parameter, refused.step, true)) return found;
+    if (would_do(first.parameter, refused.step, Others::fit)) return found;
     for (const double step : detail::shorter_steps)
-      if (step < refused.step && would_do(first.parameter, step, true)) return found;
+      if (step < refused.step && would_do(first.parameter, step, Others::fit)) return found;
     return first;
   }
   // Friction that takes the ball too far in a step: less of it, not another step. So a field, and a start.
   for (const Parameter parameter : detail::less_of)
-    if (first.parameter == parameter && would_do(parameter, refused.step, true)) return found;
-  // With this value alone the plan is to be made; or else another value is at fault by itself then; or else it is made
-  // with a shorter step.
-  for (const bool alone : detail::orders) {
-    if (would_do(Parameter::step, refused.step, alone)) return found;
-    if (first.parameter != Parameter::step && would_do(first.parameter, refused.step, alone)) return found;
+    if (first.parameter == parameter && would_do(parameter, refused.step, Others::fit)) return found;
+  // With this value alone the plan is to be made; or with others that are then at fault by themselves, as long as what
+  // is said of them leads to a plan; or with a shorter step; or of another scene; or else others are at fault then.
+  for (const Others others : fit_first) {
+    if (would_do(Parameter::step, refused.step, others)) return found;
+    if (first.parameter != Parameter::step && would_do(first.parameter, refused.step, others)) return found;
     for (const Parameter parameter : detail::candidates)
-      if (alone && would_do(parameter, refused.step, alone)) return found;
+      if (others == Others::fit && would_do(parameter, refused.step, others)) return found;
   }
   for (const double step : detail::shorter_steps) {
     for (const Parameter parameter : detail::candidates)
-      if (step < refused.step && would_do(parameter, step, true)) return found;
+      if (step < refused.step && would_do(parameter, step, Others::fit)) return found;
   }
+  for (const Parameter parameter : detail::last_candidates)
+    if (would_do(parameter, refused.step, Others::fit)) return found;
+  if (!would_do(Parameter::step, refused.step, Others::are_at_fault) && first.parameter != Parameter::step)
+    would_do(first.parameter, refused.step, Others::are_at_fault);
   return found;
 }
 

@@ -112,9 +112,9 @@ constexpr double arc_tangent_ratio(double x) {
   return factor * sum;
 }
 
-// Held within +-2^62; 0 for a NaN.
+// Held within +-(2^63 - 1); 0 for a NaN.
 constexpr int64_t nearest(double x) {
-  if (!(magnitude(x) <= 0x1p62)) return x > 0 ? INT64_C(1) << 62 : x < 0 ? -(INT64_C(1) << 62) : 0;
+  if (!(magnitude(x) < 0x1p63)) return x > 0 ? INT64_MAX : x < 0 ? -INT64_MAX : 0;
   return static_cast<int64_t>(x < 0 ? x - 0.5 : x + 0.5);
 }
 

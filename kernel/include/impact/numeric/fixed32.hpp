@@ -27,7 +27,7 @@ struct Fixed32 : Fixed32Numbers {
   // weight x y, with the weight's shift after both.
   template <int bits>
   static constexpr Value product(Weight weight, Value x, Unsigned<bits> y) {
-    const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
+    const int ahead = weight.places_ahead(), after = weight.shift + ahead;
     const int32_t weighted = high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
     return moved({high_product(weighted, with_sign(y).raw)}, after + bits - 33);
   }

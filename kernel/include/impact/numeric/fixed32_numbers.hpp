@@ -69,33 +69,44 @@ struct Fixed32Numbers {
     }
   };
 
-  // A gain of numbers that it may carry out of range: they are held where the largest mantissa would not.
+  // A gain of numbers that it may carry out of range: what would leave it is held at its end.
   struct HeldGain : Gain {
     friend constexpr Value operator*(HeldGain gain, Value x) {
-      const int32_t most = gain.most();
-      return static_cast<const Gain&>(gain) * Value{x.raw > most ? most : x.raw < -most ? -most : x.raw};
+      if (gain.shift >= -1) return static_cast<const Gain&>(gain) * x;
+      const int32_t most = gain.most(), ahead = x.raw > most ? most : x.raw < -most ? -most : x.raw;
+      const int32_t product = gain.product(ahead);
+      const int32_t held = product > quarter ? quarter : product < -quarter ? -quarter : product;
+      return {static_cast<int32_t>(static_cast<uint32_t>(held) << 2)};
     }
     // Of a number that is known not to be negative.
     friend constexpr Value operator*(HeldGain gain, Unsigned<31> x) {
-      const int32_t most = gain.most();
       const auto known = static_cast<int32_t>(x.raw);
-      return static_cast<const Gain&>(gain) * Value{known > most ? most : known};
+      if (gain.shift >= -1) return static_cast<const Gain&>(gain) * Value{known};
+      const int32_t most = gain.most(), product = gain.product(known > most ? most : known);
+      return {(product > quarter ? quarter : product) << 2};
     }
 
    private:
-    constexpr int32_t most() const { return shift < -1 ? INT32_MAX >> (-1 - shift) : INT32_MAX; }
+    static constexpr int32_t quarter = INT32_MAX >> 2;
+    // To the left by -2 - shift before the product, and by 2 after it, where it is at most the largest mantissa's half.
+    constexpr int32_t most() const { return INT32_MAX >> (-2 - shift); }
+    constexpr int32_t product(int32_t x) const {
+      return rounded_high_product(static_cast<int32_t>(static_cast<uint32_t>(x) << (-2 - shift)), mantissa);
+    }
   };
 
-  // A gain that, where it shifts left, rounds down to the middle of two places: two instructions less.
+  // A gain that, where it shifts left, rounds down to the middle of two or four places: two instructions less.
   struct Weight : Gain {
+    // To the left before the product: a mantissa of a half leaves x, of a product within 1, one place more than that.
+    constexpr int places_ahead() const { return shift < -2 ? -2 - shift : 0; }
     [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
       if (is_wide && weight.shift >= 0) return {instruction::rounded_product(x.raw, weight.mantissa, weight.shift)};
-      const int ahead = weight.shift < -1 ? -1 - weight.shift : 0, after = weight.shift + ahead;
+      const int ahead = weight.places_ahead(), after = weight.shift + ahead;
       const int32_t product =
           high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
       if (after > 0) return {(product + (1 << (after - 1))) >> after};
       if (after == 0) return {rounded_high_product(x.raw, weight.mantissa)};
-      return {static_cast<int32_t>(static_cast<uint32_t>(product) << 1) + 1};
+      return {static_cast<int32_t>((static_cast<uint32_t>(product) << -after) + (1u << (-after - 1)))};
     }
   };
 

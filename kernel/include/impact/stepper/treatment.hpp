@@ -157,6 +157,11 @@ struct Treatment {
   static constexpr bool rests_on(const Units&, State&, bool) {
     return false;
   }
+  // A correction finds the ball inside its stop: how deep it is left there.
+  template <class Value>
+  static constexpr Value no_deeper(Value inside) {
+    return inside;
+  }
   // What moves the ball besides the impulse.
   template <class Plan, class Units, class State>
   static constexpr void place_ball(const Plan&, const Units&, State&, bool) {}

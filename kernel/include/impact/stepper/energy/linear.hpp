@@ -22,6 +22,12 @@ struct EnergyLinear : ResolvedForces {
     return 0x1p-22 * terms.largest_rate * constant::square_root(terms.reduced_mass() / terms.stiffness);
   }
 
+  // A push counts as what it does to the displacement between the masses.
+  static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
+    ResolvedForces::bound_forces(terms, largest);
+    largest.push *= constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
+  }
+
   struct Plan {
     ConstantForceGains<Format> response;
     Gain impulse;            // G for f, twice

@@ -189,7 +189,7 @@ struct StiffContact {
       const auto cosine = Format::constant(1) - sine;  // both squared, of half the angle
       const Value by_stored = Format::value(twice(v * Format::root_of_product(sine * cosine)));
       const Value whole = Format::value(d * sine) + by_stored;
-      if (!is_positive(whole)) return false;
+      if (!is_positive(whole)) return is_positive(d) && flies_on(end);
 
       Value q = whole, back = whole;
       if constexpr (is_damped) {
@@ -202,7 +202,7 @@ struct StiffContact {
       Value left = square_of(v) + Format::value(afresh(q) * (d - back));
       if constexpr (is_damped)
         if (is_positive(left)) left = left - Format::value(afresh(q) * correction(slowing_part(q, back)));
-      if (!is_positive(left)) return false;
+      if (!is_positive(left)) return !step.is_inside && is_positive(d - back) && flies_on(end);
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of<true>(end.rate);
       if constexpr (is_in_field) {
@@ -210,6 +210,12 @@ struct StiffContact {
         for (int pass = 0; pass < 2; ++pass) pay_for_correction(end, taken);
       }
       end.is_inside = is_positive(end.rate);
+      return true;
+    }
+
+    // So shallow that the force is below a place: no force, and no energy made or lost.
+    constexpr bool flies_on(End& end) const {
+      end = {Value{}, step.rate, step.trial, true};
       return true;
     }
 

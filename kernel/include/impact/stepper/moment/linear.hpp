@@ -82,6 +82,10 @@ struct MomentLinear : ResolvedForces {
     phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
   constexpr void change_rate(const Plan&, Value by) { rate = rate + by; }
+  // A ball that was let go is on its way out: deeper the stop would push it with all that a correction put in.
+  constexpr Value no_deeper(Value inside) const {
+    return phase == Phase::released && is_positive(inside - penetration) ? penetration : inside;
+  }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                              const Approach<Value>& step, const MomentLinear& before,
                                                              const Impulse<Value>& impulse) const {

@@ -175,11 +175,11 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::planne
   if (has_parts && scene.stops == Stops::both && 2 * terms.largest_rate * h >= scene.clearance)
     return refused(PlanStatus::clearance);
   const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
-  // Free flight from within a contact ends deeper than contact lets the ball go: by (d/D)^2 + (d'/V)^2 <= 1 no deeper
-  // than sqrt(D^2 + (h V)^2), for the power laws, (d/D)^(5/2), by 4 % more.
-  const double longer = larger(terms.largest_penetration, way),
-               share = constant::smaller(terms.largest_penetration, way) / longer;
-  largest.penetration = 1.04 * longer * constant::square_root(1 + share * share);
+  // Free flight from within a contact ends deeper than contact lets the ball go: with (d/D)^2 + (d'/V)^2 <= 1, for the
+  // power laws (d/D)^(5/2), no deeper than (D^2 + (5/4) (h V)^2)^(1/2).
+  const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
+               flown = way / longer;
+  largest.penetration = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
   if constexpr (Friction::is_friction) {
     // An impulse of friction acts forward, and in part ahead.
     if (!(flow.e12 > 0 && flow.constant_start() > 0 && flow.constant_increment() > flow.constant_start()))

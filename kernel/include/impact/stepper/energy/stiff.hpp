@@ -199,10 +199,11 @@ struct StiffContact {
       }
       end.recoil = unscaled(back);
       if (step.is_inside && is_positive(end.recoil - step.trial)) return false;
-      Value left = square_of(v) + Format::value(afresh(q) * (d - back));
+      const Value work = Format::value(afresh(q) * (d - back));
+      Value left = square_of(v) + work;
       if constexpr (is_damped)
         if (is_positive(left)) left = left - Format::value(afresh(q) * correction(slowing_part(q, back)));
-      if (!is_positive(left)) return !step.is_inside && is_positive(d - back) && flies_on(end);
+      if (!is_positive(left)) return !is_positive(work) && is_positive(d - back) && flies_on(end);
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of<true>(end.rate);
       if constexpr (is_in_field) {

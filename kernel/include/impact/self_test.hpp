@@ -42,7 +42,7 @@ template <class Format>
 template <class Format>
 inline constexpr uint32_t proved_bits = 0;
 template <>
-inline constexpr uint32_t proved_bits<Fixed32> = 0xe8b09457;
+inline constexpr uint32_t proved_bits<Fixed32> = 0x8f905cdf;
 template <>
 inline constexpr uint32_t proved_bits<Float32> = 0x6985a8d4;
 template <>

@@ -111,7 +111,7 @@ struct Sine {
     [[gnu::always_inline]] constexpr typename Format::Value advance(const Plan<Format>& plan) {
       const auto s = Format::reading(oscillator.value_head());
       oscillator.advance(plan.oscillator);
-      return plan.increment * s;
+      return Format::moved_term(plan.increment, s);
     }
     // The drive's share of the displacement that the coming step will make. (As a function of its own it would ask for
     // the plan in memory.)

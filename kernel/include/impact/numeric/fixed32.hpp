@@ -42,7 +42,22 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Unsigned<32> factor(Unsigned<bits> x) {
     return with_bits<32>(x);
   }
-  static constexpr Value term(Gain gain, Value x) { return gain * x; }
+  // gain * x of a state in range, for a gain >= 0, in fewer instructions than the gain's own product. To the right it
+  // rounds down: what adds one such term and takes away another rounds to nearest in the mean. To the left it rounds to
+  // nearest within a sixth of the product's place, by the one or two places of x that are worth about half of that: the
+  // product's lower word is not asked for.
+  static constexpr Value term(Gain gain, Value x) {
+    if (gain.mantissa == 0) return {0};
+    if (gain.shift > 0) return {high_product(x.raw, gain.mantissa) >> gain.shift};
+    const uint32_t half_place = gain.mantissa > 0x55555555 ? 1 : 2;
+    const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) + half_place);
+    return {static_cast<int32_t>(static_cast<uint32_t>(high_product(ahead, gain.mantissa)) << -gain.shift)};
+  }
+  // The same, rounded down, for a gain of 0 or a power of two from 2^-32 on.
+  static constexpr Value moved_term(Gain gain, Value x) {
+    const int places = gain.shift + 2;
+    return gain.mantissa == 0 ? Value{0} : moved(x, places < 31 ? places : 31);
+  }
   // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive, the gain not negative; a gain that
   // is 2^31 or more for a divisor of a few last places is held there.
   static constexpr Gain gain_over(Gain gain, Value divisor) {

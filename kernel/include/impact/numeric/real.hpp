@@ -191,6 +191,8 @@ struct RealFormat {
   }
   // gain * x; nothing where a constant gain is 0, which a compiler multiplies out for the sake of -0 and NaN.
   static constexpr Value term(Gain gain, Value x) { return gain == 0 ? 0 : gain * x; }
+  // Of a power of two.
+  static constexpr Value moved_term(Gain gain, Value x) { return gain * x; }
   static constexpr Gain largest_gain =
       sizeof(Real) == sizeof(float) ? static_cast<Real>(0x1p100) : static_cast<Real>(0x1p900);
   // gain in [0, 128). An impact at no speed at all has the damping of one at hardly any.

@@ -42,15 +42,15 @@ template <class Format>
 template <class Format>
 inline constexpr uint32_t proved_bits = 0;
 template <>
-inline constexpr uint32_t proved_bits<Fixed32> = 0x8f905cdf;
+inline constexpr uint32_t proved_bits<Fixed32> = 0x70bfdc77;
 template <>
-inline constexpr uint32_t proved_bits<Float32> = 0x6985a8d4;
+inline constexpr uint32_t proved_bits<Float32> = 0x9b7c50b9;
 template <>
-inline constexpr uint32_t proved_bits<Float32Plain> = 0x5e397374;
+inline constexpr uint32_t proved_bits<Float32Plain> = 0x8e75d8be;
 template <>
-inline constexpr uint32_t proved_bits<BasicFloat32<HardwareRoot>> = 0xa2bf7ab9;
+inline constexpr uint32_t proved_bits<BasicFloat32<HardwareRoot>> = 0xa724d037;
 template <>
-inline constexpr uint32_t proved_bits<BasicFloat32Plain<HardwareRoot>> = 0x5e397374;
+inline constexpr uint32_t proved_bits<BasicFloat32Plain<HardwareRoot>> = 0x8e75d8be;
 
 }  // namespace detail
 

@@ -235,9 +235,12 @@ struct Response {
   }
 };
 
+// A mass's share of an impulse that both answer to, in Fixed32's last place below 1, which would ask for a shift to the
+// left before the product.
+constexpr double largest_share = 1 - 0x1p-31;
+
 // The same to an impulse and a moment that count as what they do to the rate and to the penetration: the ball has its
-// share of them, with its sign, and the main mass the rest, and dx1 a little more, since meanwhile spring and damper
-// act as well.
+// share of them, with its sign, and the main mass the rest, of which dx1 counts what spring and damper do meanwhile.
 template <class Gain>
 struct SharedResponse {
   static constexpr bool is_shared = true;
@@ -248,7 +251,7 @@ struct SharedResponse {
   [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& impulse) const {
     const auto ball_j0 = ball * impulse.j0, ball_j1 = ball * impulse.j1;
     units.recoil(state.x1, impulse.j1 + ball_j1);
-    units.recoil(state.dx1, impulse.j0 + ball_j0 + (dx1 * impulse.j0 + dx1_by_moment * impulse.j1));
+    units.recoil(state.dx1, dx1 * impulse.j0 + dx1_by_moment * impulse.j1);
     units.recoil(state.x2, ball_j1);
     units.recoil(state.dx2, ball_j0);
   }

@@ -10,9 +10,9 @@
 namespace impact {
 
 // To what a constant force does to the displacement between the masses, twice (j0): the ball has its share of it, and
-// the main mass the rest, and a little more, since meanwhile spring and damper act as well. The ball ends where the
-// penetration is smaller by j1, which a position correction makes another number than j0/2: it moves the ball alone,
-// and changes no rate.
+// the main mass the rest, of whose displacement per step, dx1, spring and damper meanwhile take a little. The ball ends
+// where the penetration is smaller by j1, which a position correction makes another number than j0/2: it moves the ball
+// alone, and changes no rate.
 template <class Format>
 struct ConstantForceGains {
   using Value = typename Format::Value;
@@ -29,7 +29,7 @@ struct ConstantForceGains {
   [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& impulse) const {
     const auto ball_part = ball * impulse.j0, main_part = impulse.j0 - ball_part;
     units.push(state.x1, half(main_part));
-    units.push(state.dx1, main_part + dx1 * impulse.j0);
+    units.push(state.dx1, dx1 * impulse.j0);
     units.push(state.x2, half(main_part) - impulse.j1);
     units.push(state.dx2, -ball_part);
   }
@@ -64,7 +64,8 @@ struct ConstantForceResponse {
 
   template <class Format>
   constexpr ConstantForceGains<Format> gains(double force_unit, const UnitExponents& unit) const {
-    return {Format::weight(dx2 / impulse(), 0, 0), Format::weight((dx1 - 2 * x1) / impulse(), 0, 0),
+    return {Format::weight(dx2 / impulse(), 0, 0),
+            Format::weight(constant::smaller(dx1 / impulse(), largest_share), 0, 0),
             Format::gain(rate_ / impulse(), unit.push, unit.penetration),
             Format::gain(1 / (impulse() * force_unit), unit.push, 0), unit.penetration - unit.push};
   }

@@ -44,7 +44,7 @@ struct MomentResponse {
                                                            const UnitExponents& unit) const {
     const double scale = 1 / mobility(terms), ball = scale / terms.ball_mass;
     return {Format::weight(-ball, 0, 0),
-            Format::weight(scale * (flow.e12 * g0 - gx), 0, 0),
+            Format::weight(constant::smaller(scale * flow.e12 * g0, largest_share), 0, 0),
             Format::weight(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
             Format::weight(1, unit.recoil, unit.penetration),
             Format::weight(ball + scale * g0, unit.recoil, unit.penetration),

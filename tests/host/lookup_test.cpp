@@ -77,6 +77,27 @@ void expect_normalised(uint32_t x) {
   EXPECT_GE(by_instruction, UINT32_C(1) << (32 - step)) << x;
 }
 
+// What every step adds up: gain * x, down where the gain shifts right, and to the nearest of the product's places
+// within a sixth of one where it shifts left.
+TEST(Lookup, TermsRoundAsTheySay) {
+  std::mt19937 random(1);
+  for (int k = -32; k <= 0; ++k)
+    for (int n = 0; n < 2000; ++n) {
+      const double factor = std::ldexp(1 + static_cast<double>(random()) * 0x1p-32, k);
+      const auto gain = Fixed32::gain(factor, 0, 0), power = Fixed32::gain(std::ldexp(1, k), 0, 0);
+      const auto x = static_cast<int32_t>(random()) >> 1;
+      const int64_t product = int64_t{x} * gain.mantissa;
+      const int32_t found = Fixed32::term(gain, {x}).raw;
+      if (gain.shift > 0)
+        EXPECT_EQ(found, product >> (32 + gain.shift)) << factor << " " << x;
+      else
+        EXPECT_NEAR(found, std::ldexp(product, -32 - gain.shift), std::ldexp(2.0 / 3 + 1e-6, -gain.shift))
+            << factor << " " << x;
+      EXPECT_EQ(Fixed32::term(gain, {0}).raw, 0) << factor;
+      EXPECT_EQ(Fixed32::moved_term(power, {x}).raw, int64_t{x} >> -k) << k << " " << x;
+    }
+}
+
 TEST(Lookup, LeadingZerosAgreeInBothForms) {
   for (uint32_t x : edges()) {
     int zeros = 0;

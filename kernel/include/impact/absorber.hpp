@@ -617,6 +617,7 @@ class Absorber
     const auto& units = plan.units;
     Contact& contact = state_.contact;
     if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left)) {
+      reload(state_);  // which every contact would keep in registers for this one
       hold_unjudged();
       return false;
     }

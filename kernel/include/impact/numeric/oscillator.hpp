@@ -64,7 +64,7 @@ struct IntegerOscillator {
     return {shifted(value_head, 32), shifted(slope_head, 32 - plan.slope_bits)};
   }
   // Above 2 radians a step the curvature's part alone can leave 64 bits; the sum comes back, modulo 2^64.
-  constexpr void advance(const Plan& plan) {
+  [[gnu::always_inline]] constexpr void advance(const Plan& plan) {
     const int32_t bend = high_product(value_head(), plan.curvature);
     const uint64_t change = static_cast<uint64_t>(shifted_left(bend, 64 - plan.curvature_bits));
     const uint64_t next = static_cast<uint64_t>(slope) - change;

@@ -201,14 +201,14 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
   // (2/5) K C d^(5/2), what damping takes of a step that comes or goes.
   template <class Shape>
-  constexpr Value part_damping(const Plan& plan, Shape shape, Value d) const {
+  [[gnu::always_inline]] constexpr Value part_damping(const Plan& plan, Shape shape, Value d) const {
     if constexpr (ContactLaw::is_damped_per_impact)
       return Format::value(Format::constant(2.0 / 5) * (shape * (this->own_damping * d)));
     else
       return Format::value(shape * (plan.part_damping * d));
   }
   // K (1 + C v)
-  constexpr Value strength(const Plan& plan, Value rate) const {
+  [[gnu::always_inline]] constexpr Value strength(const Plan& plan, Value rate) const {
     const Value elastic = Format::value(plan.stiffness);
     if constexpr (ContactLaw::is_damped)
       return impact::strength<ContactLaw::is_damped_per_impact, Units>(elastic, damping(plan) * rate);

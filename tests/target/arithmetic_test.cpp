@@ -12,10 +12,13 @@ constexpr uint32_t edges[] = {0,          1,          2,          0x7fff,     0x
                               0xffff0000, 0xffff7fff, 0xffff8000, 0xfffffffe, 0xffffffff};
 constexpr uint32_t numbers = sizeof edges / sizeof *edges + 40;
 
+constexpr uint32_t known_number(uint32_t index) {
+  constexpr uint32_t golden = 2654435769;  // 2^32 over the golden ratio
+  return index < sizeof edges / sizeof *edges ? edges[index] : index * index * golden;
+}
 // Not a constant to the compiler.
 uint32_t number(uint32_t index) {
-  constexpr uint32_t golden = 2654435769;  // 2^32 over the golden ratio
-  volatile const uint32_t number = index < sizeof edges / sizeof *edges ? edges[index] : index * index * golden;
+  volatile const uint32_t number = known_number(index);
   return number;
 }
 
@@ -37,6 +40,25 @@ uint32_t wrong_products() {
       wrong += impact::short_product(x, half_word) != int64_t{x} * half_word >> 16;
     }
   return wrong;
+}
+
+// By a number that the compiler knows.
+template <uint32_t index = 0>
+uint32_t wrong_products_with_constants() {
+  constexpr uint32_t b = known_number(index);
+  constexpr auto y = static_cast<int32_t>(b), rough = static_cast<int32_t>(b & 0xffff0000);
+  uint32_t wrong = 0;
+  for (uint32_t i = 0; i < numbers; ++i) {
+    const auto x = static_cast<int32_t>(number(i));
+    const int64_t product = int64_t{x} * y;
+    wrong += impact::high_product(x, y) != product >> 32;
+    wrong += impact::high_product(x, rough) != int64_t{x} * rough >> 32;
+    wrong += impact::rounded_high_product(x, y) != (product >> 32) + (product >> 31 & 1);
+  }
+  if constexpr (index + 1 < numbers)
+    return wrong + wrong_products_with_constants<index + 1>();
+  else
+    return wrong;
 }
 
 // Of sums and terms that fit.
@@ -61,6 +83,7 @@ uint32_t wrong_sums() {
 
 int main() {
   impact::target::check_equal("wrong products", wrong_products(), 0);
+  impact::target::check_equal("wrong products with constants", wrong_products_with_constants(), 0);
   impact::target::check_equal("wrong sums", wrong_sums<1>(), 0);
   return impact::target::failures();
 }

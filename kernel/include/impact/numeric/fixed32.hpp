@@ -31,6 +31,14 @@ struct Fixed32 : Fixed32Numbers {
     const int32_t weighted = high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
     return moved({high_product(weighted, with_sign(y).raw)}, after + bits - 33);
   }
+  // (a + weight y) x for a and y below 1, with the weight's shift to the left before both; the sum is below 3.
+  template <int more, int bits>
+  static constexpr Value product_of_sum(Unsigned<more> a, Weight weight, Unsigned<bits> y, Value x) {
+    const int ahead = weight.places_ahead(), after = weight.shift + ahead;
+    const auto weighted = with_bits<30>(Signed<bits - 2>{high_product(with_sign(y).raw, weight.mantissa)});
+    const Signed<29> sum = {(value(a).raw >> ahead >> 2) + (weighted.raw >> (after + 2))};
+    return value(sum * Value{static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead)});
+  }
 
   // In [0, 1); what is not, for a stepper far outside its range, is held there.
   static constexpr Unsigned<32> constant(double x) {

@@ -125,6 +125,13 @@ struct Fixed32Numbers {
     return {static_cast<int32_t>(mantissa), -1 - e};
   }
   static constexpr Weight weight(double factor, int from, int to) { return {gain(factor, from, to)}; }
+  // Of 16 bits, wrong by 2^-15 of itself at most, for a small part of a sum: a Cortex-M0 multiplies by such a constant
+  // in 6 instructions in place of 14.
+  static constexpr Weight rough_weight(double factor, int from, int to) {
+    const Gain fine = gain(factor, from, to);
+    const int32_t most = INT32_MAX - 0x7fff, held = fine.mantissa < most ? fine.mantissa : most;
+    return {{(held + 0x8000) & ~0xffff, fine.shift}};
+  }
   // A Value that counts in 2^from as one that counts in 2^(from + places).
   static constexpr Value moved(Value x, int places) {
     if constexpr (is_wide)

@@ -44,7 +44,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     SharedResponse<Weight> response;
     Factor stiffness, part_stiffness;  // K, 2 K/5
     Weight damping, part_damping;      // K C, 2 K C/5
-    Weight sixth_damping;              // K C/6, by what an impulse does to a rate
+    Weight sixth_damping;              // K C/6, by what an impulse does to a rate; C dv/6 of J1, for which 16 bits do
     Gain force;                        // 1/K: from an impulse to the force's own impulse
     int travel_places, change_places;  // from impulses to penetrations, from increments to impulses
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
@@ -60,7 +60,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Format::constant(0.4 * stiffness),
             Format::weight(stiffness * damping, from, 0),
             Format::weight(0.4 * stiffness * damping, from, 0),
-            Format::weight(stiffness * damping / 6, unit.recoil, 0),
+            Format::rough_weight(stiffness * damping / 6, unit.recoil, 0),
             Format::gain(1 / of_force, unit.recoil, 0),
             unit.penetration - unit.recoil,
             unit.recoil - unit.increment,
@@ -107,11 +107,11 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr Impulse<Value> respond(const Plan& plan, Value trial, Value before, Value g) {
     if (phase == Phase::apart) return enter(plan, trial, before, g);
     const Value rate = trial - penetration - Format::value(half(travel(plan, g)));
-    const auto shape = root * without_sign(penetration);
-    const Value factor = strength(plan, rate);
-    const Value force = Format::value(shape * factor);
-    Value third_rise = Format::value(quarter(root * factor * rate));  // f'/6
-    if constexpr (ContactLaw::is_damped) third_rise = third_rise + damped_sixth(plan, g - force, shape);
+    const auto steepness = root * strength(plan, rate);
+    const Value force = Format::value(steepness * without_sign(penetration));
+    Value third_rise = Format::value(quarter(steepness * rate));  // f'/6
+    if constexpr (ContactLaw::is_damped)
+      third_rise = third_rise + damped_sixth(plan, g - force, root * without_sign(penetration));
     const Value d = trial - travel(plan, Format::value(half(force)) + third_rise);
     if (!is_positive(d)) return leave(plan, trial, g, d);
     return stay(plan, trial, g, d, g - force - third_rise - third_rise - third_rise);
@@ -121,13 +121,13 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto s = Format::root(d);
     const auto p = half(s + root);
     const auto z = half(difference(s, root));
-    const auto pp = square(p), zz = square(z);
+    const auto zz = square(z);
     const auto zz_5p = Format::square_over_five(z, p);
-    const auto n = p * (pp + zz + zz) + zz * zz_5p;
+    const auto n = p * (without_sign(half(d + penetration)) + zz) + zz * zz_5p;  // p^2 + z^2 is their mean
     const auto w = eighth(p + twice(zz_5p));
     const Value dd = d - penetration;
     const auto factor = positive_part(strength(plan, dd));
-    const auto by_change = plan.stiffness * w;
+    const auto by_change = Format::value(plan.stiffness) * w;
     Value j0 = Format::value(n * factor) - travel(plan, Format::value(by_change * dv));
     Value j1 = Format::value(half(j0)) - Format::value(w * factor * dd);
     if constexpr (ContactLaw::is_damped) j1 = j1 - damped_sixth(plan, dv, half(n));
@@ -135,8 +135,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
     const Value missed = trial - travel(plan, j1) - d;
     const auto slope = p - quarter(root) + zz_5p;
-    Value correction = Format::value(slope * factor * missed) - travel(plan, Format::value(by_change * (g - j0 - dv)));
-    if constexpr (ContactLaw::is_damped) correction = correction + Format::value(damping(plan) * missed * n);
+    const Value correction =
+        by_missed(plan, slope * factor, n, missed) - travel(plan, Format::value(by_change * (g - j0 - dv)));
     return {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))};
   }
 
@@ -156,8 +156,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const Value j1 = Format::value(half(j0)) - Format::value(b * (elastic + loss));
 
     const Value back = travel(plan, j1);
-    Value correction = Format::value((su + su + half(su) - su * u) * back);
-    if constexpr (ContactLaw::is_damped) correction = correction + Format::value(s * d * (damping(plan) * back));
+    const Value correction = by_missed(plan, su + su + half(su) - su * u, s * d, back);
     return {j0 - correction, j1 - Format::value(later * correction)};
   }
 
@@ -190,6 +189,17 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       return this->own_damping;
     else
       return plan.damping;
+  }
+  // (steepness + K C d^(3/2)) missed, what J0 misses with the penetration at the end.
+  template <class Steepness, class Shape>
+  [[gnu::always_inline]] constexpr Value by_missed(const Plan& plan, Steepness steepness, Shape shape,
+                                                   Value missed) const {
+    if constexpr (!ContactLaw::is_damped)
+      return Format::value(steepness * missed);
+    else if constexpr (ContactLaw::is_damped_per_impact)
+      return Format::value(steepness * missed) + Format::value(this->own_damping * missed * shape);
+    else
+      return Format::product_of_sum(steepness, plan.damping, shape, missed);
   }
   // (1/6) K C dv d^(3/2)
   template <class Shape>

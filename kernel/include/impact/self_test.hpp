@@ -42,15 +42,15 @@ template <class Format>
 template <class Format>
 inline constexpr uint32_t proved_bits = 0;
 template <>
-inline constexpr uint32_t proved_bits<Fixed32> = 0x70bfdc77;
+inline constexpr uint32_t proved_bits<Fixed32> = 0xb36f638b;
 template <>
-inline constexpr uint32_t proved_bits<Float32> = 0x9b7c50b9;
+inline constexpr uint32_t proved_bits<Float32> = 0xc9f3acec;
 template <>
-inline constexpr uint32_t proved_bits<Float32Plain> = 0x8e75d8be;
+inline constexpr uint32_t proved_bits<Float32Plain> = 0xef84eed3;
 template <>
-inline constexpr uint32_t proved_bits<BasicFloat32<HardwareRoot>> = 0xa724d037;
+inline constexpr uint32_t proved_bits<BasicFloat32<HardwareRoot>> = 0x99c7ca56;
 template <>
-inline constexpr uint32_t proved_bits<BasicFloat32Plain<HardwareRoot>> = 0x8e75d8be;
+inline constexpr uint32_t proved_bits<BasicFloat32Plain<HardwareRoot>> = 0xef84eed3;
 
 }  // namespace detail
 

@@ -54,7 +54,7 @@ struct Fixed32 : Fixed32Numbers {
   // rounds down: what adds one such term and takes away another rounds to nearest in the mean. To the left it rounds to
   // nearest within a sixth of the product's place, by the one or two places of x that are worth about half of that: the
   // product's lower word is not asked for.
-  static constexpr Value term(Gain gain, Value x) {
+  [[gnu::always_inline]] static constexpr Value term(Gain gain, Value x) {
     if (gain.mantissa == 0) return {0};
     if (gain.shift > 0) return {high_product(x.raw, gain.mantissa) >> gain.shift};
     const uint32_t half_place = gain.mantissa > 0x55555555 ? 1 : 2;

@@ -6,9 +6,9 @@
 namespace impact::report {
 
 std::string budget_table(const Table& budget, const std::string& worst_steps) {
-  std::string text =
-      table_head("Every part, law and format", "step_budget.csv",
-                 {"part", "law", "format", "free, mean", "largest", "1 kHz", "10 kHz", "50 kHz", "flash", "RAM", "stack"});
+  std::string text = table_head(
+      "Every part, law and format", "step_budget.csv",
+      {"part", "law", "format", "free, mean", "largest", "1 kHz", "10 kHz", "50 kHz", "flash", "RAM", "stack"});
   std::string rows = "position,part,law,numeric,microseconds,text\n";
   int position = 0;
   for (const Part& part : parts) {

@@ -11,8 +11,8 @@
 //
 // A hold lets go of the contact under way; recorded features leave such a step out. A sample counts in newtons in
 // floating point: beyond Bounds::force it is held there, and instead of one that is not a number the one before it goes
-// on; an acceleration of the base likewise, and 0 instead of no number. In Fixed32 either is a fraction of its bound, all
-// of whose bits are good.
+// on; an acceleration of the base likewise, and 0 instead of no number. In Fixed32 either is a fraction of its bound,
+// all of whose bits are good.
 
 #include <stdint.h>
 

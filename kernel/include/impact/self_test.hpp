@@ -42,7 +42,7 @@ template <class Format>
 template <class Format>
 inline constexpr uint32_t proved_bits = 0;
 template <>
-inline constexpr uint32_t proved_bits<Fixed32> = 0xb36f638b;
+inline constexpr uint32_t proved_bits<Fixed32> = 0x591a72b5;
 template <>
 inline constexpr uint32_t proved_bits<Float32> = 0xc9f3acec;
 template <>

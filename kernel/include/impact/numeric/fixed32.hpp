@@ -37,7 +37,7 @@ struct Fixed32 : Fixed32Numbers {
     const int ahead = weight.places_ahead(), after = weight.shift + ahead;
     const auto weighted = with_bits<30>(Signed<bits - 2>{high_product(with_sign(y).raw, weight.mantissa)});
     const Signed<29> sum = {(value(a).raw >> ahead >> 2) + (weighted.raw >> (after + 2))};
-    return value(sum * Value{static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead)});
+    return {shifted_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), sum.raw, 3)};
   }
 
   // In [0, 1); what is not, for a stepper far outside its range, is held there.

@@ -82,6 +82,10 @@ constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
   const uint64_t product = uint64_t{a} * b;
   return static_cast<uint32_t>(product >> 32) + (static_cast<uint32_t>(product) >> 31);
 }
+// floor(a b / 2^(32 - places)) for places from 1 to 16, modulo 2^32.
+constexpr int32_t shifted_product(int32_t a, int32_t b, int places) {
+  return static_cast<int32_t>(int64_t{a} * b >> (32 - places));
+}
 // floor(a b / 2^(32 + places) + 1/2) for places from 0 to 31, where is_wide: there one shift serves for all.
 constexpr int32_t rounded_product(int32_t a, int32_t b, int places) {
   return static_cast<int32_t>(((int64_t{a} * b >> (31 + places)) + 1) >> 1);
@@ -303,6 +307,15 @@ constexpr int32_t rounded_product(int32_t a, int32_t b) { return rounded(product
 #endif
   return rounded_product(a, b);
 }
+[[gnu::always_inline]] constexpr int32_t shifted_product(int32_t a, int32_t b, int places) {
+#if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
+  const SignedProduct ab = !is_constant(a, b) && __builtin_constant_p(b) ? product_with_constant(a, b) : product(a, b);
+#else
+  const SignedProduct ab = product(a, b);
+#endif
+  return static_cast<int32_t>((static_cast<uint32_t>(ab.high) << places) +
+                              static_cast<uint32_t>(ab.middle >> (16 - places)));
+}
 constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
   const UnsignedProduct ab = product(a, b);
   return ab.high + (((ab.middle >> 15) + 1) >> 1);
@@ -348,12 +361,14 @@ using composed::full_product;
 using composed::high_product;
 using composed::high_square;
 using composed::rounded_high_product;
+using composed::shifted_product;
 using composed::short_product;
 #else
 using instruction::full_product;
 using instruction::high_product;
 using instruction::high_square;
 using instruction::rounded_high_product;
+using instruction::shifted_product;
 using instruction::short_product;
 #endif
 

@@ -181,7 +181,6 @@ struct RealFormat {
 
   using Weight = Gain;
   static constexpr Weight weight(double factor, int from, int to) { return gain(factor, from, to); }
-  static constexpr Weight rough_weight(double factor, int from, int to) { return gain(factor, from, to); }
   static constexpr Real product(Weight weight, Real x, Real y) { return weight * x * y; }
   static constexpr Real product_of_sum(Real a, Weight weight, Real y, Real x) { return (a + weight * y) * x; }
   static constexpr Real constant(double x) { return static_cast<Real>(x); }

@@ -185,11 +185,12 @@ struct StiffContact {
       const Value deepest = is_positive(most) ? depth_of<false>(most) : Value{};
       const Value pressed = step.trial - step.press;
       const Value free = step.is_inside && is_positive(pressed) ? pressed : step.trial;
-      const auto sine = Format::share(phase_at(is_positive(free - deepest) ? deepest : free), step.plan.ease);
+      const bool is_shallow = !is_positive(free - deepest);
+      const auto sine = Format::share(phase_at(is_shallow ? free : deepest), step.plan.ease);
       const auto cosine = Format::constant(1) - sine;  // both squared, of half the angle
       const Value by_stored = Format::value(twice(v * Format::root_of_product(sine * cosine)));
       const Value whole = Format::value(d * sine) + by_stored;
-      if (!is_positive(whole)) return is_positive(d) && flies_on(end);
+      if (!is_positive(whole)) return is_shallow && is_positive(d) && flies_on(end);
 
       Value q = whole, back = whole;
       if constexpr (is_damped) {
@@ -203,7 +204,7 @@ struct StiffContact {
       Value left = square_of(v) + work;
       if constexpr (is_damped)
         if (is_positive(left)) left = left - Format::value(afresh(q) * correction(slowing_part(q, back)));
-      if (!is_positive(left)) return !is_positive(work) && is_positive(d - back) && flies_on(end);
+      if (!is_positive(left)) return is_shallow && !is_positive(work) && is_positive(d - back) && flies_on(end);
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of<true>(end.rate);
       if constexpr (is_in_field) {

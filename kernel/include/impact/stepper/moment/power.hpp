@@ -44,7 +44,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     SharedResponse<Weight> response;
     Factor stiffness, part_stiffness;  // K, 2 K/5
     Weight damping, part_damping;      // K C, 2 K C/5
-    Weight sixth_damping;              // K C/6, by what an impulse does to a rate; C dv/6 of J1, for which 16 bits do
+    Weight sixth_damping;              // K C/6, by what an impulse does to a rate
     Gain force;                        // 1/K: from an impulse to the force's own impulse
     int travel_places, change_places;  // from impulses to penetrations, from increments to impulses
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
@@ -60,7 +60,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Format::constant(0.4 * stiffness),
             Format::weight(stiffness * damping, from, 0),
             Format::weight(0.4 * stiffness * damping, from, 0),
-            Format::rough_weight(stiffness * damping / 6, unit.recoil, 0),
+            Format::weight(stiffness * damping / 6, unit.recoil, 0),
             Format::gain(1 / of_force, unit.recoil, 0),
             unit.penetration - unit.recoil,
             unit.recoil - unit.increment,

@@ -38,15 +38,14 @@ struct MomentResponse {
   }
   // The change of penetration by a moment.
   constexpr double mobility(const ContactTerms& terms) const { return 1 / terms.ball_mass + gx; }
-  // For impulses that count as what they do to the penetration. The second and third are of the order of c h/M and
-  // (w0 h)^2, for which 16 bits do: wrong by 2^-15 of that.
+  // For impulses that count as what they do to the penetration.
   template <class Format>
   constexpr SharedResponse<typename Format::Weight> shared(const ContactTerms& terms, const LinearFlow& flow,
                                                            const UnitExponents& unit) const {
     const double scale = 1 / mobility(terms), ball = scale / terms.ball_mass;
     return {Format::weight(-ball, 0, 0),
             Format::weight(constant::smaller(scale * flow.e12 * g0, largest_share), 0, 0),
-            Format::rough_weight(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
+            Format::weight(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
             Format::weight(1, unit.recoil, unit.penetration),
             Format::weight(ball + scale * g0, unit.recoil, unit.penetration),
             Format::weight(scale * hg1, unit.recoil, unit.penetration)};

@@ -207,6 +207,43 @@ TEST(Corrections, PutABallInContactOntoTheOtherStop) {
 // An observer that finds nothing to correct, at every step, begins the contact under way anew each time, at its
 // penetration and rate. The largest difference that this makes to x1 over the first impacts of the paper's scene, m:
 // nothing with Moment, and with EnergyConsistent no more than what it misses itself, 1.8e-5 at 1 ms, with Exact 7.1e-5.
+// A Hooke-Newton stop has let go of the ball inside it, which is on its way out: put deeper by a correction it would be
+// pushed out with a spring's energy that no motion has stored.
+template <class Stepper, class Format>
+void leaves_no_deeper() {
+  using Kernel = Absorber<AtRunTime, HookeNewton, Stepper, NoDrive, Format>;
+  Scene scene;
+  scene.drive_amplitude = scene.main_stiffness = scene.main_damping = 0;
+  scene.contact_stiffness = 16300;
+  scene.contact_damping = 40;
+  scene.stops = Stops::right;
+  scene.x2 = 0.0099;
+  scene.v2 = 0.6;
+  Kernel absorber(Kernel::PlanType::make(scene, Bounds{}, 1e-4));
+  ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+  const auto inside = [&] {
+    const auto now = absorber.reading();
+    return now.x2 - now.x1 - scene.clearance / 2;
+  };
+  const auto kinetic = [&] {
+    const auto now = absorber.reading();
+    return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2) / 2;
+  };
+  for (int n = 0; n < 1000 && absorber.state().contact.phase != Phase::released; ++n) absorber.step();
+  ASSERT_GT(inside(), 1e-4);
+  const double before = kinetic(), depth = inside();
+  absorber.correct(native<Format>(-5e-3, absorber.displacement_unit()), {});
+  EXPECT_NEAR(inside(), depth, 1e-7);
+  for (int n = 0; n < 500; ++n) absorber.step();
+  EXPECT_LT(inside(), 0);
+  EXPECT_NEAR(kinetic(), before, 1e-6 * before);
+}
+TEST(Corrections, PutABallThatWasLetGoNoDeeper) {
+  leaves_no_deeper<Moment, Float64>();
+  leaves_no_deeper<Moment, Fixed32>();
+  leaves_no_deeper<SubsteppedMoment<4>, Float64>();
+}
+
 template <class ContactLaw, class Stepper>
 double made_by_corrections_of_nothing(double step) {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Float64>;

@@ -232,6 +232,19 @@ TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
   }
 }
 
+// A sine near the fastest that a plan takes, 3 rad a step, whose slope is nearly twice the sine.
+TEST(Edges, AFastSinesStateIsTakenBack) {
+  Scene scene;
+  scene.drive_pulsation = 2.9e4;
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, Fixed32>;
+  Kernel absorber(Kernel::PlanType::make(scene, Bounds{}, 1e-4));
+  ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+  for (int n = 0; n < 2000; ++n) {
+    absorber.step();
+    ASSERT_TRUE(absorber.restore(absorber.save())) << n;
+  }
+}
+
 // Where the bounds are had from the samples: by an estimate, and in fixed32 by a run.
 TEST(Edges, ASampleThatIsNoNumberIsRefused) {
   for (const Numeric numeric : numerics) {

@@ -67,6 +67,19 @@ TEST_F(ImpactSim, SaysWhatASampleFileIsTakenFor) {
   EXPECT_THAT(run("--drive-file a").err, HasSubstr("4 samples, one each 0.0001 s"));
 }
 
+// As a spreadsheet writes it.
+TEST_F(ImpactSim, AByteOrderMarkBeforeAFileIsPassedOver) {
+  write(file("a"), "1\n2\n");
+  write(file("b"),
+        "\xEF\xBB\xBF"
+        "1\n2\n");
+  EXPECT_EQ(run("--drive-file a --step 1e-3").out, run("--drive-file b --step 1e-3").out);
+  write(file("c"),
+        "\xEF\xBB\xBF"
+        "law\nhertz\n");
+  EXPECT_EQ(run("--sweep c --duration 0.01").code, 0);
+}
+
 TEST_F(ImpactSim, PartsAreRefusedByName) {
   write(file("a"), "1\n2\n");
   write(file("bad"), "1\nx\n");

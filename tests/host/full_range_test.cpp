@@ -116,5 +116,49 @@ TEST(FullRange, ThePapersSceneAtItsBounds) {
   }
 }
 
+// A main spring that turns by 0.1 rad in a step, and room for the ball of up to ten thousand times what the spring
+// gives way: its increments, and with them impulses, count up to some thousand times coarser than penetrations.
+template <class Stepper>
+void follows_double_with_wide_displacements(double step, double most_off) {
+  Scene scene;
+  scene.main_mass = 10;
+  scene.ball_mass = 1.5;
+  scene.main_damping = scene.drive_amplitude = 0;
+  scene.contact_stiffness = 1.8e12;
+  scene.contact_damping = 0;
+  scene.main_stiffness = scene.main_mass * 0.01 / (step * step);
+  scene.stops = Stops::right;
+  for (const double width : {1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
+    scene.clearance = width;
+    scene.v1 = -0.2;
+    scene.v2 = 0.3;
+    scene.x2 = scene.clearance / 2 - 1e-5;
+    Bounds bounds;
+    bounds.displacement = scene.clearance / 2 + 1e-4;
+    bounds.speed = 0.8;
+    bounds.force = 0;
+    bounds.penetration = 2e-5;
+    using Narrow = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Fixed32>;
+    using Wide = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64>;
+    const auto plan = Narrow::PlanType::make(scene, bounds, step);
+    ASSERT_EQ(plan.status, PlanStatus::ok) << width;
+    Narrow narrow(plan);
+    Wide wide(Wide::PlanType::make(scene, bounds, step));
+    for (int n = 0; n < static_cast<int>(1.2e-4 / step); ++n) {
+      narrow.step();
+      wide.step();
+    }
+    const auto found = narrow.reading(), exact = wide.reading();
+    EXPECT_EQ(narrow.fault(), Fault::none);
+    EXPECT_LT(exact.v2, -0.1);  // it has rebounded
+    EXPECT_NEAR(found.v1, exact.v1, most_off) << width;
+    EXPECT_NEAR(found.v2, exact.v2, most_off) << width;
+  }
+}
+TEST(FullRange, ImpulsesMayCountCoarserThanPenetrations) {
+  follows_double_with_wide_displacements<Moment>(2.5e-6, 1e-4);
+  follows_double_with_wide_displacements<SubsteppedMoment<4>>(1e-5, 1e-4);
+}
+
 }  // namespace
 }  // namespace impact::host

@@ -34,8 +34,9 @@ constexpr double rounded_by_sum = std::is_same_v<Format, Fixed32>        ? 0
 //     sum         of what is dissipated, by the addition itself: none in Fixed32
 //     left over   f times what a resolved contact's equation leaves over, way - (d1 - d0), as far as
 //                 its sum has fallen: over a whole contact it is a loss (stepper/energy/power.hpp)
-//     place       of a length, 2^-31: what the force is computed from and what it does, four of them; Hooke-Newton's
-//                 own equation is out by three of them, (1 + G (1/2 + C)) f = .. (stepper/energy/linear.hpp)
+//     place       of a length, 2^-31, or of what a force does to one, where that counts coarser: what the force is
+//                 computed from and what it does, four of them; Hooke-Newton's own equation is out by three of them,
+//                 (1 + G (1/2 + C)) f = .. (stepper/energy/linear.hpp)
 struct Allowance : SilentFeature {
   static constexpr uint32_t kind = 99;
   static constexpr bool is_bound = true;
@@ -53,7 +54,8 @@ struct Allowance : SilentFeature {
     constexpr double relative = is_fixed    ? 0x1p-23
                                 : is_double ? 0x1p-49
                                             : 0x1p-20,
-                     place = is_fixed ? 0x1p-31 : 0, sum = rounded_by_sum<Format>;
+                     sum = rounded_by_sum<Format>;
+    const double place = is_fixed ? std::ldexp(1, -31 + larger(0, -plan.contact.response.travel_places)) : 0;
     const double force = plan.units.fraction(step.force.j0), way = plan.units.fraction(step.way),
                  stored = plan.units.fraction(step.stored),
                  response =

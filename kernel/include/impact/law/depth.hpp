@@ -2,17 +2,24 @@
 #pragma once
 // The deepest penetration that any state within the bounds can lead to, in the coupled machine: what a plan has to hold
 // and to be stable at. With V = 2 Bounds::speed the largest rate of approach, mu the reduced mass and W(d) the energy
-// that the law stores, (2/5) k1 d^(5/2) or k1 d^2/2, two balances bound d, and the less of both counts:
+// that the law stores, (2/5) k1 d^(5/2) or k1 d^2/2, three balances bound d, and the least of them counts:
 //
-//     of the whole                W <= (M + m) v^2/2 + k x^2/2 + 2 F x
+//     the energy of the whole     W <= (M + m) v^2/2 + k x^2/2 + 2 F x
 //     of the relative motion      W <= mu V^2/2 + P d                        P = mu (k x + c v + F)/M
+//     the ball's momentum         W <= W0 + m V^2 + (m a + R) d
 //
-// where v, x and F are the bounds of speed, displacement and drive.
+// where v, x and F are the bounds of speed, displacement and drive, a that of a field and R the ball's dry friction.
 //
 // The first is all that both masses, the spring and the drive can give up; the second what the approach brings and what
-// the main spring, its damper and the drive press on the way. A field's acceleration a adds 2 (M + m) a x to the first,
-// and nothing to the second, in which it is the same for both masses. Damping and friction only take: Hunt-Crossley's,
+// the main spring, its damper and the drive press on the way. A field adds 2 (M + m) a x to the first, and nothing to
+// the second, in which it is the same for both masses. Damping and friction only take: Hunt-Crossley's,
 // a = c1 V/k1, leaves 2 (a - ln(1 + a))/a^2 of the approach's energy to the law's first integral (law/free_impact.hpp).
+//
+// The third is what a stiff main spring cannot do: its force reaches the ball through the contact alone, whose impulse
+// turns the ball from v to -v at most. From the last time at which field and friction held the ball, at ds or at the
+// start's W0, the impulse of f - (m a + R) is 2 v m or less; a penetration grows by no more than V dt, so that this is
+// (W(d) - W(ds) - (m a + R)(d - ds))/V or more. What damping adds to f only makes it more.
+//
 // A hundredth is added for rounding. Bounds::penetration, where it is stated, limits it further.
 
 #include <impact/numeric/constant_math.hpp>
@@ -43,6 +50,14 @@ constexpr double largest_acceleration(const Scene& scene, const Bounds& bounds, 
   return (scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed + drive) / scene.main_mass;
 }
 
+// Of the ball at the start.
+constexpr double initial_penetration(const Scene& scene) {
+  const double right = scene.x2 - scene.x1, apart = scene.stops == Stops::right  ? right
+                                                    : scene.stops == Stops::left ? -right
+                                                                                 : constant::magnitude(right);
+  return apart - scene.clearance / 2;
+}
+
 // `damping` is a for Hunt-Crossley, or 0.
 constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, bool is_linear, double damping) {
   const double main = scene.main_mass, ball = scene.ball_mass, mu = 1 / (1 / main + 1 / ball);
@@ -53,18 +68,15 @@ constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, b
   const double press = mu * largest_acceleration(scene, bounds, drive);
   const double kept =
       damping > 1e-3 ? 2 * (damping - constant::logarithm_of_one_plus(damping)) / (damping * damping) : 1;
-  const double depth =
-      1.01 * constant::smaller(detail::depth_of(scene.contact_stiffness, whole, 0, is_linear),
-                               detail::depth_of(scene.contact_stiffness, kept * 2 * mu * v * v, press, is_linear));
+  const double k1 = scene.contact_stiffness;
+  const double by_energy = constant::smaller(detail::depth_of(k1, whole, 0, is_linear),
+                                             detail::depth_of(k1, kept * 2 * mu * v * v, press, is_linear));
+  const double start = constant::smaller(constant::larger(initial_penetration(scene), 0), by_energy);
+  const double stored = k1 * start * start * (is_linear ? 0.5 : 0.4 * constant::square_root(start));
+  const double by_impulse =
+      detail::depth_of(k1, stored + 4 * ball * v * v, ball * field + scene.ball_friction, is_linear);
+  const double depth = 1.01 * constant::smaller(by_energy, by_impulse);
   return bounds.penetration > 0 ? constant::smaller(depth, bounds.penetration) : depth;
-}
-
-// Of the ball at the start.
-constexpr double initial_penetration(const Scene& scene) {
-  const double right = scene.x2 - scene.x1, apart = scene.stops == Stops::right  ? right
-                                                    : scene.stops == Stops::left ? -right
-                                                                                 : constant::magnitude(right);
-  return apart - scene.clearance / 2;
 }
 
 }  // namespace impact

@@ -134,6 +134,7 @@ struct Fixed32Numbers {
     return {places > 0 ? x.raw >> places : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -places)};
   }
 
+  static constexpr Value last_place() { return {1}; }
   // Numbers in a unit 2^places times as fine for a while, where places < 0 as coarse.
   struct OwnUnit {
     int left, right;

@@ -201,6 +201,8 @@ struct RealFormat {
     constexpr auto least = static_cast<Real>(0x1p-92);
     return gain / (divisor > least ? divisor : least);
   }
+  // Of a number of any size: none.
+  static constexpr Value last_place() { return 0; }
   static constexpr Value moved(Value x, int) { return x; }
   struct OwnUnit {
     static constexpr Value own(Value x) { return x; }

@@ -190,7 +190,7 @@ struct StiffContact {
       const auto cosine = Format::constant(1) - sine;  // both squared, of half the angle
       const Value by_stored = Format::value(twice(v * Format::root_of_product(sine * cosine)));
       const Value whole = Format::value(d * sine) + by_stored;
-      if (!is_positive(whole)) return is_shallow && is_positive(d) && flies_on(end);
+      if (!is_positive(whole)) return is_shallow && is_positive(d) && flies_on<is_in_field>(end);
 
       Value q = whole, back = whole;
       if constexpr (is_damped) {
@@ -204,7 +204,9 @@ struct StiffContact {
       Value left = square_of(v) + work;
       if constexpr (is_damped)
         if (is_positive(left)) left = left - Format::value(afresh(q) * correction(slowing_part(q, back)));
-      if (!is_positive(left)) return is_shallow && !is_positive(work) && is_positive(d - back) && flies_on(end);
+      if (!is_positive(left)) {
+        return is_shallow && !is_positive(work) && is_positive(d - back) && flies_on<is_in_field>(end);
+      }
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of<true>(end.rate);
       if constexpr (is_in_field) {
@@ -215,9 +217,15 @@ struct StiffContact {
       return true;
     }
 
-    // So shallow that the force is below a place: no force, and no energy made or lost.
+    // So shallow that the force is below a place: none. In a field the stored energy stays that of the penetration, or
+    // the next correction would lift the ball; a force of a place does no less work than it gains by that.
+    template <bool is_in_field>
     constexpr bool flies_on(End& end) const {
       end = {Value{}, step.rate, step.trial, true};
+      if constexpr (is_in_field) {
+        const Value v1 = step.plan.rate_at(step.trial), most = Format::value(d * scaled(Format::last_place()));
+        if (!is_positive(square_of(scaled(v1)) - square_of(v) - most)) end.rate = v1;
+      }
       return true;
     }
 
@@ -334,6 +342,9 @@ struct StiffContact {
         if (is_positive(least - recoil)) recoil = least;
       }
       const Value free = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
+      // What a field presses in is not put out of its stop, which would lift it.
+      if constexpr (is_in_field)
+        if (step.is_inside && is_positive(step.field) && is_positive(free)) return {recoil, Value{}, free, true};
       Value end{};
       if (step.is_inside && !is_positive(free)) end = is_positive(free - farthest) ? free : farthest;
       if constexpr (is_in_field)

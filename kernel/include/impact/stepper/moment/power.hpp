@@ -127,16 +127,15 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto w = eighth(p + twice(zz_5p));
     const Value dd = d - penetration;
     const auto factor = positive_part(strength(plan, dd));
-    const auto by_change = Format::value(plan.stiffness) * w;
-    Value j0 = Format::value(n * factor) - travel(plan, Format::value(by_change * dv));
+    const Value by_change = Format::value(plan.stiffness * w);
+    Value j0 = Format::value(n * factor) - travelled(plan, by_change, dv);
     Value j1 = Format::value(half(j0)) - Format::value(w * factor * dd);
     if constexpr (ContactLaw::is_damped) j1 = j1 - damped_sixth(plan, dv, half(n));
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
     const Value missed = trial - travel(plan, j1) - d;
     const auto slope = p - quarter(root) + zz_5p;
-    const Value correction =
-        by_missed(plan, slope * factor, n, missed) - travel(plan, Format::value(by_change * (g - j0 - dv)));
+    const Value correction = by_missed(plan, slope * factor, n, missed) - travelled(plan, by_change, g - j0 - dv);
     return {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))};
   }
 
@@ -152,7 +151,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto b = Format::constant(1.0 / 2) - later;
     Value loss{};
     if constexpr (ContactLaw::is_damped) loss = part_damping(plan, s * d, trial);
-    const Value j0 = elastic - travel(plan, Format::value(su * b * (u * (g - elastic)))) + loss;
+    const Value j0 = elastic - travelled(plan, Format::value(su * b * u), g - elastic) + loss;
     const Value j1 = Format::value(half(j0)) - Format::value(b * (elastic + loss));
 
     const Value back = travel(plan, j1);
@@ -174,7 +173,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       loss = part_damping(plan, root * d, penetration);
       loss_later = Format::value(later * loss);
     }
-    const Value j0 = elastic - travel(plan, Format::value(ru * b * (u * (g - elastic + loss))));
+    const Value j0 = elastic - travelled(plan, Format::value(ru * b * u), g - elastic + loss);
     const Value j1 = Format::value(half(j0)) + lever - loss + loss_later;
 
     // The end moves from the predicted one, and u with it.
@@ -184,6 +183,11 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   // What an impulse does to the penetration, in its unit.
   static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_places); }
+  // The same of a product: to the left before it is rounded, to the right after it.
+  static constexpr Value travelled(const Plan& plan, Value factor, Value impulse) {
+    const int ahead = plan.travel_places < 0 ? plan.travel_places : 0;
+    return Format::moved(Format::value(Format::moved(factor, ahead) * impulse), plan.travel_places - ahead);
+  }
   constexpr auto damping(const Plan& plan) const {
     if constexpr (ContactLaw::is_damped_per_impact)
       return this->own_damping;

@@ -80,8 +80,8 @@ struct Fixed32 : Fixed32Numbers {
   // A converter's counts as Values: of 2^31.
   static constexpr int count_exponent = 31;
   static constexpr Value counted(int32_t counts) { return {counts}; }
-  // The counts of 1, beyond which there is no Value.
-  static constexpr double most_counts(double per_one) { return constant::magnitude(per_one) * (1 - 0x1p-31); }
+  // The counts of 1, beyond which there is no Value, less what a gain and its product round: four places.
+  static constexpr double most_counts(double per_one) { return constant::magnitude(per_one) * (1 - 0x1p-28); }
   static constexpr HeldGain count_gain(double per_one) { return {gain(per_one, 0, count_exponent)}; }
   static constexpr int32_t counts(HeldGain gain, Value x, int32_t least, int32_t most) {
     const int32_t found = (gain * x).raw;

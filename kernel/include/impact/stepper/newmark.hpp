@@ -66,7 +66,8 @@ struct Pointwise {
         slope =
             k1 * root * (1.5 * by_penetration * (1 + terms.damping_time * terms.largest_rate) + damping * by_rate * d);
       }
-      // Up to the penetrations' unit, at the largest rate; a rate's share alone as well, before the damping multiplies it.
+      // Up to the penetrations' unit, at the largest rate; a rate's share alone as well, before the damping multiplies
+      // it.
       const double per_unit = force_unit * constant::power_of_two(-unit.penetration),
                    damping_in_unit = damping * constant::power_of_two(unit.penetration - terms.damping_exponent),
                    largest_slope = per_unit * constant::larger(1.5 * by_penetration + damping_in_unit * by_rate,
@@ -74,23 +75,23 @@ struct Pointwise {
       const int asked = Format::exponent_of(largest_slope), slope_unit = asked < 0 ? 0 : asked < 29 ? asked : 29;
       int passes = 1;
       for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
-      return {{Format::gain(force_unit * flow.b1, 0, unit.push),
-               Format::gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
-               Format::gain(0, 0, 0), Format::gain(force_unit * beta * ball, 0, unit.push),
-               Format::gain(force_unit * (1 - beta) * ball, 0, unit.push),
-               Format::gain(force_unit * by_penetration, 0, unit.penetration),
-               Format::gain(force_unit * by_rate, 0, unit.penetration), Format::gain(0, 0, 0)},
-              Format::gain(force_unit * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
-              Format::gain(force_unit * beta * ball, 0, unit.push),
-              Format::gain(force_unit * flow.b0 / flow.e12, 0, unit.penetration),
-              Format::gain(force_unit * (0.5 - beta) * ball, 0, unit.penetration),
-              damping_gain<Format, ContactLaw>(terms, unit),
-              Format::gain(1 / (1 + slope), 0, 0),
-              {Format::gain(force_unit * by_penetration, 0, unit.penetration + slope_unit),
-               Format::gain(force_unit * by_rate, 0, unit.penetration + slope_unit),
-               Format::power_of_two(-1 - slope_unit)},
-              passes,
-              terms.clamped};
+      return {
+          {Format::gain(force_unit * flow.b1, 0, unit.push),
+           Format::gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
+           Format::gain(0, 0, 0), Format::gain(force_unit * beta * ball, 0, unit.push),
+           Format::gain(force_unit * (1 - beta) * ball, 0, unit.push),
+           Format::gain(force_unit * by_penetration, 0, unit.penetration),
+           Format::gain(force_unit * by_rate, 0, unit.penetration), Format::gain(0, 0, 0)},
+          Format::gain(force_unit * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
+          Format::gain(force_unit * beta * ball, 0, unit.push),
+          Format::gain(force_unit * flow.b0 / flow.e12, 0, unit.penetration),
+          Format::gain(force_unit * (0.5 - beta) * ball, 0, unit.penetration),
+          damping_gain<Format, ContactLaw>(terms, unit),
+          Format::gain(1 / (1 + slope), 0, 0),
+          {Format::gain(force_unit * by_penetration, 0, unit.penetration + slope_unit),
+           Format::gain(force_unit * by_rate, 0, unit.penetration + slope_unit), Format::power_of_two(-1 - slope_unit)},
+          passes,
+          terms.clamped};
     }
 
     static constexpr bool keeps_force = true;

@@ -2,6 +2,8 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/plot.hpp>
 #include <host_ref/tool/text.hpp>
@@ -51,6 +53,19 @@ std::string title(const Request& request) {
          short_text(request.scene.drive_pulsation) + " rad/s";
 }
 
+// Whether gnuplot, which says nothing of a full disk, has written it to its end. Of a device it cannot be told.
+bool is_whole(const std::string& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return true;
+  const std::string end = "</svg>";
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg(), tail = size < 64 ? size : 64;
+  std::string last(tail > 0 ? static_cast<size_t>(tail) : 0, ' ');
+  file.seekg(-tail, std::ios::end);
+  file.read(last.data(), tail);
+  return file && last.find(end) != std::string::npos;
+}
+
 }  // namespace
 
 void draw(const std::string& path, const Request& request, const Curve& with_absorber, const Curve& without_absorber) {
@@ -82,6 +97,8 @@ void draw(const std::string& path, const Request& request, const Curve& with_abs
   if (!gnuplot) throw OutputError(path);
   std::fputs(script.c_str(), gnuplot);
   if (pclose(gnuplot) != 0) throw std::runtime_error("--plot " + path + ": gnuplot failed");
+  if (!is_whole(output.written_path()))
+    throw std::runtime_error("--plot " + path + ": gnuplot could not write it whole");
   output.commit();
 }
 

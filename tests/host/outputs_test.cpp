@@ -303,6 +303,18 @@ TYPED_TEST(Formats, CountsInAreSamples) {
     }
 }
 
+// A full scale that is hardly more than whole counts: the last of them is hardly less than the unit, and what its
+// product rounds must not turn it around.
+TEST(FromCountsInFixed32, KeepTheSignAtTheUnit) {
+  for (const double per_unit : {2199.0000011817065, 98525.00006975689, 336723.00039717258, 557301916.26383638}) {
+    for (const double direction : {1.0, -1.0}) {
+      const FromCounts<Fixed32> from_counts({0, direction * per_unit, 0, 0}, 1);
+      EXPECT_GT(direction * from_counts(INT32_MAX).raw, 0.999 * 0x1p31) << per_unit;
+      EXPECT_LT(direction * from_counts(-INT32_MAX).raw, -0.999 * 0x1p31) << per_unit;
+    }
+  }
+}
+
 TYPED_TEST(Formats, SamplesFromNewtons) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>;
   Bounds bounds;

@@ -1,6 +1,7 @@
 // The pointwise steppers in double are Newmark's method as a textbook writes it, step by step:
 // host_ref/textbook_newmark.hpp solves the same equations in matrices, with accelerations, to convergence.
 
+#include <impact/absorber.hpp>
 #include <utility>
 
 #include "host_ref/textbook_newmark.hpp"
@@ -49,6 +50,48 @@ TEST(Pointwise, IsTheTextbooksNewmarkForHookeNewton) {
     for (const auto& [stepper, beta] : betas)
       for (const double step : {2e-3, 1e-3, 1e-4})
         expect_textbook(paper_request(Law::hooke_newton, stepper, step, tension), beta, step > 1e-3 ? 1e-7 : 1e-9);
+}
+
+// Below two steps a contact the law's slope over the force passes 1. A free pair, until a scheme that multiplies the
+// energy leaves the bounds.
+template <class ContactLaw, class Scheme>
+void follows_double_in_a_stiff_contact() {
+  constexpr double h = 1e-4, speed = 1;
+  for (const double steps : {3.0, 1.6, 1.2, 1.0, 0.6, 0.4}) {
+    for (int phase = 0; phase < 16; ++phase) {
+      Scene scene;
+      scene.ball_mass = scene.main_mass;
+      scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+      scene.stops = Stops::right;
+      scene.contact_stiffness = 1.25 * 0.5 * speed * speed / std::pow(steps * h * speed / 2.943, 2.5);
+      scene.contact_damping = ContactLaw::is_damped ? 0.3 * scene.contact_stiffness / speed : 0;
+      scene.v2 = 0.99 * speed;
+      scene.x2 = scene.clearance / 2 - speed * h * (1 + phase / 16.0);
+      const Bounds bounds{0.05, 2 * speed, 0, 0, 0};
+      using Fixed = Absorber<AtRunTime, ContactLaw, Scheme, NoDrive, Fixed32>;
+      using Double = Absorber<AtRunTime, ContactLaw, Scheme, NoDrive, Float64>;
+      const auto plan = Fixed::PlanType::make(scene, bounds, h);
+      ASSERT_EQ(plan.status, PlanStatus::ok);
+      Fixed fixed(plan);
+      Double exact(Double::PlanType::make(scene, bounds, h));
+      for (int n = 0; n < 60; ++n) {
+        fixed.step();
+        exact.step();
+        if (fixed.fault() != Fault::none) break;
+        ASSERT_NEAR(fixed.reading().v1, exact.reading().v1, 1e-4) << steps << " steps, phase " << phase;
+        ASSERT_NEAR(fixed.reading().v2, exact.reading().v2, 1e-4) << steps << " steps, phase " << phase;
+      }
+    }
+  }
+}
+TEST(Pointwise, FollowsDoubleInAStiffContact) {
+  follows_double_in_a_stiff_contact<Hertz, AverageAcceleration>();
+  follows_double_in_a_stiff_contact<Hertz, LinearAcceleration>();
+  follows_double_in_a_stiff_contact<Hertz, FoxGoodwin>();
+  follows_double_in_a_stiff_contact<HuntCrossley, AverageAcceleration>();
+  follows_double_in_a_stiff_contact<HuntCrossley, LinearAcceleration>();
+  follows_double_in_a_stiff_contact<HuntCrossley, FoxGoodwin>();
+  follows_double_in_a_stiff_contact<HuntCrossley, CentralDifference>();
 }
 
 }  // namespace

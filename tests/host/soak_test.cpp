@@ -72,6 +72,24 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
       turned * 0x1p-31 + 1e-6);
 }
 
+// A period of three, four or six steps, of which the curvature is a whole number: every period rounds like the one
+// before, and what it rounds must not add up.
+TEST(SoakOfAnOscillator, KeepsTheAmplitudeOfAFewStepsAPeriod) {
+  constexpr double pi = 3.14159265358979323846;
+  for (const int period : {3, 4, 6}) {
+    for (const double phase : {0.0, 0.3, 1.2}) {
+      const double turn = 2 * pi / period;
+      const auto plan = IntegerOscillator::make_plan({std::cos(phase), std::sin(phase)}, turn);
+      auto oscillator = IntegerOscillator::start(plan);
+      for (long n = 0; n < 1200000; ++n) oscillator.advance(plan);
+      const double unit = std::ldexp(1.0, plan.exponent - 63), now = static_cast<double>(oscillator.value) * unit,
+                   last = now - static_cast<double>(oscillator.slope) * unit;
+      EXPECT_NEAR(now, std::sin(phase), 1e-6) << period << " steps, phase " << phase;
+      EXPECT_NEAR(last, std::sin(phase - turn), 1e-6) << period << " steps, phase " << phase;
+    }
+  }
+}
+
 // Upright on a base that shakes, with friction enough to hold the ball for a part of each turn.
 struct RigWithParts {
   static constexpr Scene scene = [] {

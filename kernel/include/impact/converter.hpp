@@ -12,7 +12,8 @@
 //     absorber.step(from_adc(ADC));
 //
 // Out: to the nearest count, held at the converter's ends. In: within 2^-29 of the unit (Fixed32) or 2^-22 of
-// itself; in Fixed32 counts are held at the last one below the unit.
+// itself; in Fixed32 counts are held at the last one below the unit by 2^-28 of it. The ends, and the counts that come,
+// lie less than 2^31 counts from zero.
 
 #include <stdint.h>
 

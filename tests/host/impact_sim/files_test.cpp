@@ -106,6 +106,17 @@ TEST_F(ImpactSim, PlotsWithAndWithoutAbsorber) {
   EXPECT_THAT(svg, HasSubstr("</svg>"));
 }
 
+// As gnuplot itself does on a full disk: it ends with 0.
+TEST_F(ImpactSim, APlotThatWasCutShortReplacesNothing) {
+  write(file("gnuplot"), "#!/bin/sh\nout=$(sed -n \"s/^set output '\\(.*\\)'/\\1/p\")\necho '<svg><path' > \"$out\"\n");
+  fs::permissions(file("gnuplot"), fs::perms::owner_all);
+  write(file("plot.svg"), "precious\n");
+  const Result result = run("--duration 0.01 --plot plot.svg", "PATH=" + folder.string() + ":$PATH");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, HasSubstr("plot.svg"));
+  EXPECT_EQ(read(file("plot.svg")), "precious\n");
+}
+
 TEST_F(ImpactSim, WithoutGnuplotThePlotOptionSaysSoAndTheRunSucceeds) {
   const Result result = run("--newmark moment --duration 0.01 --plot plot.svg", "PATH=" + folder.string());
   EXPECT_EQ(result.code, 0);

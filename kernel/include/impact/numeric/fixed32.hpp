@@ -80,8 +80,8 @@ struct Fixed32 : Fixed32Numbers {
   // A converter's counts as Values: of 2^31.
   static constexpr int count_exponent = 31;
   static constexpr Value counted(int32_t counts) { return {counts}; }
-  // The counts of 1, beyond which there is no Value.
-  static constexpr double most_counts(double per_one) { return constant::magnitude(per_one) * (1 - 0x1p-31); }
+  // The counts of 1, beyond which there is no Value, less what a gain and its product round: four places.
+  static constexpr double most_counts(double per_one) { return constant::magnitude(per_one) * (1 - 0x1p-28); }
   static constexpr HeldGain count_gain(double per_one) { return {gain(per_one, 0, count_exponent)}; }
   static constexpr int32_t counts(HeldGain gain, Value x, int32_t least, int32_t most) {
     const int32_t found = (gain * x).raw;
@@ -167,9 +167,9 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Unsigned<bits + 1> square_over_five(Signed<bits> z, Unsigned<bits> p) {
     return {opaque(static_cast<uint32_t>(impact::square_over_five(z.raw, p.raw)))};
   }
-  // x / (1 + y), y >= 0
-  static constexpr Value over_one_plus(Value x, Value y) {
-    const uint32_t one = UINT32_C(1) << 30;
+  // x / (1 + y), y >= 0 in a unit of which half a 1 is `half_one`
+  static constexpr Value over_one_plus(Value x, Value y, Value half_one) {
+    const auto one = static_cast<uint32_t>(half_one.raw);
     return value(x * Unsigned<32>{quotient_q32(one, one + (static_cast<uint32_t>(y.raw) >> 1))});
   }
   // A root t of a decreasing function, moved by its value over its steepness.

@@ -275,7 +275,7 @@ struct RealFormat {
   static constexpr Real rough_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real short_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real square_over_five(Real z, Real p) { return z * z / (5 * p); }
-  static constexpr Real over_one_plus(Real x, Real y) { return x / (1 + y); }
+  static constexpr Real over_one_plus(Real x, Real y, Real) { return x / (1 + y); }
   // A root t of a decreasing function, from 0 to 1, moved by its value over its steepness.
   static constexpr Real corrected(Real t, Real value, Real steepness) {
     if (!(steepness > 0)) return t;

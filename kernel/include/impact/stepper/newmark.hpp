@@ -9,7 +9,8 @@
 // Hooke-Newton is linear and solved by one multiplication. For the power laws Newton's method starts from force 0: the
 // residual force - law(..) is increasing and concave in the force, so every iterate stays on the near side of the root,
 // whatever the stiffness. The error falls as c^(2^passes) with c = |d law / d force| at the largest penetration, from
-// which the plan has the number of passes that reaches the format's precision.
+// which the plan has the number of passes that reaches the format's precision. In a stiff contact c is above 1, and
+// counts in a unit of its own.
 //
 // A stop acts at the end of a step if the step without the new force ends inside it. Second order on smooth motion; a
 // contact that lasts a few steps only can gain energy, see the README's limits.
@@ -48,6 +49,10 @@ struct Pointwise {
       Gain dx1_share, dx2_share;  // its share of the displacement that the next step will make
       Gain damping;               // c1 / (k1 h)
       Gain solution;              // Hooke-Newton: 1 / (1 - d law / d force)
+      struct {
+        Gain by_penetration, by_rate;  // the response, over the unit
+        Value half_one;
+      } slope;  // of a power law: - d law / d force, in its own unit
       int passes;
       bool clamped;
     };
@@ -61,22 +66,32 @@ struct Pointwise {
         slope =
             k1 * root * (1.5 * by_penetration * (1 + terms.damping_time * terms.largest_rate) + damping * by_rate * d);
       }
+      // Up to the penetrations' unit, at the largest rate; a rate's share alone as well, before the damping multiplies
+      // it.
+      const double per_unit = force_unit * constant::power_of_two(-unit.penetration),
+                   damping_in_unit = damping * constant::power_of_two(unit.penetration - terms.damping_exponent),
+                   largest_slope = per_unit * constant::larger(1.5 * by_penetration + damping_in_unit * by_rate,
+                                                               ContactLaw::is_damped ? by_rate : 0);
+      const int asked = Format::exponent_of(largest_slope), slope_unit = asked < 0 ? 0 : asked < 29 ? asked : 29;
       int passes = 1;
       for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
-      return {{Format::gain(force_unit * flow.b1, 0, unit.push),
-               Format::gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
-               Format::gain(0, 0, 0), Format::gain(force_unit * beta * ball, 0, unit.push),
-               Format::gain(force_unit * (1 - beta) * ball, 0, unit.push),
-               Format::gain(force_unit * by_penetration, 0, unit.penetration),
-               Format::gain(force_unit * by_rate, 0, unit.penetration), Format::gain(0, 0, 0)},
-              Format::gain(force_unit * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
-              Format::gain(force_unit * beta * ball, 0, unit.push),
-              Format::gain(force_unit * flow.b0 / flow.e12, 0, unit.penetration),
-              Format::gain(force_unit * (0.5 - beta) * ball, 0, unit.penetration),
-              damping_gain<Format, ContactLaw>(terms, unit),
-              Format::gain(1 / (1 + slope), 0, 0),
-              passes,
-              terms.clamped};
+      return {
+          {Format::gain(force_unit * flow.b1, 0, unit.push),
+           Format::gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
+           Format::gain(0, 0, 0), Format::gain(force_unit * beta * ball, 0, unit.push),
+           Format::gain(force_unit * (1 - beta) * ball, 0, unit.push),
+           Format::gain(force_unit * by_penetration, 0, unit.penetration),
+           Format::gain(force_unit * by_rate, 0, unit.penetration), Format::gain(0, 0, 0)},
+          Format::gain(force_unit * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
+          Format::gain(force_unit * beta * ball, 0, unit.push),
+          Format::gain(force_unit * flow.b0 / flow.e12, 0, unit.penetration),
+          Format::gain(force_unit * (0.5 - beta) * ball, 0, unit.penetration),
+          damping_gain<Format, ContactLaw>(terms, unit),
+          Format::gain(1 / (1 + slope), 0, 0),
+          {Format::gain(force_unit * by_penetration, 0, unit.penetration + slope_unit),
+           Format::gain(force_unit * by_rate, 0, unit.penetration + slope_unit), Format::power_of_two(-1 - slope_unit)},
+          passes,
+          terms.clamped};
     }
 
     static constexpr bool keeps_force = true;
@@ -158,11 +173,11 @@ struct Pointwise {
           const auto shape = root * without_sign(d);
           const Value law = Format::value(damped(plan, units, shape, rate));
           // - d law / d force
-          const Value by_penetration = plan.response.penetration * Format::value(damped(plan, units, root, rate));
+          const Value by_penetration = plan.slope.by_penetration * Format::value(damped(plan, units, root, rate));
           Value slope = by_penetration + Format::value(half(by_penetration));
           if constexpr (ContactLaw::is_damped)
-            slope = slope + damping(plan) * (plan.response.rate * Format::value(shape));
-          f = f + Format::over_one_plus(law - f, slope);
+            slope = slope + damping(plan) * (plan.slope.by_rate * Format::value(shape));
+          f = f + Format::over_one_plus(law - f, slope, plan.slope.half_one);
         }
         return f;
       }

@@ -127,15 +127,16 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto w = eighth(p + twice(zz_5p));
     const Value dd = d - penetration;
     const auto factor = positive_part(strength(plan, dd));
-    const Value by_change = Format::value(plan.stiffness * w);
-    Value j0 = Format::value(n * factor) - travelled(plan, by_change, dv);
+    const auto by_change = ahead(plan, Format::value(plan.stiffness)) * w;
+    Value j0 = Format::value(n * factor) - behind(plan, Format::value(by_change * dv));
     Value j1 = Format::value(half(j0)) - Format::value(w * factor * dd);
     if constexpr (ContactLaw::is_damped) j1 = j1 - damped_sixth(plan, dv, half(n));
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
     const Value missed = trial - travel(plan, j1) - d;
     const auto slope = p - quarter(root) + zz_5p;
-    const Value correction = by_missed(plan, slope * factor, n, missed) - travelled(plan, by_change, g - j0 - dv);
+    const Value correction =
+        by_missed(plan, slope * factor, n, missed) - behind(plan, Format::value(by_change * (g - j0 - dv)));
     return {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))};
   }
 
@@ -151,7 +152,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto b = Format::constant(1.0 / 2) - later;
     Value loss{};
     if constexpr (ContactLaw::is_damped) loss = part_damping(plan, s * d, trial);
-    const Value j0 = elastic - travelled(plan, Format::value(su * b * u), g - elastic) + loss;
+    const Value j0 =
+        elastic - behind(plan, Format::value(ahead(plan, Format::value(su * b)) * (u * (g - elastic)))) + loss;
     const Value j1 = Format::value(half(j0)) - Format::value(b * (elastic + loss));
 
     const Value back = travel(plan, j1);
@@ -173,7 +175,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       loss = part_damping(plan, root * d, penetration);
       loss_later = Format::value(later * loss);
     }
-    const Value j0 = elastic - travelled(plan, Format::value(ru * b * u), g - elastic + loss);
+    const Value j0 =
+        elastic - behind(plan, Format::value(ahead(plan, Format::value(ru * b)) * (u * (g - elastic + loss))));
     const Value j1 = Format::value(half(j0)) + lever - loss + loss_later;
 
     // The end moves from the predicted one, and u with it.
@@ -183,10 +186,13 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   // What an impulse does to the penetration, in its unit.
   static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_places); }
-  // The same of a product: to the left before it is rounded, to the right after it.
-  static constexpr Value travelled(const Plan& plan, Value factor, Value impulse) {
-    const int ahead = plan.travel_places < 0 ? plan.travel_places : 0;
-    return Format::moved(Format::value(Format::moved(factor, ahead) * impulse), plan.travel_places - ahead);
+  // The same of a product with an impulse: where impulses count coarser than penetrations its other factor goes to the
+  // left, before the product is rounded, otherwise the product to the right.
+  static constexpr Value ahead(const Plan& plan, Value factor) {
+    return Format::moved(factor, plan.travel_places < 0 ? plan.travel_places : 0);
+  }
+  static constexpr Value behind(const Plan& plan, Value product) {
+    return Format::moved(product, plan.travel_places > 0 ? plan.travel_places : 0);
   }
   constexpr auto damping(const Plan& plan) const {
     if constexpr (ContactLaw::is_damped_per_impact)

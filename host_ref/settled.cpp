@@ -133,7 +133,7 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
 Settled settled(const Request& asked, bool may_run) {
   Settled result{asked, asked.stepper == Stepper::automatic, false, {}};
   Request& request = result.request;
-  if (asked.drive == DriveKind::none) request.scene.drive_amplitude = 0;  // no plan is to make room for it
+  if (asked.drive != DriveKind::sine) request.scene.drive_amplitude = 0;  // no plan is to make room for it
   if (!asked.bounds) request.bounds = estimated_bounds(asked);
   if (result.is_automatic) request.stepper = chosen(request);
   const bool may_measure = !asked.bounds && may_run;

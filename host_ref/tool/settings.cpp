@@ -88,6 +88,7 @@ void settle(Settings& settings, const Given& given) {
       refuse_unless(name == "benchmark" || name == "output", name.c_str(), "without --benchmark");
     }
   }
+  request.measures_bounds = has("rig");  // what a device is planned for
   if (has("sweep")) return;  // the rest concerns each scene, not what they share
 
   refuse_unless(!has("restitution"), "contact-damping", "without --restitution");

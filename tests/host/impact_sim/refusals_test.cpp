@@ -106,6 +106,16 @@ TEST_F(ImpactSim, ARigAtResonanceIsTakenWhateverItsDuration) {
   EXPECT_THAT(lines_of(sweep.out), SizeIs(19));
 }
 
+// The damper's decay, 10/s here, limits what a drive at resonance can add in an estimate.
+TEST_F(ImpactSim, AnEstimateOfADampedResonanceDoesNotGrowWithTheDuration) {
+  const std::string options =
+      "--main-mass 2 --main-stiffness 3200 --main-damping 40 --drive-pulsation 40 --drive-amplitude 20 --step 1e-4 "
+      "--output run.csv --duration ";
+  const std::string one = run(options + "1").err;
+  EXPECT_THAT(one, HasSubstr(" at 2 m/s, "));  // twice 20/2/10
+  EXPECT_EQ(run(options + "4").err, one);
+}
+
 TEST_F(ImpactSim, ARefusalSaysThatTheBallCrossesTheClearance) {
   const std::string fast = std::string(upright) + "--main-damping 37.7 --numeric fixed32 ";
   EXPECT_THAT(run(fast + "--v2 30").err, HasSubstr("(with weight, a shaken base or friction the ball is to cross no "

@@ -116,11 +116,15 @@ std::string allowed_text(const Request& asked, const Explanation& found) {
 // Why a step is too long where no contact asks for a shorter one.
 std::string crossing_text(const Request& asked, const Settled& settled) {
   if (settled.planned.status != PlanStatus::clearance) return {};
+  const Scene& scene = asked.scene;
+  const double speed = settled.request.bounds->speed;
   return " (with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a step, at " +
-         short_text(settled.request.bounds->speed) + " m/s" +
-         (asked.bounds          ? " of --bound-speed)"
-          : settled.is_measured ? ", half as much again as a run reaches)"
-                                : ", an estimate in place of which --bound-speed may state it)");
+         short_text(speed) + " m/s" +
+         (asked.bounds                                                      ? " of --bound-speed)"
+          : settled.is_measured                                             ? ", half as much again as a run reaches)"
+          : speed > std::max({0.5, std::abs(scene.v1), std::abs(scene.v2)}) ? ", an estimate in place of which "
+                                                                              "--bound-speed may state it)"
+                                                                            : ")");
 }
 
 }  // namespace

@@ -146,6 +146,7 @@ CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, Parts parts, con
 
   result.energy = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
   const double at_start = std::sqrt(2 * result.energy), time = static_cast<double>(result.steps) * h;
+  request.duration = time;
   const double by_drive = drive == DriveKind::none ? 0 : at_start * decade(at[11], 0.01, 30);
   const double force = by_drive * std::sqrt(scene.main_mass) / time;
   if (drive == DriveKind::sine) {
@@ -202,22 +203,52 @@ double energy_of(const Scene& scene, const Sample& sample) {
 std::string text_of(const Request& request) {
   const Scene& scene = request.scene;
   const Bounds& bounds = *request.bounds;
-  char text[1024];
-  std::snprintf(
-      text, sizeof text,
-      "impact-sim --law %s --newmark %s --numeric %s --main-mass %.17g --ball-mass %.17g --main-stiffness %.17g "
-      "--main-damping 0 --clearance %.17g --contact-stiffness %.17g --contact-damping %.17g --drive %s "
-      "--drive-amplitude %.17g --drive-pulsation %.17g --step %.17g --v1 %.17g --x2 %.17g --v2 %.17g "
-      "--bound-displacement %.17g --bound-speed %.17g --bound-force %.17g --gravity %.17g --ball-friction %.17g "
-      "--bound-base-acceleration %.17g",
-      std::string(name_of(request.law)).c_str(), std::string(name_of(request.stepper)).c_str(),
-      std::string(name_of(request.numeric)).c_str(), scene.main_mass, scene.ball_mass, scene.main_stiffness,
-      scene.clearance, scene.contact_stiffness, scene.contact_damping,
-      request.drive == DriveKind::none   ? "none"
-      : request.drive == DriveKind::sine ? "sine"
-                                         : "samples",
-      scene.drive_amplitude, scene.drive_pulsation, request.step, scene.v1, scene.x2, scene.v2, bounds.displacement,
-      bounds.speed, bounds.force, scene.gravity, scene.ball_friction, bounds.base_acceleration);
+  std::string text = "impact-sim";
+  const auto say = [&](const char* option, std::string_view value) {
+    text += std::string(" --") + option + " " += value;
+  };
+  const auto say_number = [&](const char* option, double value) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    say(option, digits);
+  };
+  say("law", name_of(request.law));
+  say("newmark", name_of(request.stepper));
+  say("numeric", name_of(request.numeric));
+  say_number("main-mass", scene.main_mass);
+  say_number("ball-mass", scene.ball_mass);
+  say_number("main-stiffness", scene.main_stiffness);
+  say_number("main-damping", scene.main_damping);
+  say_number("clearance", scene.clearance);
+  say_number("contact-stiffness", scene.contact_stiffness);
+  if (request.damping == Damping::constant) {
+    say_number("contact-damping", scene.contact_damping);
+  } else {
+    say("damping", name_of(request.damping));
+    say_number("restitution", scene.restitution);
+  }
+  if (request.drive == DriveKind::sampled) {
+    say("drive-file", drive_file);
+  } else if (request.drive == DriveKind::sine) {
+    say_number("drive-amplitude", scene.drive_amplitude);
+    say_number("drive-pulsation", scene.drive_pulsation);
+  } else {
+    say("drive", "none");
+  }
+  if (request.is_shaken) {
+    say("base-acceleration-file", base_file);
+    say_number("bound-base-acceleration", bounds.base_acceleration);
+  }
+  if (scene.gravity < 0 || scene.gravity > 0) say_number("gravity", scene.gravity);
+  if (scene.ball_friction > 0) say_number("ball-friction", scene.ball_friction);
+  say_number("step", request.step);
+  say_number("duration", request.duration);
+  say_number("v1", scene.v1);
+  say_number("x2", scene.x2);
+  say_number("v2", scene.v2);
+  say_number("bound-displacement", bounds.displacement);
+  say_number("bound-speed", bounds.speed);
+  say_number("bound-force", bounds.force);
   return text;
 }
 

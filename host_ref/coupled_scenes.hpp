@@ -38,7 +38,8 @@ CoupledScene coupled_scene(Law law, Edge edge, unsigned index, Parts parts = Par
 
 double energy_of(const Scene& scene, const Sample& sample);  // of masses and main spring, J
 
-// The command that runs it, but for samples of a drive or a base.
+// The command that runs it. It names the files of samples, one a step, that only the run itself knows.
+constexpr const char *drive_file = "FORCES", *base_file = "ACCELERATIONS";
 std::string text_of(const Request& request);
 
 // Steps the scene. The energy that contact has made is that of both masses and the main spring, less the energy at the

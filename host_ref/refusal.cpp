@@ -113,6 +113,20 @@ std::string allowed_text(const Request& asked, const Explanation& found) {
   return (may_be_off ? "0, or " : "") + least + " to " + most;
 }
 
+// Why a step is too long where no contact asks for a shorter one.
+std::string crossing_text(const Request& asked, const Settled& settled) {
+  if (settled.planned.status != PlanStatus::clearance) return {};
+  const Scene& scene = asked.scene;
+  const double speed = settled.request.bounds->speed;
+  return " (with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a step, at " +
+         short_text(speed) + " m/s" +
+         (asked.bounds                                                      ? " of --bound-speed)"
+          : settled.is_measured                                             ? ", half as much again as a run reaches)"
+          : speed > std::max({0.5, std::abs(scene.v1), std::abs(scene.v2)}) ? ", an estimate in place of which "
+                                                                              "--bound-speed may state it)"
+                                                                            : ")");
+}
+
 }  // namespace
 
 Refusal refusal_of(const Request& asked, const Settled& settled) {
@@ -133,7 +147,8 @@ Refusal refusal_of(const Request& asked, const Settled& settled) {
   const std::string option = option_named(found.parameter), value = shortest_text(found.value);
   if (std::isnan(found.value)) return {option, value, "a number"};
   if (!found.allowed.holds(found.value))
-    if (const std::string allowed = allowed_text(asked, found); !allowed.empty()) return {option, value, allowed};
+    if (const std::string allowed = allowed_text(asked, found); !allowed.empty())
+      return {option, value, option == "step" ? allowed + crossing_text(asked, settled) : allowed};
   if (const std::string step = shorter_step(asked); !step.empty())
     return {"step", shortest_text(request.step), step + " to " + step};
   if (request.numeric == Numeric::fixed32)

@@ -69,14 +69,15 @@ static double base_bound(const Request& request) {
 }
 
 // The largest speed is that of the start and what the drive can add in the run, F/M over the difference of the
-// pulsations (a beat; at resonance, over the inverse of the run's duration); at least half a metre per second. The
-// displacement is what the main mass makes of it.
+// pulsations (a beat; at resonance, over the decay c/(2 M) of the vibration or the inverse of the run's duration); at
+// least half a metre per second. The displacement is what the main mass makes of it.
 Bounds estimated_bounds(const Request& request) {
   const Scene& scene = request.scene;
   const double natural = natural_pulsation(scene), slowest = 1 / request.duration;
   double driven = 0;
   if (request.drive == DriveKind::sine)
-    driven = scene.drive_amplitude / std::max(std::abs(natural - scene.drive_pulsation), slowest);
+    driven = scene.drive_amplitude /
+             std::max({std::abs(natural - scene.drive_pulsation), scene.main_damping / (2 * scene.main_mass), slowest});
   driven = std::max(driven, largest_sample(request) / std::max(natural, slowest));
   // A field's acceleration on both masses.
   driven += (scene.main_mass + scene.ball_mass) * (std::abs(scene.gravity) + largest_of(request.base_samples)) /
@@ -87,6 +88,11 @@ Bounds estimated_bounds(const Request& request) {
       {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2)}));
   const double reach = held(start + speed / std::max(natural, slowest));
   return {reach, speed, reach, force_bound(request), base_bound(request)};
+}
+
+bool hangs_on_bounds(PlanStatus status, const Request& request) {
+  return status == PlanStatus::steps_per_contact || status == PlanStatus::contact_time ||
+         (status == PlanStatus::clearance && clearance_range.holds(request.scene.clearance));
 }
 
 // Of a float64 run of the same scene, so that a rounding cannot pass them. It takes longer steps where they are exact
@@ -115,14 +121,31 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
     }
     return false;
   };
+  // An estimate may be far too much: with half of it, and half again. A run that stays within is as good.
+  const Bounds estimated = *request.bounds;
+  const auto plans_with_less = [&] {
+    for (double share = 0.5; share > 1e-4; share /= 2) {
+      const auto less = [share](double bound, double a, double b) {
+        return std::max({share * bound, std::abs(a), std::abs(b), bound_range.least});
+      };
+      const Scene& scene = request.scene;
+      request.bounds->speed = less(estimated.speed, scene.v1, scene.v2);
+      request.bounds->displacement = less(estimated.displacement, scene.x1, scene.x2);
+      if (plans_with(chosen(request), asked_step)) return true;
+    }
+    return false;
+  };
+  PlanStatus refused = PlanStatus::ok;
   if (!plans_with_longer_steps() && !plans_with(request.stepper, asked_step)) {
-    if (planned.status != PlanStatus::steps_per_contact && planned.status != PlanStatus::contact_time)
-      return planned.status;
-    if (!plans_with(chosen(request), asked_step)) return planned.status;
+    refused = planned.status;
+    if (!hangs_on_bounds(refused, request)) return refused;
+    if (!plans_with(chosen(request), asked_step) && !plans_with_less()) return refused;
   }
   const auto held = [](double reached) { return smaller(bound_range.most, larger(1e-6, margin * reached)); };
   const Reached reached = planned.simulation->reached_in(step_count(request), samples_after(0, request.samples),
                                                          samples_after(0, request.base_samples));
+  const bool is_less = request.bounds->speed < estimated.speed;
+  if (is_less && !(reached.speed <= request.bounds->speed)) return refused;
   bounds = {held(reached.displacement), held(reached.speed), held(reached.penetration), force_bound(request),
             base_bound(request)};
   const double way = larger(bounds.penetration, bounds.speed * asked_step);
@@ -133,17 +156,16 @@ PlanStatus measure_bounds(Request request, Bounds& bounds) {
 Settled settled(const Request& asked, bool may_run) {
   Settled result{asked, asked.stepper == Stepper::automatic, false, {}};
   Request& request = result.request;
-  if (asked.drive == DriveKind::none) request.scene.drive_amplitude = 0;  // no plan is to make room for it
+  if (asked.drive != DriveKind::sine) request.scene.drive_amplitude = 0;  // no plan is to make room for it
   if (!asked.bounds) request.bounds = estimated_bounds(asked);
   if (result.is_automatic) request.stepper = chosen(request);
   const bool may_measure = !asked.bounds && may_run;
-  if (!(may_measure && request.numeric == Numeric::fixed32)) {
+  if (!(may_measure && (request.measures_bounds || request.numeric == Numeric::fixed32))) {
     // The speed is of no matter to a stepper that was named and may be taken, and none is finer than Moment.
     result.planned = plan(request);
     const PlanStatus status = result.planned.status;
-    const bool is_too_fast = status == PlanStatus::steps_per_contact || status == PlanStatus::contact_time;
     const bool is_coarse = result.is_automatic && request.stepper != Stepper::moment;
-    if (!(may_measure && (is_too_fast || is_coarse))) return result;
+    if (!(may_measure && (hangs_on_bounds(status, request) || is_coarse))) return result;
   }
 
   Bounds bounds{};

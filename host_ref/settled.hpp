@@ -25,6 +25,9 @@ double natural_pulsation(const Scene& scene);  // rad/s
 double largest_of(const std::vector<double>& samples);
 Bounds estimated_bounds(const Request& request);  // from the start and the drive
 
+// Whether with other bounds a plan that was refused so may be made.
+bool hangs_on_bounds(PlanStatus status, const Request& request);
+
 // What a float64 run reaches, and half as much again; the status of that run's plan where it cannot be made.
 PlanStatus measure_bounds(Request request, Bounds& bounds);
 

@@ -168,8 +168,7 @@ Refusal refusal_before_a_run(const Request& asked) {
   if (!state_true_restitution(request)) return refusal_of_restitution(asked);
   if (!request.bounds) request.numeric = Numeric::float64;
   const Settled made = settled(request, false);
-  const bool is_sure = asked.bounds || (made.planned.status != PlanStatus::steps_per_contact &&
-                                        made.planned.status != PlanStatus::contact_time);
+  const bool is_sure = asked.bounds || !hangs_on_bounds(made.planned.status, request);
   return made.planned.status == PlanStatus::ok || !is_sure ? Refusal{} : refusal_of(request, made);
 }
 

@@ -28,6 +28,7 @@ struct Request {
   Scene scene{};
   double step = 1e-4;                  // h, s
   std::optional<Bounds> bounds{};      // when absent, they are looked for: see below
+  bool measures_bounds = false;        // looked for by a run, in every format
   double duration = 1.0;               // s, used only to find bounds
   std::vector<double> samples{};       // drive samples, N, used only to find bounds
   bool is_shaken = false;              // the base accelerates:
@@ -103,8 +104,8 @@ struct Outcome {
 };
 
 // Bounds that are absent are those that the drive and the start can reach by an estimate, which is far too much near
-// resonance: where they decide something (a stepper other than Moment, or fixed32's formats) they are half as much
-// again as what a float64 run of `duration` reaches.
+// resonance: where they decide something (a stepper other than Moment, a plan that is refused, or fixed32's formats),
+// and where it is asked, they are half as much again as what a float64 run of `duration` reaches.
 Outcome make_simulation(const Request& request);
 
 // The law's own, at an impact of this speed of two free masses.

@@ -257,8 +257,13 @@ size_t edits_between(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+// What it is called in C++ and in the READMEs, where the option has another name.
+constexpr std::pair<const char*, const char*> other_names[] = {{"stepper", "newmark"}, {"format", "numeric"}};
+
 const Option& option_named(const std::string& name, const std::string& value) {
   if (const Option* option = find_option(name)) return *option;
+  for (const auto& [other, option] : other_names)
+    if (name == other) throw BadInput("--" + name, value, std::string("the options of --help; --") + option + "?");
   const auto nearest = std::min_element(options().begin(), options().end(), [&](const Option& a, const Option& b) {
     return edits_between(name, a.name) < edits_between(name, b.name);
   });

@@ -88,7 +88,8 @@ void settle(Settings& settings, const Given& given) {
       refuse_unless(name == "benchmark" || name == "output", name.c_str(), "without --benchmark");
     }
   }
-  if (has("sweep")) return;  // the rest concerns each scene, not what they share
+  request.measures_bounds = has("rig");  // what a device is planned for
+  if (has("sweep")) return;              // the rest concerns each scene, not what they share
 
   refuse_unless(!has("restitution"), "contact-damping", "without --restitution");
   refuse_unless(request.law != Law::hertz || scene.contact_damping == 0, "contact-damping", "0 with --law hertz");

@@ -3,7 +3,7 @@
 # Compiled as C11 without a warning and linked by the C compiler, with nothing of a C++ runtime: on this machine, and for
 # a Cortex-M3 that runs it in an emulator to the same bits.
 set -eu
-project=$1
+project=$(cd "$1" && pwd)
 for tool in arm-none-eabi-gcc qemu-system-arm; do
   command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
 done

@@ -85,6 +85,53 @@ scene 1 'Bounds::displacement: no less than main_mass * gravity / main_stiffness
 scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' '' HookeNewton
 scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' 's.contact_stiffness = 1e5;' HookeNewton
 
+# chosen MESSAGE CHANGES [LAW [STEP [BOUNDS [FORMAT]]]]: with the stepper of the rule and the manual's converters, the same message alone.
+chosen() {
+  wrong 1 "$1" <<END
+#include <impact/absorber.hpp>
+#include <impact/choice.hpp>
+struct Rig {
+  static constexpr impact::Scene scene = [] {
+    impact::Scene s;
+    $2
+    return s;
+  }();
+  static constexpr impact::Bounds bounds = [] {
+    impact::Bounds b;
+    ${5-}
+    return b;
+  }();
+  static constexpr double step = ${4:-1e-4};
+};
+using Law = impact::${3:-Exact};
+using Absorber = impact::Absorber<Rig, Law, impact::Chosen<Rig, Law>, impact::Sampled, impact::${6:-Fixed32}, impact::ContactForce>;
+static Absorber absorber;
+constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095}, adc{2048, 2048 / 10.0, 0, 4095};
+constexpr impact::ToCounts<Absorber::Format> to_dac(dac, Absorber::displacement_unit());
+constexpr impact::ToCounts<Absorber::Format> to_motor(dac, Absorber::force_unit());
+constexpr impact::FromCounts<Absorber::Format> from_adc(adc, Absorber::sample_unit());
+constexpr auto push = Absorber::sample_of(2.5);
+int tick(int counts) {
+  absorber.step(from_adc(counts));
+  return to_dac(absorber.displacement()) + to_motor(absorber.contact_force());
+}
+END
+}
+for format in Fixed32 Float32 Float32Plain Float64; do
+  chosen 'Rig::scene.restitution: 0.01 to 1' 's.restitution = 0;' Exact 1e-4 '' $format
+done
+chosen 'Rig::scene.restitution: 0.01 to 1' 's.restitution = 0;' Flores
+for law in Exact HuntCrossley HookeNewton; do
+  chosen 'Rig::scene.main_mass: 1e-9 to 1e9 kg' 's.main_mass = 0;' $law
+  chosen 'Rig::scene.ball_mass: 1e-9 to 1e9 kg' 's.ball_mass = 0;' $law
+  chosen 'Rig::scene.contact_stiffness: 1e-3 to 1e18' 's.contact_stiffness = 0;' $law
+done
+chosen 'Rig::scene.gravity: -1e6 to 1e6 m/s^2' 's.gravity = __builtin_nan("");'
+chosen 'Bounds::speed: 1e-9 to 1e6 m/s' '' Exact 1e-4 'b.speed = 0;'
+chosen 'Bounds::displacement: 1e-9 to 1e6 m' 's.x1 = 1;'
+chosen 'Bounds::force: 0 to 1e9 N' '' Exact 1e-4 'b.force = -1;'
+for step in 0 0.2 '__builtin_nan("")'; do chosen 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' Exact "$step"; done
+
 # absorber COUNT MESSAGE ARGUMENTS [STATEMENTS]: of the paper's rig.
 absorber() {
   wrong "$1" "$2" <<END

@@ -3,7 +3,7 @@
 # nothing else. Ends with a Cortex-M4F image that has stepped the paper's scene for a second, in an emulator, to the same
 # bits as on this machine.  stranger.sh PROJECT
 set -eu
-project=$1
+project=$(cd "$1" && pwd)
 . "$project/tests/consumer/readme_image.sh"
 begin=$(date +%s%N)
 sh -eu build.sh

@@ -3,7 +3,7 @@
 # read out of its memory, and the host that goes on from them keeps to the bits of one that ran from the start.
 #   takeover.sh PROJECT
 set -eu
-project=$1
+project=$(cd "$1" && pwd)
 . "$project/tests/consumer/readme_image.sh"
 sh -eu build.sh
 symbol=$(arm-none-eabi-nm -S scene.elf | awk '/absorber$/ && NF == 4 { print $1, $2 }')

@@ -6,7 +6,7 @@
 # with the lines of a stack trace; UBSan names the line of a finding in any case.
 # FOLDER keeps the fuzzer and what it has learnt; a finding is left there as crash-*, to be given to the fuzzer again.
 set -eu
-project=$1 folder=$2 kind=$3 && shift 3
+project=$(cd "$1" && pwd) folder=$2 kind=$3 && shift 3
 command -v clang++ >/dev/null || { echo "skipped: clang++ is not installed" && exit 77; }
 mkdir -p "$folder/corpus"
 cd "$folder"

@@ -10,7 +10,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <host_ref/tool/options.hpp>
 #include <ostream>
+#include <sstream>
 
 #include "coupled_limits.hpp"
 #include "host_ref/closed_form.hpp"
@@ -188,6 +192,53 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   std::printf("  %u first impacts, off by at most %.2g of the energy, with a damping that is held %.2g\n", compared,
               worst, worst_held);
   EXPECT_GE(compared, GetParam().is_damped_per_impact ? 10u : 20u);
+}
+
+// What a test that fails prints is a command that the tool takes and that makes the same motion.
+TEST_P(CoupledScenes, AreRunByTheCommandThatATestPrints) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::string name = (std::filesystem::temp_directory_path() / "coupled_scenes_test.XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(name.data());
+  std::filesystem::current_path(folder);
+  unsigned run = 0;
+  for (const Parts parts : {Parts::none, Parts::some}) {
+    for (unsigned index = 0; index < 24; ++index) {
+      const CoupledScene found = scene(Edge::none, index, parts);
+      const Request& request = found.request;
+      for (const auto& [file, size] : {std::pair{drive_file, request.bounds->force}, {base_file, found.base}}) {
+        std::ofstream samples(file);
+        samples.precision(17);
+        for (long n = 0; n < found.steps; ++n) samples << static_cast<double>(n % 3 - 1) * size << "\n";
+      }
+      std::vector<std::string> words;
+      std::istringstream text(text_of(request));
+      for (std::string word; text >> word;) words.push_back(word);
+      std::vector<const char*> texts;
+      for (const std::string& word : words) texts.push_back(word.c_str());
+      Request typed;
+      try {
+        typed = settings_from(arguments_from(static_cast<int>(texts.size()), texts.data())).request;
+      } catch (const BadInput& bad) {
+        ADD_FAILURE() << text_of(request) << "\n  " << bad.what();
+        continue;
+      }
+      ASSERT_EQ(step_count(typed), found.steps) << text_of(request);
+      const Outcome made = make_simulation(request), again = make_simulation(typed);
+      ASSERT_EQ(made.simulation != nullptr, again.simulation != nullptr) << text_of(request);
+      if (!made.simulation) continue;
+      ++run;
+      for (long n = 0; n < 200; ++n) {
+        const double force = sample_at(n, typed.samples), base = sample_at(n, typed.base_samples);
+        made.simulation->step(force, base);
+        again.simulation->step(force, base);
+      }
+      EXPECT_EQ(made.simulation->sample().x1, again.simulation->sample().x1) << text_of(request);
+      EXPECT_EQ(made.simulation->sample().x2, again.simulation->sample().x2) << text_of(request);
+    }
+  }
+  std::filesystem::current_path(before);
+  std::filesystem::remove_all(folder);
+  EXPECT_GE(run, 15u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, CoupledScenes, testing::ValuesIn(suites()));

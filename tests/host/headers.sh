@@ -2,7 +2,7 @@
 # Every public header compiles alone; all of them compile in either order, in two translation units that link together.
 #   headers.sh PROJECT COMPILER STANDARD
 set -eu
-project=$1 compiler=$2 standard=$3
+project=$(cd "$1" && pwd) compiler=$2 standard=$3
 command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT

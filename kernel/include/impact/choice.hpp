@@ -23,6 +23,7 @@
 
 #include <impact/law/resolution.hpp>
 #include <impact/scene.hpp>
+#include <impact/status.hpp>
 #include <impact/stepper/energy.hpp>
 #include <impact/stepper/impulsive.hpp>
 #include <impact/stepper/moment.hpp>
@@ -79,10 +80,21 @@ template <>
 struct StepperOf<Choice::energy> {
   using Type = EnergyConsistent;
 };
+
+// Moment where a value is out of its own range: there is nothing to choose by, and the absorber's refusal names it.
+template <class Rig, class ContactLaw>
+constexpr Choice choice_of() {
+  constexpr double any_phase = 1e30;
+  constexpr PlanStatus scene = status_of(Rig::scene, Rig::step, any_phase);
+  if constexpr ((scene == PlanStatus::ok || (scene == PlanStatus::step && Rig::step > 0)) &&
+                status_of(Rig::scene, Rig::bounds) == PlanStatus::ok)
+    return choice_for(resolution_of<ContactLaw>(Rig::scene, Rig::bounds), Rig::step);
+  else
+    return Choice::moment;
+}
 }  // namespace detail
 
 template <class Rig, class ContactLaw>
-using Chosen =
-    typename detail::StepperOf<choice_for(resolution_of<ContactLaw>(Rig::scene, Rig::bounds), Rig::step)>::Type;
+using Chosen = typename detail::StepperOf<detail::choice_of<Rig, ContactLaw>()>::Type;
 
 }  // namespace impact

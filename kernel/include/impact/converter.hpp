@@ -58,7 +58,7 @@ class FromCounts {
   using Value = typename Format::Value;
 
   constexpr FromCounts(const Converter& converter, double unit)
-      : gain_(Format::gain(1 / (converter.counts_per_si_unit * unit), Format::count_exponent, 0)),
+      : gain_(Format::gain(per_count(converter, unit), Format::count_exponent, 0)),
         zero_(converter.zero),
         least_(detail::held_in_32_bits(static_cast<double>(zero_) - most(converter, unit))),
         most_(detail::held_in_32_bits(static_cast<double>(zero_) + most(converter, unit))) {}
@@ -68,6 +68,10 @@ class FromCounts {
   }
 
  private:
+  // Units a count. Those of a plan that was refused are 0, and the refusal has said why.
+  static constexpr double per_count(const Converter& converter, double unit) {
+    return unit > 0 ? 1 / (converter.counts_per_si_unit * unit) : 0;
+  }
   // Whole counts that a Value holds.
   static constexpr int32_t most(const Converter& converter, double unit) {
     return detail::held_in_32_bits(Format::most_counts(converter.counts_per_si_unit * unit));

@@ -86,12 +86,14 @@ constexpr bool explain() {
   // The other way round: a part without its value.
   static_assert(!PlanType::FieldType::is_field || PlanType::FieldType::is_sampled || Rig::scene.gravity != 0,
                 "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2");
-  static_assert(!PlanType::FieldType::is_sampled || Rig::bounds.base_acceleration > 0,
+  static_assert(!PlanType::FieldType::is_sampled || status == PlanStatus::base_acceleration_bound ||
+                    Rig::bounds.base_acceleration > 0,
                 "BaseAcceleration is among the absorber's parts: state Rig::bounds.base_acceleration, m/s^2");
-  static_assert(!PlanType::DriveType::is_sampled || Rig::bounds.force > 0,
+  static_assert(!PlanType::DriveType::is_sampled || status == PlanStatus::force_bound || Rig::bounds.force > 0,
                 "the drive is Sampled: state Rig::bounds.force, N, the largest sample");
-  static_assert(!PlanType::FrictionType::is_friction || Rig::scene.ball_friction > 0,
-                "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
+  static_assert(
+      !PlanType::FrictionType::is_friction || status == PlanStatus::ball_friction || Rig::scene.ball_friction > 0,
+      "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
   // A spring that weight stretches beyond the bounds: wherever it starts, the main mass leaves them.
   constexpr bool is_held =
       PlanType::FieldType::is_sampled || PlanType::DriveType::is_sampled || !(Rig::scene.main_stiffness > 0);

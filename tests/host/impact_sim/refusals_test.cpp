@@ -82,6 +82,55 @@ TEST_F(ImpactSim, ARefusalNamesWhatIsWrong) {
               HasSubstr("--step 0.025: allowed: "));
 }
 
+// A rig at resonance that its damper holds to 1 m/s, and the same without a damper, of which an estimate says more the
+// longer it runs: what the run reaches decides, whatever its duration, also in a sweep.
+const char* const upright =
+    "--main-mass 2.4 --main-stiffness 59218 --ball-mass 0.15 --clearance 0.008 --contact-stiffness 1.9e10 "
+    "--damping exact --restitution 0.6 --drive-amplitude 30 --drive-pulsation 157.08 --gravity -9.81 --step 1e-4 ";
+
+TEST_F(ImpactSim, ARigAtResonanceIsTakenWhateverItsDuration) {
+  std::string scenes = "main-damping,numeric,duration\n";
+  for (const char* damping : {"37.7", "0"}) {
+    for (const char* numeric : {"fixed32", "float32", "float64"}) {
+      for (const char* duration : {"1", "2", "5"}) {
+        const Result result = run(std::string(upright) + "--main-damping " + damping + " --numeric " + numeric +
+                                  " --duration " + duration);
+        EXPECT_EQ(result.code, 0) << damping << " " << numeric << " " << duration << ": " << result.err;
+        scenes += std::string(damping) + "," + numeric + "," + duration + "\n";
+      }
+    }
+  }
+  write(file("scenes.csv"), scenes);
+  const Result sweep = run(std::string(upright) + "--sweep scenes.csv");
+  EXPECT_EQ(sweep.code, 0) << sweep.err << sweep.out;
+  EXPECT_THAT(lines_of(sweep.out), SizeIs(19));
+}
+
+// The damper's decay, 10/s here, limits what a drive at resonance can add in an estimate.
+TEST_F(ImpactSim, AnEstimateOfADampedResonanceDoesNotGrowWithTheDuration) {
+  const std::string options =
+      "--main-mass 2 --main-stiffness 3200 --main-damping 40 --drive-pulsation 40 --drive-amplitude 20 --step 1e-4 "
+      "--output run.csv --duration ";
+  const std::string one = run(options + "1").err;
+  EXPECT_THAT(one, HasSubstr(" at 2 m/s, "));  // twice 20/2/10
+  EXPECT_EQ(run(options + "4").err, one);
+}
+
+TEST_F(ImpactSim, ARefusalSaysThatTheBallCrossesTheClearance) {
+  const std::string said =
+                        "(with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a "
+                        "step, at ",
+                    fast = std::string(upright) + "--main-damping 0 --numeric fixed32 --duration 5 ";
+  EXPECT_THAT(run(fast + "--v2 20").err, HasSubstr("an estimate in place of which --bound-speed may state it)"));
+  EXPECT_THAT(run(fast + "--v1 1 --v2 90").err, HasSubstr(said + "90 m/s)"));
+  EXPECT_THAT(run(fast + "--bound-speed 25").err, HasSubstr(said + "25 m/s of --bound-speed)"));
+}
+
+TEST_F(ImpactSim, AnOptionByTheNameOfItsTypeIsNotFarOff) {
+  EXPECT_THAT(run("--stepper moment").err, HasSubstr("--stepper moment: allowed: the options of --help; --newmark?"));
+  EXPECT_THAT(run("--format fixed32").err, HasSubstr("--numeric?"));
+}
+
 TEST_F(ImpactSim, ARefusalIsWholeWhateverBytesItQuotes) {
   write(file("forces"), std::string("1\n2\0003\n", 6));
   EXPECT_THAT(run("--drive-file forces").err, HasSubstr("forces line 2: '2?3': allowed: a number"));

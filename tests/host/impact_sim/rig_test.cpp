@@ -91,6 +91,40 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
               HasSubstr("--drive-file='it'\\''s forces' --step=1e-3 --duration=2 --rig=rig7.hpp"));
 }
 
+double bound_in(const std::string& rig, const std::string& name) {
+  const std::string statement = "bounds." + name + " = ";
+  const size_t place = rig.find(statement);
+  return place == rig.npos ? 0 : std::stod(rig.substr(place + statement.size()));
+}
+
+// At resonance an estimate grows with the duration, and the ball's impacts hold the motion.
+TEST_F(ImpactSim, ARigHasTheBoundsThatTheRunNeedsInEveryFormat) {
+  for (const char* duration : {"1", "2", "10"}) {
+    double in_fixed32 = 0;
+    for (const char* numeric : {"fixed32", "float32", "float32-plain", "float64"}) {
+      const std::string options =
+          "--main-damping 0 --main-mass 2 --main-stiffness 3200 --drive-pulsation 40 "
+          "--drive-amplitude 5 --step 1e-3 --newmark moment";
+      const Result result =
+          run(options + " --numeric " + numeric + " --duration " + duration + " --rig rig.hpp --output run.csv");
+      ASSERT_EQ(result.code, 0) << result.err;
+      const double speed = bound_in(read(file("rig.hpp")), "speed");
+      if (in_fixed32 == 0) in_fixed32 = speed;
+      EXPECT_EQ(speed, in_fixed32) << numeric << ", " << duration << " s";
+      double largest = 0;
+      for (const std::string& row : lines_of(read(file("run.csv")))) {
+        const auto cells = split(row, ',');
+        if (cells[0] != "t")
+          largest = larger(largest, larger(std::abs(std::stod(cells[2])), std::abs(std::stod(cells[4]))));
+      }
+      EXPECT_GT(speed, 1.3 * largest) << numeric << ", " << duration << " s";
+      EXPECT_LT(speed, 1.7 * largest) << numeric << ", " << duration << " s";
+    }
+  }
+  ASSERT_EQ(run("--numeric float32 --bound-speed 5 --rig rig.hpp").code, 0);
+  EXPECT_EQ(bound_in(read(file("rig.hpp")), "speed"), 5);
+}
+
 TEST_F(ImpactSim, ARigIsNotWrittenForARefusedRun) {
   write(file("rig.hpp"), "precious\n");
   EXPECT_EQ(run("--step 0.05 --newmark moment --rig rig.hpp").code, 2);

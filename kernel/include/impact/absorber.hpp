@@ -123,7 +123,8 @@ class Absorber
   using Source::plan;
 
   // The SI value of a native 1.0, which is a raw 2^31 in Fixed32; 1 in floating point. Of displacements in m, of
-  // velocities in m/s, of contact forces and of samples in N. Constants of the type, but where the plan is AtRunTime.
+  // velocities in m/s, of contact forces and, of a Sampled drive, of samples in N. Constants of the type, but where the
+  // plan is AtRunTime.
   using Source::displacement_unit;
   using Source::force_unit;
   using Source::sample_unit;
@@ -256,11 +257,12 @@ class Absorber
   }
 
   // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
-  // of displacement() and velocity(). At most half a unit of each; a state that leaves its range is held, with a fault.
-  // A contact under way goes on from the corrected penetration; a damping that was set at its impact is held to what a
-  // step bears there (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands
-  // at that stop, and one at rest on an impulsive stop stays on it. Dry friction begins anew. A ledger counts what a
-  // correction does to the stored energy as dissipated, and nothing as the drive's work.
+  // of displacement() and velocity(). At most half a unit of each in Fixed32, and 2^20 m and 2^20 m per step in
+  // floating point: more is held there, and a state that leaves its range at its end, with a fault. A contact under way
+  // goes on from the corrected penetration; a damping that was set at its impact is held to what a step bears there
+  // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands at that stop, and
+  // one at rest on an impulsive stop stays on it. Dry friction begins anew. A ledger counts what a correction does to
+  // the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
@@ -304,8 +306,9 @@ class Absorber
   // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the
   // drive's phase do not jump (motion/handover.hpp); a drive that was off starts at phase 0, and ledger and log start
   // anew. A contact under way whose own parameters change goes on from its penetration. Refuses, and changes nothing,
-  // when bounds, step, clearance or stops differ, or during a contact when its state depends on the plan's forces:
-  // pointwise steppers, a damping set per impact, features.
+  // when bounds, step, clearance or stops differ; in Fixed32 when displacement_unit() does, which a softer stop or a
+  // larger drive may widen under the same bounds; with BaseAcceleration when gravity does; or during a contact when its
+  // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
@@ -396,7 +399,7 @@ class Absorber
     }
     begin_to_rub();
   }
-  // Without friction nothing is done, so that a plan AtRunTime of none makes the bits of an absorber without the part.
+  // A plan AtRunTime may have a friction of 0: then nothing is done, and the bits are those without DryFriction.
   constexpr bool rubs() const {
     if constexpr (Friction::is_friction)
       return is_positive(plan.friction.full);
@@ -411,7 +414,7 @@ class Absorber
       Feature::start(plan, state_);
     }
   }
-  // Friction as it begins, and without what it has taken ahead.
+  // Adds the half impulse that acts in the step ahead.
   constexpr void begin_to_rub() {
     if constexpr (Friction::is_friction) {
       if (!rubs()) return;
@@ -419,6 +422,7 @@ class Absorber
       if constexpr (counts_slid_way) state_.slid.add(still_to_rub());
     }
   }
+  // Takes it out again.
   constexpr void leave_rubbing() {
     if constexpr (Friction::is_friction) {
       if (!rubs()) return;
@@ -427,8 +431,9 @@ class Absorber
     }
   }
 
-  // A step: both masses fly, here; meet_stop() sees the ball inside a stop, touch() makes the approach of it, push()
-  // has the treatment resolve it and both masses answer; friction rubs at the step's end, in flight or at the stop.
+  // A step: both masses fly, here; touch() sees by is_inside() whether the ball is inside a stop, and makes the
+  // approach of it, push() has the treatment resolve it and both masses answer; friction rubs at the step's end, in
+  // flight or at the stop.
   constexpr void advance(Value sample, Value base) {
     if (Source::is_refused()) return;
     if constexpr (Drive::is_sampled)

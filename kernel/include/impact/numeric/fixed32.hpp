@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The fixed-point format of the step. Values are Q1.31 fractions of a power of two that the plan chooses for each
-// quantity from the scene's bounds; states are 64-bit integers at one common scale, because what a step adds to a
-// position is a thousand times smaller than a 32-bit position's last place.
+// quantity from the scene's bounds; states are 64-bit integers at one common scale, because rounding to a 32-bit place
+// at each step would accumulate.
 
 #include <stddef.h>
 

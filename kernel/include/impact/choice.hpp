@@ -24,7 +24,6 @@
 //     using Absorber = impact::Absorber<Rig, impact::HuntCrossley, Stepper, impact::Sine, impact::Fixed32>;
 
 #include <impact/law/resolution.hpp>
-#include <impact/scene.hpp>
 #include <impact/stepper/energy.hpp>
 #include <impact/stepper/impulsive.hpp>
 #include <impact/stepper/moment.hpp>

@@ -5,9 +5,7 @@
 #include <stdint.h>
 
 #include <impact/numeric/formula.hpp>
-#include <impact/numeric/units.hpp>
 #include <impact/silent_feature.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 

@@ -23,7 +23,6 @@
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/constant_math.hpp>
-#include <impact/scene.hpp>
 
 namespace impact {
 

@@ -6,6 +6,7 @@
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>
+#include <impact/numeric/units.hpp>
 
 namespace impact {
 

@@ -213,7 +213,7 @@ class Absorber
     Value rate = plan.units.as_displacement(rate_ahead());
     if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
     if constexpr (Friction::is_friction)
-      rate = rate - plan.units.as_displacement(plan.friction.rate_ahead * state_.impulse);
+      rate = rate - plan.units.as_displacement(plan.friction.main_rate_ahead * state_.impulse);
     return plan.units.velocity(plan.units.displacement(state_.dx1) + rate);
   }
   constexpr Value ball_displacement() const { return plan.units.position(place(state_.x2)); }
@@ -230,7 +230,7 @@ class Absorber
     constexpr bool is_named = detail::is_one_of<ContactForce, Features...>;
     static_assert(is_named, "contact_force() needs the feature ContactForce: append it to the absorber's type");
     if constexpr (is_named)
-      return plan.units.newtons(state_.contact_force);
+      return plan.units.native_force(state_.contact_force);
     else
       return {};
   }
@@ -351,7 +351,7 @@ class Absorber
     double u1 = plan.units.si(state_.dx1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.dx2);
     if constexpr (Field::is_field) u2 -= plan.units.si_penetration(Field::ball_rate(plan, state_));
     if constexpr (Friction::is_friction) {
-      u1 -= plan.units.si_penetration(plan.friction.rate_ahead * state_.impulse);
+      u1 -= plan.units.si_penetration(plan.friction.main_rate_ahead * state_.impulse);
       u2 += plan.units.si_penetration(plan.friction.ball_ahead * state_.impulse);
     }
     if constexpr (Contact::keeps_force) {
@@ -372,9 +372,10 @@ class Absorber
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
 
-  // A shared response changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a quarter: where both
-  // come to a state in range before it is looked at, it does not wrap.
-  constexpr bool judges_contact_once() const {
+  // Whether the range check after flight may wait until after contact: the response cannot wrap a state that was in
+  // range before the step. (A shared one changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a
+  // quarter.)
+  constexpr bool checks_range_once() const {
     if constexpr (decltype(PlanType::contact.response)::is_shared)
       return !Contact::is_sudden(plan.contact);
     else
@@ -391,7 +392,7 @@ class Absorber
     state_.drive = decltype(state_.drive)::start(plan.drive);
     (Features::start(plan, state_), ...);
     const bool left = is_at_left();
-    const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, left));
+    const Value inside = penetration(left);
     if (is_positive(inside)) {
       state_.at_left = left;
       state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
@@ -458,13 +459,13 @@ class Absorber
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
     plan.units.add(state_.dx1, increment);
     if constexpr (Field::is_field) Field::fly(plan, state_, base);
-    if (!judges_contact_once() && !is_flight_in_range()) {
+    if (!checks_range_once() && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
       DriveChange<Value> change{};
       if constexpr (Contact::sees_change) change = state_.drive.change(plan.drive, drive_before);
       meet_stop(increment, main_travel, change);
-    } else if (judges_contact_once() && !is_flight_in_range()) {
+    } else if (checks_range_once() && !is_flight_in_range()) {
       hold();
     } else if constexpr (Friction::is_friction) {
       rub(main_travel);
@@ -517,8 +518,7 @@ class Absorber
   // A ball that a correction has put into a stop without touching it stands at it.
   constexpr void push_out() {
     const bool left = is_at_left();
-    if (is_positive(plan.units.penetration(mirrored(state_.x2 - state_.x1, left))))
-      state_.x2 = plan.units.stop(state_.x1, left);
+    if (is_positive(penetration(left))) state_.x2 = plan.units.stop(state_.x1, left);
   }
 
   // What spring, drive and field give the contact to bear.
@@ -533,8 +533,7 @@ class Absorber
     Contact& contact = state_.contact;
     if (contact.rests_on(plan.units, state_, at_left())) return;
     const Phase phase = contact.phase;
-    const Value found = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left())),
-                inside = contact.no_deeper(found);
+    const Value found = penetration(at_left()), inside = contact.no_deeper(found);
     if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, at_left()));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = relative_rate(at_left());
@@ -653,7 +652,8 @@ class Absorber
     return true;
   }
 
-  // Rate of penetration, for the state as it stands.
+  // Penetration and its rate, for the state as it stands.
+  constexpr Value penetration(bool left) const { return plan.units.penetration(mirrored(state_.x2 - state_.x1, left)); }
   constexpr Value relative_rate(bool left) const {
     return mirrored(
         plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);
@@ -719,7 +719,7 @@ class Absorber
   }
   // The half of the last impulse that acts in the step ahead.
   constexpr auto still_to_rub() const {
-    const Value main = plan.friction.rate_ahead * state_.impulse, ball = plan.friction.ball_ahead * state_.impulse;
+    const Value main = plan.friction.main_rate_ahead * state_.impulse, ball = plan.friction.ball_ahead * state_.impulse;
     const Value more = Friction::rubbing_rate(plan, main + ball, -main);
     return Friction::dissipated(plan, state_, rubbing_rate() + Format::value(half(more)));
   }
@@ -755,7 +755,7 @@ class Absorber
   }
   // A flight that was left to a contact to judge, where there is none.
   [[gnu::always_inline]] constexpr void hold_unjudged() {
-    if (judges_contact_once()) hold_in_range();
+    if (checks_range_once()) hold_in_range();
   }
   __attribute__((noinline)) constexpr void hold() {
     const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);

@@ -2,8 +2,8 @@
 #pragma once
 // Which stepper is right for a scene and a step: one rule, from how the step resolves the contacts that the bounds
 // allow (law/resolution.hpp). N is the number of steps per contact of the fastest impact (under strong damping: of its
-// shortest part, Resolution::detail), w0 tc the radians of the main mass's own vibration during it. The first that
-// holds:
+// shortest part, Resolution::shortest_part), w0 tc the radians of the main mass's own vibration during it. The first
+// that holds:
 //
 //     N >= 8                     Moment             fourth order
 //     N < 8, w0 tc <= 0.05       Impulsive          the law's own restitution, at an instant
@@ -36,7 +36,7 @@ enum class Choice { moment, four_sub_steps, eight_sub_steps, energy, impulsive }
 constexpr Choice choice_for(const Resolution& contact, double step) {
   constexpr double longest_instant = 0.05;  // w0 tc
   const double e = contact.restitution, loss = 1 - e * e;
-  const auto part = [&](int parts) { return Moment::precise_steps * step / (parts * contact.detail); };
+  const auto part = [&](int parts) { return Moment::precise_steps * step / (parts * contact.shortest_part); };
   const auto is_right = [&](const Range& steps, double longest_phase, int parts) {
     return part(parts) <= 1 && steps.holds(step) && contact.main_pulsation * step <= longest_phase;
   };

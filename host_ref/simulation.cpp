@@ -69,7 +69,7 @@ std::string rough_text(double value) {
 std::string description(const Request& request, bool is_automatic) {
   const Resolution contact = resolution(request);
   const double steps = contact.steps_per_contact(request.step);
-  const bool is_coarse = is_pointwise(request.stepper) && contact.detail < 10 * request.step;
+  const bool is_coarse = is_pointwise(request.stepper) && contact.shortest_part < 10 * request.step;
   if (!is_automatic && !is_coarse) return {};
   if (!is_automatic)
     return std::string(name_of(request.stepper)) + ": only " + rough_text(steps) +

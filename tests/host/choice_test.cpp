@@ -89,31 +89,31 @@ constexpr double just_below = 1 - 1e-9, just_above = 1 + 1e-9;
 TEST(Choice, IsMomentFromEightStepsOn) {
   for (const Contact& contact : contacts) {
     const Resolution r = resolution(pair_of(contact.law, contact.e, contact.tension));
-    EXPECT_EQ(choice_for(r, just_below * r.detail / 8), Choice::moment) << name_of(contact);
-    EXPECT_NE(choice_for(r, just_above * r.detail / 8), Choice::moment) << name_of(contact);
+    EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 8), Choice::moment) << name_of(contact);
+    EXPECT_NE(choice_for(r, just_above * r.shortest_part / 8), Choice::moment) << name_of(contact);
   }
 }
 
 TEST(Choice, IsImpulsiveBelowWhileTheMainMassHardlyMovesElseSubStepped) {
   Resolution r = resolution(pair_of(Law::hunt_crossley, 0.7));
   r.main_phase = 0.05;
-  EXPECT_EQ(choice_for(r, r.detail), Choice::impulsive);
+  EXPECT_EQ(choice_for(r, r.shortest_part), Choice::impulsive);
   r.main_phase = 0.0501;
-  EXPECT_EQ(choice_for(r, just_below * r.detail / 2), Choice::four_sub_steps);
-  EXPECT_EQ(choice_for(r, just_above * r.detail / 2), Choice::eight_sub_steps);
-  EXPECT_EQ(choice_for(r, just_below * r.detail), Choice::eight_sub_steps);
-  EXPECT_EQ(choice_for(r, just_above * r.detail), Choice::energy);
+  EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 2), Choice::four_sub_steps);
+  EXPECT_EQ(choice_for(r, just_above * r.shortest_part / 2), Choice::eight_sub_steps);
+  EXPECT_EQ(choice_for(r, just_below * r.shortest_part), Choice::eight_sub_steps);
+  EXPECT_EQ(choice_for(r, just_above * r.shortest_part), Choice::energy);
 }
 
 // 2e-5 of the energy at 8 steps is what a restitution of 1 - 1e-5 loses.
 TEST(Choice, IsEnergyWhereHookeNewtonLosesLessThanMomentMayGain) {
   Resolution r = resolution(pair_of(Law::hooke_newton, 0.7));
   r.restitution = 1 - 0.9e-5;
-  EXPECT_EQ(choice_for(r, r.detail / 8), Choice::energy);
+  EXPECT_EQ(choice_for(r, r.shortest_part / 8), Choice::energy);
   r.restitution = 1 - 1.1e-5;
-  EXPECT_EQ(choice_for(r, just_below * r.detail / 8), Choice::moment);
+  EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 8), Choice::moment);
   r.restitution = 1;
-  EXPECT_EQ(choice_for(r, r.detail / 1000), Choice::energy);
+  EXPECT_EQ(choice_for(r, r.shortest_part / 1000), Choice::energy);
 }
 
 struct Rig {
@@ -188,7 +188,7 @@ TEST(Choice, MomentKeepsWhatItStates) {
         Request request = pair_of(contact.law, contact.e, contact.tension);
         request.stepper = stepper;
         const Resolution r = resolution(request);
-        request.step = just_below * parts * r.detail / steps;
+        request.step = just_below * parts * r.shortest_part / steps;
         // Of a contact that is damped as hard as e = 0.05 and 0.1, fewer steps would not resolve the damping.
         if (!Moment::steps(r).holds(request.step / parts)) continue;
         ++accepted;

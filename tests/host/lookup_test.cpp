@@ -40,9 +40,6 @@ void expect_products_agree(uint32_t a, uint32_t b) {
   const auto unsigned_product = static_cast<__int128>(a) * b;
   ASSERT_EQ(instruction::high_product(a, b), floor_of_ratio_to_two_32(unsigned_product)) << a << " " << b;
   ASSERT_EQ(composed::high_product(a, b), floor_of_ratio_to_two_32(unsigned_product)) << a << " " << b;
-  ASSERT_EQ(instruction::rounded_high_product(a, b), floor_of_ratio_to_two_32(unsigned_product + half))
-      << a << " " << b;
-  ASSERT_EQ(composed::rounded_high_product(a, b), floor_of_ratio_to_two_32(unsigned_product + half)) << a << " " << b;
   const auto c = static_cast<int32_t>(a), d = static_cast<int32_t>(b);
   const auto product = static_cast<__int128>(c) * d;
   ASSERT_EQ(instruction::high_product(c, d), floor_of_ratio_to_two_32(product)) << c << " " << d;
@@ -144,38 +141,18 @@ class LookupOfAQuarter : public testing::TestWithParam<uint32_t> {};
 INSTANTIATE_TEST_SUITE_P(Quarters, LookupOfAQuarter, testing::Range(0u, 4u));
 
 // Judged on squares, so that the test takes no root itself: with T = sqrt(y 2^32), |root - T| <= 2^-27 T + 1/2 is
-// |root^2 - T^2| <= 2^-26 T^2 + root = 64 y + root. The power is floor(y root / 2^32), whose bound follows: the root's
-// error times y / 2^32 is at most 2^-27 of the power plus 1/2, and the floor takes less than 1.
+// |root^2 - T^2| <= 2^-26 T^2 + root = 64 y + root.
 TEST_P(LookupOfAQuarter, OfEveryUint32) {
-  int64_t root_failures = 0, power_failures = 0;
+  int64_t failures = 0;
   const uint64_t first = GetParam() * (two_32 / 4);
-  uint64_t previous_root = 0, previous_power = 0;
-  if (first > 0) {
-    previous_root = square_root_q32(static_cast<uint32_t>(first - 1));
-    previous_power = power_three_halves_q32(static_cast<uint32_t>(first - 1));
-  }
+  uint64_t previous = first > 0 ? square_root_q32(static_cast<uint32_t>(first - 1)) : 0;
   for (uint64_t y = first == 0 ? 1 : first; y < first + two_32 / 4; ++y) {
     const uint64_t root = square_root_q32(static_cast<uint32_t>(y));
     const auto excess = static_cast<int64_t>(root * root - y * two_32);
-    root_failures += (root < previous_root) + beyond(excess, static_cast<int64_t>(64 * y + root));
-    previous_root = root;
-
-    const uint64_t power = power_three_halves_q32(static_cast<uint32_t>(y));
-    power_failures += (power < previous_power) + (power != y * root / two_32);
-    previous_power = power;
+    failures += (root < previous) + beyond(excess, static_cast<int64_t>(64 * y + root));
+    previous = root;
   }
-  EXPECT_EQ(root_failures, 0);
-  EXPECT_EQ(power_failures, 0);
-}
-
-TEST(Lookup, PowerThreeHalvesAgainstDouble) {
-  const double bound = std::ldexp(1.0, -27);
-  for (uint64_t i = 0; i < two_32 && !HasFailure(); i += i < 100000 ? 1 : 1021) {
-    const auto y = static_cast<double>(i);
-    const double exact = y * std::sqrt(y) / 65536, error = power_three_halves_q32(static_cast<uint32_t>(i)) - exact;
-    EXPECT_LE(error, 0.5 + bound * exact) << i;
-    EXPECT_GE(error, -1.5 - bound * exact) << i;
-  }
+  EXPECT_EQ(failures, 0);
 }
 
 // Where the number of leading zeros changes, the rounding shift does too.
@@ -191,7 +168,6 @@ void expect_rising_across_normalisations() {
 
 TEST(Lookup, EndsOfUint32) {
   EXPECT_EQ(square_root_q32(0), 0u);
-  EXPECT_EQ(power_three_halves_q32(0), 0u);
   EXPECT_EQ(square_root_q32(0xffffffffu), 0xfffffffeu);
   for (int k = 0; k < 16; ++k) EXPECT_EQ(square_root_q32(1u << (2 * k)), 1u << (16 + k));
   expect_rising_across_normalisations<5, 3>();

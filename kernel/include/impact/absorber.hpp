@@ -123,7 +123,8 @@ class Absorber
   using Source::plan;
 
   // The SI value of a native 1.0, which is a raw 2^31 in Fixed32; 1 in floating point. Of displacements in m, of
-  // velocities in m/s, of contact forces and of samples in N. Constants of the type, but where the plan is AtRunTime.
+  // velocities in m/s, of contact forces and, of a Sampled drive, of samples in N. Constants of the type, but where the
+  // plan is AtRunTime.
   using Source::displacement_unit;
   using Source::force_unit;
   using Source::sample_unit;
@@ -212,7 +213,7 @@ class Absorber
     Value rate = plan.units.as_displacement(rate_ahead());
     if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
     if constexpr (Friction::is_friction)
-      rate = rate - plan.units.as_displacement(plan.friction.rate_ahead * state_.impulse);
+      rate = rate - plan.units.as_displacement(plan.friction.main_rate_ahead * state_.impulse);
     return plan.units.velocity(plan.units.displacement(state_.dx1) + rate);
   }
   constexpr Value ball_displacement() const { return plan.units.position(place(state_.x2)); }
@@ -229,7 +230,7 @@ class Absorber
     constexpr bool is_named = detail::is_one_of<ContactForce, Features...>;
     static_assert(is_named, "contact_force() needs the feature ContactForce: append it to the absorber's type");
     if constexpr (is_named)
-      return plan.units.newtons(state_.contact_force);
+      return plan.units.native_force(state_.contact_force);
     else
       return {};
   }
@@ -256,11 +257,12 @@ class Absorber
   }
 
   // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
-  // of displacement() and velocity(). At most half a unit of each; a state that leaves its range is held, with a fault.
-  // A contact under way goes on from the corrected penetration; a damping that was set at its impact is held to what a
-  // step bears there (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands
-  // at that stop, and one at rest on an impulsive stop stays on it. Dry friction begins anew. A ledger counts what a
-  // correction does to the stored energy as dissipated, and nothing as the drive's work.
+  // of displacement() and velocity(). At most half a unit of each in Fixed32, and 2^20 m and 2^20 m per step in
+  // floating point: more is held there, and a state that leaves its range at its end, with a fault. A contact under way
+  // goes on from the corrected penetration; a damping that was set at its impact is held to what a step bears there
+  // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands at that stop, and
+  // one at rest on an impulsive stop stays on it. Dry friction begins anew. A ledger counts what a correction does to
+  // the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
@@ -304,8 +306,9 @@ class Absorber
   // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the
   // drive's phase do not jump (motion/handover.hpp); a drive that was off starts at phase 0, and ledger and log start
   // anew. A contact under way whose own parameters change goes on from its penetration. Refuses, and changes nothing,
-  // when bounds, step, clearance or stops differ, or during a contact when its state depends on the plan's forces:
-  // pointwise steppers, a damping set per impact, features.
+  // when bounds, step, clearance or stops differ; in Fixed32 when displacement_unit() does, which a softer stop or a
+  // larger drive may widen under the same bounds; with BaseAcceleration when gravity does; or during a contact when its
+  // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
@@ -348,7 +351,7 @@ class Absorber
     double u1 = plan.units.si(state_.dx1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.dx2);
     if constexpr (Field::is_field) u2 -= plan.units.si_penetration(Field::ball_rate(plan, state_));
     if constexpr (Friction::is_friction) {
-      u1 -= plan.units.si_penetration(plan.friction.rate_ahead * state_.impulse);
+      u1 -= plan.units.si_penetration(plan.friction.main_rate_ahead * state_.impulse);
       u2 += plan.units.si_penetration(plan.friction.ball_ahead * state_.impulse);
     }
     if constexpr (Contact::keeps_force) {
@@ -369,9 +372,10 @@ class Absorber
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
 
-  // A shared response changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a quarter: where both
-  // come to a state in range before it is looked at, it does not wrap.
-  constexpr bool judges_contact_once() const {
+  // Whether the range check after flight may wait until after contact: the response cannot wrap a state that was in
+  // range before the step. (A shared one changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a
+  // quarter.)
+  constexpr bool checks_range_once() const {
     if constexpr (decltype(PlanType::contact.response)::is_shared)
       return !Contact::is_sudden(plan.contact);
     else
@@ -388,7 +392,7 @@ class Absorber
     state_.drive = decltype(state_.drive)::start(plan.drive);
     (Features::start(plan, state_), ...);
     const bool left = is_at_left();
-    const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, left));
+    const Value inside = penetration(left);
     if (is_positive(inside)) {
       state_.at_left = left;
       state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
@@ -396,7 +400,7 @@ class Absorber
     }
     begin_to_rub();
   }
-  // Without friction nothing is done, so that a plan AtRunTime of none makes the bits of an absorber without the part.
+  // A plan AtRunTime may have a friction of 0: then nothing is done, and the bits are those without DryFriction.
   constexpr bool rubs() const {
     if constexpr (Friction::is_friction)
       return is_positive(plan.friction.full);
@@ -411,7 +415,7 @@ class Absorber
       Feature::start(plan, state_);
     }
   }
-  // Friction as it begins, and without what it has taken ahead.
+  // Adds the half impulse that acts in the step ahead.
   constexpr void begin_to_rub() {
     if constexpr (Friction::is_friction) {
       if (!rubs()) return;
@@ -419,6 +423,7 @@ class Absorber
       if constexpr (counts_slid_way) state_.slid.add(still_to_rub());
     }
   }
+  // Takes it out again.
   constexpr void leave_rubbing() {
     if constexpr (Friction::is_friction) {
       if (!rubs()) return;
@@ -427,8 +432,9 @@ class Absorber
     }
   }
 
-  // A step: both masses fly, here; meet_stop() sees the ball inside a stop, touch() makes the approach of it, push()
-  // has the treatment resolve it and both masses answer; friction rubs at the step's end, in flight or at the stop.
+  // A step: both masses fly, here; touch() sees by is_inside() whether the ball is inside a stop, and makes the
+  // approach of it, push() has the treatment resolve it and both masses answer; friction rubs at the step's end, in
+  // flight or at the stop.
   constexpr void advance(Value sample, Value base) {
     if (Source::is_refused()) return;
     if constexpr (Drive::is_sampled)
@@ -453,13 +459,13 @@ class Absorber
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
     plan.units.add(state_.dx1, increment);
     if constexpr (Field::is_field) Field::fly(plan, state_, base);
-    if (!judges_contact_once() && !is_flight_in_range()) {
+    if (!checks_range_once() && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
       DriveChange<Value> change{};
       if constexpr (Contact::sees_change) change = state_.drive.change(plan.drive, drive_before);
       meet_stop(increment, main_travel, change);
-    } else if (judges_contact_once() && !is_flight_in_range()) {
+    } else if (checks_range_once() && !is_flight_in_range()) {
       hold();
     } else if constexpr (Friction::is_friction) {
       rub(main_travel);
@@ -512,8 +518,7 @@ class Absorber
   // A ball that a correction has put into a stop without touching it stands at it.
   constexpr void push_out() {
     const bool left = is_at_left();
-    if (is_positive(plan.units.penetration(mirrored(state_.x2 - state_.x1, left))))
-      state_.x2 = plan.units.stop(state_.x1, left);
+    if (is_positive(penetration(left))) state_.x2 = plan.units.stop(state_.x1, left);
   }
 
   // What spring, drive and field give the contact to bear.
@@ -528,8 +533,7 @@ class Absorber
     Contact& contact = state_.contact;
     if (contact.rests_on(plan.units, state_, at_left())) return;
     const Phase phase = contact.phase;
-    const Value found = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left())),
-                inside = contact.no_deeper(found);
+    const Value found = penetration(at_left()), inside = contact.no_deeper(found);
     if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, at_left()));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = relative_rate(at_left());
@@ -648,7 +652,8 @@ class Absorber
     return true;
   }
 
-  // Rate of penetration, for the state as it stands.
+  // Penetration and its rate, for the state as it stands.
+  constexpr Value penetration(bool left) const { return plan.units.penetration(mirrored(state_.x2 - state_.x1, left)); }
   constexpr Value relative_rate(bool left) const {
     return mirrored(
         plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);
@@ -714,7 +719,7 @@ class Absorber
   }
   // The half of the last impulse that acts in the step ahead.
   constexpr auto still_to_rub() const {
-    const Value main = plan.friction.rate_ahead * state_.impulse, ball = plan.friction.ball_ahead * state_.impulse;
+    const Value main = plan.friction.main_rate_ahead * state_.impulse, ball = plan.friction.ball_ahead * state_.impulse;
     const Value more = Friction::rubbing_rate(plan, main + ball, -main);
     return Friction::dissipated(plan, state_, rubbing_rate() + Format::value(half(more)));
   }
@@ -750,7 +755,7 @@ class Absorber
   }
   // A flight that was left to a contact to judge, where there is none.
   [[gnu::always_inline]] constexpr void hold_unjudged() {
-    if (judges_contact_once()) hold_in_range();
+    if (checks_range_once()) hold_in_range();
   }
   __attribute__((noinline)) constexpr void hold() {
     const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);

@@ -2,8 +2,8 @@
 #pragma once
 // Which stepper is right for a scene and a step: one rule, from how the step resolves the contacts that the bounds
 // allow (law/resolution.hpp). N is the number of steps per contact of the fastest impact (under strong damping: of its
-// shortest part, Resolution::detail), w0 tc the radians of the main mass's own vibration during it. The first that
-// holds:
+// shortest part, Resolution::shortest_part), w0 tc the radians of the main mass's own vibration during it. The first
+// that holds:
 //
 //     N >= 8                     Moment             fourth order
 //     N < 8, w0 tc <= 0.05       Impulsive          the law's own restitution, at an instant
@@ -14,8 +14,10 @@
 //
 // Moment and SubsteppedMoment are passed over where the plan would refuse them: where the step is long beside the main
 // mass's vibration, or beside the stiffness or the damping of the deepest contact, with sub-steps also where the ball
-// can cross the clearance within a step; and for a Hooke-Newton contact that loses less than they may create. Impulsive
-// is, where weight or a base that shakes is not little during a contact.
+// can cross the clearance within a step. Impulsive is, where weight or a base that shakes is not little during a
+// contact. Where one of Moment and SubsteppedMoment would be right but for a Hooke-Newton contact that loses less than
+// it may create, the choice is EnergyConsistent, and no line below is asked. Where nothing fits it is EnergyConsistent
+// too, and the plan refuses it.
 //
 //     struct Rig { .. };
 //     using Stepper = impact::Chosen<Rig, impact::HuntCrossley>;
@@ -34,9 +36,9 @@ namespace impact {
 enum class Choice { moment, four_sub_steps, eight_sub_steps, energy, impulsive };
 
 constexpr Choice choice_for(const Resolution& contact, double step) {
-  constexpr double shortest_phase = 0.05;
+  constexpr double longest_instant = 0.05;  // w0 tc
   const double e = contact.restitution, loss = 1 - e * e;
-  const auto part = [&](int parts) { return Moment::precise_steps * step / (parts * contact.detail); };
+  const auto part = [&](int parts) { return Moment::precise_steps * step / (parts * contact.shortest_part); };
   const auto is_right = [&](const Range& steps, double longest_phase, int parts) {
     return part(parts) <= 1 && steps.holds(step) && contact.main_pulsation * step <= longest_phase;
   };
@@ -47,7 +49,7 @@ constexpr Choice choice_for(const Resolution& contact, double step) {
     return gain <= loss ? choice : Choice::energy;
   };
   if (is_right(Moment::steps(contact), Moment::longest_phase, 1)) return if_passive(Choice::moment, 1);
-  if (part(1) > 1 && Impulsive::is_instant(contact, shortest_phase) && Impulsive::steps(contact).holds(step))
+  if (part(1) > 1 && Impulsive::is_instant(contact, longest_instant) && Impulsive::steps(contact).holds(step))
     return Choice::impulsive;
   using Four = SubsteppedMoment<4>;
   using Eight = SubsteppedMoment<8>;

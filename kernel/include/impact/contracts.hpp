@@ -92,9 +92,6 @@
 //           rub(plan, state, slid, ahead, allowed)    otherwise; allowed: Any{}, passive(plan, rate)
 //           dissipated(plan, state, rate)    half of it by the last impulse, over the force
 
-#include <stddef.h>
-#include <stdint.h>
-
 #include <impact/features.hpp>
 #include <impact/law/hunt_crossley.hpp>
 #include <impact/law/resolution.hpp>
@@ -104,7 +101,6 @@
 #include <impact/numeric/fixed32.hpp>
 #include <impact/plan_source.hpp>
 #include <impact/scene.hpp>
-#include <impact/status.hpp>
 #include <impact/stepper/moment.hpp>
 
 namespace impact::contract {

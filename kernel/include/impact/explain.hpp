@@ -2,14 +2,19 @@
 #pragma once
 // Why a plan was refused, and what would do. Where a value is out of its own range, that range (status.hpp); a dry
 // friction that is too much for the step, the friction; a start too deep in a stop, the displacement; a field that
-// leaves no room, the field. Where it is only the values together that leave no room, the
-// first of
+// leaves no room, the field. Where it is only the values together that leave no room, the first of
 //
-//     step, displacement_bound, speed_bound, penetration_bound, contact_stiffness, contact_damping, main_stiffness,
-//     main_damping, clearance
+//     step, the refused value, displacement_bound, speed_bound, penetration_bound, contact_stiffness, contact_damping,
+//     main_stiffness, main_damping, clearance
 //
 // that can be changed alone so that the plan is made, and the ends of the range around the nearest value that does:
-// found by halving and doubling, then by bisection, each time over a plan that is made. Both ends are accepted.
+// found by halving and doubling, then by bisection, each time over a plan that is made. Both ends are accepted. Where
+// none can, the first that does
+//
+//     the step, or the refused value, where other values that are then out of their own range follow it
+//     displacement_bound to clearance as above, at a shorter step
+//     ball_mass, main_mass, gravity, base_acceleration_bound, ball_friction, alone
+//     the step, or the refused value, where then other values are at fault by themselves
 
 #include <stdint.h>
 

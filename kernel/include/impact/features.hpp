@@ -5,9 +5,7 @@
 #include <stdint.h>
 
 #include <impact/numeric/formula.hpp>
-#include <impact/numeric/units.hpp>
 #include <impact/silent_feature.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -18,14 +16,18 @@ namespace impact {
 //     dissipated                      = work - change of the stored energy; what a spring holds as it lets go is lost
 //     work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
 //
-// Contact energies count in force_unit 2^penetration joules, the drive's work in drive units 2^penetration. An entry
-// keeps all places of its products, so that Fixed32 rounds none, however slow the contact is beside its bounds; in
-// Float32 each is rounded by 2^-24 of itself.
+// In joules, for an absorber with these in its state():
+//
+//     dissipated.total() * plan.force_scale * plan.units.si_penetration_unit()
+//     drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit()
+//
+// An entry keeps all places of its products, so that Fixed32 rounds none, however slow the contact is beside its
+// bounds; in Float32 each is rounded by 2^-24 of itself.
 //
 // What is dissipated never falls
 //
-//     Impulsive           at all, in any format: an entry is J (V - J), 0 <= J <= V. What lifts a ball out of its stop
-//                         against a field counts as dissipated
+//     Impulsive           exactly, in every format: an entry is J (V - J), 0 <= J <= V. What lifts a ball out of its
+//                         stop against a field counts as dissipated
 //     EnergyConsistent    but for the motion's rounding: an entry is the damping's own work. In a resolved contact of a
 //                         power law (stepper/energy/power.hpp) also by f times what its equation leaves over: while an
 //                         elastic one of 20 steps lasts, by 4e-4 of its energy
@@ -83,8 +85,10 @@ struct EnergyLedger {
   }
 };
 
-// Contacts begun, the rate at which the last one began (2^penetration metres per step), and the largest mean force over
-// a step (force_unit).
+// Contacts begun, the rate at which the last one began, and the largest mean force over a step. In m/s and N:
+//
+//     plan.units.si_penetration(impact_rate) / plan.step
+//     plan.units.fraction(peak_force) * plan.force_scale
 struct ImpactLog : SilentFeature {
   static constexpr uint32_t kind = 2;
   static constexpr bool is_bound = true;
@@ -110,14 +114,15 @@ struct ImpactLog : SilentFeature {
   }
 };
 
-// The mean contact force of the last step: contact_force().
+// The mean contact force of the last step, on the main mass along x: contact_force(). Of the state in N:
+// plan.units.fraction(contact_force) * plan.force_scale.
 struct ContactForce : SilentFeature {
   static constexpr uint32_t kind = 3;
   static constexpr bool is_bound = true;
 
   template <class Format>
   struct State {
-    typename Format::Value contact_force, force_of_step;  // force_unit, on the main mass along x
+    typename Format::Value contact_force, force_of_step;
   };
 
   template <class Plan, class State, class Step>

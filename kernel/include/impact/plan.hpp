@@ -170,7 +170,8 @@ constexpr auto Plan<Format, ContactLaw, Stepper, Drive, Field, Friction>::planne
   // Where the ball crosses the clearance in a step, a treatment that waits for the next finds it beyond the stop by the
   // ways of both.
   terms.crosses = scene.stops == Stops::both && terms.largest_rate * h >= scene.clearance;
-  // There, and near it, it is put back to its stop, against a field, and friction does not see the way of it.
+  // A ball that may cross the cavity in one step is first seen up to two steps' way inside a stop. Putting it back
+  // would do work against a field, and friction would miss that way: refuse.
   const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
   if (has_parts && scene.stops == Stops::both && 2 * terms.largest_rate * h >= scene.clearance)
     return refused(PlanStatus::clearance);

@@ -33,7 +33,7 @@ class PlanSource {
  protected:
   static constexpr bool is_refused() { return false; }
   static constexpr bool is_constant = true;
-  constexpr PlanSource() { (void)refusal::explain<Rig, PlanType, plan.status>(); }
+  constexpr PlanSource() { (void)refusal::check<Rig, PlanType, plan.status>(); }
 };
 
 template <class PlanType_>

@@ -23,7 +23,7 @@ enum class Law { hooke_newton, hertz, hunt_crossley };
 enum class Stops { both, left, right };
 
 // What a negative contact force means: `clamp` lets the ball go at zero force (a stop cannot pull); `allow` keeps the
-// law as the paper writes it, with separation at zero penetration.
+// law as the paper writes it, with separation at zero penetration. Hooke-Newton's alone: the others never pull.
 enum class Tension { clamp, allow };
 
 struct Scene {
@@ -34,7 +34,7 @@ struct Scene {
   double clearance = 0.02;             // d, m
   double contact_stiffness = 32600.0;  // k1, N/m (Hooke-Newton) or N/m^(3/2)
   double contact_damping = 19560.0;    // c1, N s/m (Hooke-Newton) or N s/m^(5/2); of this k1: change both
-  double drive_amplitude = 10.0;       // F0, N: F(t) = F0 sin(w t) for a sine drive
+  double drive_amplitude = 10.0;       // F0, N: F(t) = F0 sin(w t) for a sine drive; without one state 0, see Bounds
   double drive_pulsation = 40.0;       // w, rad/s
   double x1 = 0.0;                     // initial displacement of the main mass, m
   double v1 = 0.0;                     // initial velocity of the main mass, m/s
@@ -50,7 +50,8 @@ struct Scene {
 // The largest values that the scene reaches, in SI units. The plan judges the step by them in every format. Fixed32
 // takes its units from them: the tighter they are, the finer it counts, and beyond them it saturates and raises a
 // fault. In floating point of a running state only the force of a sampled drive is held to them. The defaults hold the
-// paper's scene under every law.
+// paper's scene under every law. Scene::drive_amplitude, too, has its part in the units and in the deepest penetration
+// under every drive.
 struct Bounds {
   double displacement = 0.1;     // of either mass, m
   double speed = 2.0;            // of either mass, m/s

@@ -61,7 +61,7 @@ constexpr Range initial_displacement_range{-1e3, 1e3};  // m
 constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s
 constexpr Range bound_range{1e-9, 1e6};                 // m and m/s
 constexpr Range step_range{1e-9, 0.1};                  // s
-constexpr Range drive_pulsation_range{0, 1e6};          // rad/s; above 0 at least:
+constexpr Range drive_pulsation_range{0, 1e6};          // rad/s; 0, or from slowest_drive(step) on
 
 // A slower drive turns by less than 2^-24 rad a step, of which an oscillator's curvature keeps fewer than 15 bits.
 constexpr double slowest_drive(double step) { return 0x1p-24 / step; }

@@ -23,7 +23,6 @@
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/constant_math.hpp>
-#include <impact/scene.hpp>
 
 namespace impact {
 
@@ -103,7 +102,7 @@ constexpr FreeImpact power_law_impact(double stiffness_over_mass, double a, doub
 // An impact at `speed` > 0 m/s. ContactTerms::damping_time is c1/k1.
 template <class ContactLaw>
 constexpr FreeImpact free_impact(const ContactTerms& terms, double speed) {
-  const double mu = 1 / (1 / terms.ball_mass + 1 / terms.main_mass);
+  const double mu = terms.reduced_mass();
   if (ContactLaw::is_linear) return detail::hooke_newton_impact(terms.stiffness, terms.damping_time, mu, terms.clamped);
   const double a = ContactLaw::is_damped_per_impact ? terms.damping_ratio
                    : ContactLaw::is_damped          ? terms.damping_time * speed

@@ -6,6 +6,7 @@
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>
+#include <impact/numeric/units.hpp>
 
 namespace impact {
 
@@ -54,6 +55,12 @@ constexpr Value strength(Value elastic, Value damped) {
 template <class Format, bool is_per_impact>
 struct ImpactDamping {
   using Damping = typename Format::Weight;
+
+  // Of the contact under way.
+  template <class Plan>
+  static constexpr auto damping(const Plan& plan) {
+    return plan.damping;
+  }
 };
 
 template <class Format>
@@ -62,6 +69,10 @@ struct ImpactDamping<Format, true> {
 
   Damping own_damping;  // of the contact under way
 
+  template <class Plan>
+  constexpr Damping damping(const Plan&) const {
+    return own_damping;
+  }
   // An impact without speed is one without damping, and so is a contact under way at the start.
   constexpr void begin(const SlowestImpact<Format, true>& slowest, typename Format::Gain share,
                        typename Format::Value rate) {

@@ -18,6 +18,7 @@
 #include <impact/law/hooke_newton.hpp>
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>
+#include <impact/numeric/units.hpp>
 
 namespace impact {
 

@@ -3,8 +3,8 @@
 // How finely a step resolves a contact: what decides which steppers a scene bears, and which is right (choice.hpp). A
 // plan promises for every state within its bounds, so that each number is of the worst of them:
 //
-//     contact_time, restitution, detail    the fastest impact of two free masses, 2 Bounds::speed; a slower one lasts
-//                                          longer, as V^(-1/5) (power laws; Hooke-Newton: as long)
+//     contact_time, shortest_part,         the fastest impact of two free masses, 2 Bounds::speed; a slower one lasts
+//     restitution                          longer, as V^(-1/5) (power laws; Hooke-Newton: as long)
 //     pulsation, damping                   the contact linearised at the deepest penetration (depth.hpp) in the
 //                                          coupled machine: omega^2 = (3/2) k1 d^(1/2)/mu and c/mu = c1 d^(3/2)/mu,
 //                                          or k1/mu and c1/mu
@@ -14,10 +14,10 @@
 //
 // Damping makes part of a contact shorter than the whole. With e the restitution and mu = m M/(m + M),
 //
-//     power laws      the ball is stopped in about e/(1 + e) of it    detail = contact time x min(1, 4 e/(1 + e))
-//     Hooke-Newton    the damper alone relaxes with mu/c1             detail = min(contact time, 6 mu/c1)
+//     power laws      the ball is stopped in about e/(1 + e) of it    shortest part = contact time x min(1, 4 e/(1+e))
+//     Hooke-Newton    the damper alone relaxes with mu/c1             shortest part = min(contact time, 6 mu/c1)
 //
-// so that the moment-fitted step errs alike at alike steps per `detail`, for e from 0.05 to 1 (choice_test.cpp).
+// so that the moment-fitted step errs alike at alike steps per `shortest_part`, for e from 0.05 to 1 (choice_test.cpp).
 
 #include <impact/law/free_impact.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -30,7 +30,7 @@ struct Resolution {
   bool is_linear;
   double contact_time;        // s
   double restitution;         // the law's own, 0 to 1
-  double detail;              // s
+  double shortest_part;       // s
   double main_phase;          // radians of the main mass's own vibration during the contact
   double main_pulsation;      // w0, rad/s
   double pulsation, damping;  // omega, rad/s, and c/mu, 1/s, at the deepest penetration
@@ -48,10 +48,10 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
   const FreeImpact impact = free_impact<ContactLaw>(terms, terms.largest_rate);
   const double e = impact.restitution, time = impact.contact_time;
-  double detail = time * constant::smaller(1, 4 * e / (1 + e));
+  double shortest_part = time * constant::smaller(1, 4 * e / (1 + e));
   if (ContactLaw::is_linear) {
     const double relaxation = terms.reduced_mass() / (terms.damping_time * terms.stiffness + 1e-300);
-    detail = constant::smaller(time, 6 * relaxation);
+    shortest_part = constant::smaller(time, 6 * relaxation);
   }
   const double mu = terms.reduced_mass(), d = terms.deepest, k1 = terms.stiffness;
   const double w0 = constant::square_root(scene.main_stiffness / scene.main_mass);
@@ -60,7 +60,7 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   return {ContactLaw::is_linear,
           time,
           e,
-          detail,
+          shortest_part,
           w0 * time,
           w0,
           constant::square_root(slope / mu),

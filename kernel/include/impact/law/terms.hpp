@@ -9,11 +9,8 @@
 // so that k1 and the step length vanish from the contact's formulas: impulses are in force_unit h, moments of a force
 // (the integral of (h - s) f(s) over the step) in force_unit h^2.
 
-#include <stdint.h>
-
 #include <impact/law/depth.hpp>
 #include <impact/numeric/constant_math.hpp>
-#include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
 
 namespace impact {

@@ -62,7 +62,7 @@ struct DryFriction : ScenePart {
       Value lasting;                    // as positions count: where y is more, the ball slides on
       Gain main_share;                  // of an impulse, in dx1
       Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
-      Gain rate_ahead;                  // the same in h v1
+      Gain main_rate_ahead;             // the same in h v1
       Gain half_by_full;                // 1/(2 r)
       Gain excess;                      // of the main mass's momentum by an impulse over the ball's
       int spare_places;                 // of an impulse that is no more than r
@@ -152,7 +152,7 @@ struct DryFriction : ScenePart {
     using Format = typename Plan::FormatType;
     const Value half_full = Format::value(half(plan.friction.full));
     // An impulse as large as the rate takes s of it, a little more than all; 1/s is no less than 2 - s.
-    const Value main = plan.friction.rate_ahead * rate, ball = plan.friction.ball_ahead * rate;
+    const Value main = plan.friction.main_rate_ahead * rate, ball = plan.friction.ball_ahead * rate;
     const Value half_more = rubbing_rate(plan, main + ball, -main) - Format::value(half(rate));
     const Value half_most = held(Passive<Value>{-half_full, half_full}, rate - half_more - half_more);
     const Value most = half_most + half_most;

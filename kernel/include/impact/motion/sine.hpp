@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The drive F0 sin(w t), t = 0 at the start. Its part of the main mass's motion over a step is a sinusoid too, of known
-// amplitude and phase, so that one oscillator serves; its own part in the velocity follows from the oscillator's value
-// and slope.
+// amplitude and phase, so that one oscillator serves. With its value s = S sin(psi), the value s- of the step before
+// and the turn w h, any other sinusoid P of the same pulsation, the drive's part in the velocity or the force itself,
+// is
+//
+//     P = by_value s + by_slope (s - s-)        by_slope = across/sin(w h), by_value = along - by_slope (1 - cos(w h))
+//
+// where P = S (along sin(psi) + across cos(psi)).
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/formula.hpp>
@@ -51,8 +56,6 @@ struct Sine {
     Plan<Format> plan{};
     plan.oscillator = Format::Oscillator::make_plan(s, turn);
     const int value = Format::oscillator_exponent(plan.oscillator);
-    // P = by_value s + by_slope (s - s_before): resolve P along s = S sin(psi) and across it.
-    // The force, sin(w t), likewise.
     const double size = s.sine * s.sine + s.cosine * s.cosine;
     if (size > 0) {
       plan.increment = Format::gain(1, value, unit.increment);

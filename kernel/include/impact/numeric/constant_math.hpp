@@ -31,7 +31,7 @@ constexpr int exponent_above(double x) {
   return e;
 }
 
-// Heron's iteration from a power of two within a factor sqrt(2) of the root: five passes reach double precision.
+// Heron's iteration from a power of two within a factor 2 of the root: six passes reach double precision.
 constexpr double square_root(double x) {
   if (!(x > 0)) return 0;
   double root = power_of_two(exponent_above(x) / 2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The fixed-point format of the step. Values are Q1.31 fractions of a power of two that the plan chooses for each
-// quantity from the scene's bounds; states are 64-bit integers at one common scale, because what a step adds to a
-// position is a thousand times smaller than a 32-bit position's last place.
+// quantity from the scene's bounds; states are 64-bit integers at one common scale, because rounding to a 32-bit place
+// at each step would accumulate.
 
 #include <stddef.h>
 
@@ -44,7 +44,7 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Unsigned<32> constant(double x) {
     return {x > 0 ? static_cast<uint32_t>(impact::constant::smaller(x * 4294967296.0 + 0.5, 4294967295.0)) : 0};
   }
-  static constexpr Short<16> short_constant(double x) { return {static_cast<uint32_t>(x * 65536.0 + 0.5)}; }
+  static constexpr Short short_constant(double x) { return {static_cast<uint32_t>(x * 65536.0 + 0.5)}; }
   // Of a number below 1.
   template <int bits>
   static constexpr Unsigned<32> factor(Unsigned<bits> x) {
@@ -159,7 +159,7 @@ struct Fixed32 : Fixed32Numbers {
   }
   // To 16 places, rounded down; numerator <= denominator.
   template <int bits>
-  static constexpr Short<16> short_quotient(Unsigned<bits> numerator, Unsigned<bits> denominator) {
+  static constexpr Short short_quotient(Unsigned<bits> numerator, Unsigned<bits> denominator) {
     return {quotient_q16(numerator.raw, denominator.raw)};
   }
   // z^2 / 5p, |z| <= p, for a small part of a sum.

@@ -100,7 +100,7 @@ struct Fixed32Units {
   constexpr Value damped(Long w) const { return {static_cast<int32_t>(static_cast<uint64_t>(w.raw) >> damped_shift)}; }
   // Of a displacement per step and of a force: their own units serve.
   static constexpr Value velocity(Value per_step) { return per_step; }
-  static constexpr Value newtons(Value force) { return force; }
+  static constexpr Value native_force(Value force) { return force; }
   static constexpr Value per_step(Value velocity) { return velocity; }
   constexpr double displacement_unit() const { return constant::power_of_two(position_exponent); }
   constexpr double velocity_unit(double step) const {

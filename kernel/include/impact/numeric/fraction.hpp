@@ -27,9 +27,8 @@ struct Unsigned {
   friend constexpr bool operator==(Unsigned x, Unsigned y) { return x.raw == y.raw; }
 };
 
-// A factor of 15 bits, for what is small or a constant of no weight: without a long multiplication a product with it
-// costs a third of a full one.
-template <int bits>
+// A factor in [0, 1) in steps of 2^-16, below 1/2 for a signed operand, for what is small or a constant of no weight:
+// without a long multiplication a product with it costs a third of a full one.
 struct Short {
   uint32_t raw;
 };
@@ -123,12 +122,12 @@ constexpr auto operator*(Unsigned<a> x, Signed<b> y) {
   return with_sign(x) * y;
 }
 
-template <int a, int b>
-constexpr Unsigned<a + b - 16> operator*(Unsigned<a> x, Short<b> y) {
+template <int bits>
+constexpr Unsigned<bits> operator*(Unsigned<bits> x, Short y) {
   return {short_product(x.raw, y.raw)};
 }
-template <int a, int b>
-constexpr Signed<a + b - 16> operator*(Signed<a> x, Short<b> y) {
+template <int bits>
+constexpr Signed<bits> operator*(Signed<bits> x, Short y) {
   return {short_product(x.raw, static_cast<int32_t>(y.raw))};
 }
 

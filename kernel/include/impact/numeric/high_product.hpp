@@ -5,7 +5,7 @@
 //
 //     high_product(a, b)         = floor(a b / 2^32)          for two signed or two unsigned operands, exact
 //     full_product(a, b)         = a b                        in 64 bits, for two signed operands
-//     rounded_high_product(a, b) = floor(a b / 2^32 + 1/2)    exact; halves go up
+//     rounded_high_product(a, b) = floor(a b / 2^32 + 1/2)    for two signed operands, exact; halves go up
 //     short_product(a, b)        = floor(a b / 2^16)          exact; b < 2^16, or -2^15 <= b < 2^15 for signed a
 //     high_square(a)             = high_product(a, a)
 //     add_shifted(sum, x, n)     sum += x 2^n                 that fits in 64 bits; 1 <= n <= 63
@@ -77,10 +77,6 @@ constexpr int64_t full_product(int32_t a, int32_t b) { return int64_t{a} * b; }
 constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
   const int64_t product = int64_t{a} * b;
   return static_cast<int32_t>(product >> 32) + static_cast<int32_t>(static_cast<uint32_t>(product) >> 31);
-}
-constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
-  const uint64_t product = uint64_t{a} * b;
-  return static_cast<uint32_t>(product >> 32) + (static_cast<uint32_t>(product) >> 31);
 }
 // floor(a b / 2^(32 - places)) for places from 1 to 16, modulo 2^32.
 constexpr int32_t shifted_product(int32_t a, int32_t b, int places) {
@@ -315,10 +311,6 @@ constexpr int32_t rounded_product(int32_t a, int32_t b) { return rounded(product
 #endif
   return static_cast<int32_t>((static_cast<uint32_t>(ab.high) << places) +
                               static_cast<uint32_t>(ab.middle >> (16 - places)));
-}
-constexpr uint32_t rounded_high_product(uint32_t a, uint32_t b) {
-  const UnsignedProduct ab = product(a, b);
-  return ab.high + (((ab.middle >> 15) + 1) >> 1);
 }
 
 constexpr int32_t short_product(int32_t a, int32_t b) {

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// y^(3/2) = y sqrt(y), with the square root's table: the force of Hertz and Hunt-Crossley.
+// y^(3/2) = y sqrt(y), with the square root's table, in one number: for a step of one's own that evaluates the force of
+// Hertz or Hunt-Crossley, as the report's textbook methods do. The kernel's steps take the root from the same table,
+// and multiply it by y where they need the power.
 
 #include <impact/numeric/square_root.hpp>
 
 namespace impact {
 
-// Y = y / 2^32 gives Y^(3/2) 2^32: -3/2 - bound result <= error <= 1/2 + bound result for every y, with the bound of
-// square_root.hpp. Never falls; 0 for 0.
-template <int index_bits = 6, int order = 3>
-constexpr uint32_t power_three_halves_q32(uint32_t y) {
-  return high_product(y, square_root_q32<index_bits, order>(y));
-}
-
-// |relative error| <= bound + 2^-24 + 2^-29 for every float from 2^-84, where the result is FLT_MIN, to 2^(256/3),
-// where it is FLT_MAX; never falls. Above, and for infinity, FLT_MAX; below, and for y < 0 and NaN, 0.
+// With the bound of square_root.hpp |relative error| <= bound + 2^-24 + 2^-29 for every float from 2^-84, where the
+// result is FLT_MIN, to 2^(256/3), where it is FLT_MAX; never falls. Above, and for infinity, FLT_MAX; below, and for y
+// < 0 and NaN, 0.
 template <int index_bits = 6, int order = 3>
 inline float power_three_halves(float y) {
   constexpr uint32_t lowest = 0x15800000, highest = 0x6a214517, infinity = 0x7f800000, largest = 0x7f7fffff;

@@ -95,7 +95,7 @@ struct RealFormat {
       return {state(gap), static_cast<Real>(1 / step), static_cast<Real>(step), static_cast<Real>(force_unit)};
     }
     constexpr Value velocity(Value per_step) const { return per_step * per_second; }
-    constexpr Value newtons(Value force) const { return force * of_forces; }
+    constexpr Value native_force(Value force) const { return force * of_forces; }
     constexpr Value per_step(Value velocity) const { return velocity * step; }
     static constexpr double displacement_unit() { return 1; }
     static constexpr double velocity_unit(double) { return 1; }

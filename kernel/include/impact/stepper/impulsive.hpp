@@ -100,7 +100,7 @@ struct Impulsive {
     };
     // Rates and penetrations count in one unit, impulses in 2 mu of it.
     static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
-      return 2 * reduced_mass(terms) * constant::power_of_two(unit.penetration) / (terms.step * terms.step);
+      return 2 * terms.reduced_mass() * constant::power_of_two(unit.penetration) / (terms.step * terms.step);
     }
     // No impact within the bounds changes a speed by more than twice the bound, and no rest by more than what presses.
     // What would is held at the push's unit, which takes the speed beyond its bound.
@@ -113,7 +113,7 @@ struct Impulsive {
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const double h = terms.step, main_mass = terms.main_mass, ball_mass = terms.ball_mass;
       const double impulse = terms.force_unit * h * h, turn = terms.main_stiffness * h * h / main_mass;
-      const double mass = 2 * reduced_mass(terms), displacement_by_force = (flow.b0 + flow.b1) / (h * h),
+      const double mass = 2 * terms.reduced_mass(), displacement_by_force = (flow.b0 + flow.b1) / (h * h),
                    rate_by_force = (flow.c0 + flow.c1) / (h * h),
                    penetration_by_force = mass * (displacement_by_force + 0.5 / ball_mass),
                    penetration_rate_by_force = mass * (rate_by_force + 1 / ball_mass);
@@ -270,9 +270,6 @@ struct Impulsive {
                   paid = Format::value(unit.own(impulse) * unit.own(more));
       if (!is_positive(price - paid)) return Value{};
       return depth - Format::value(depth * Format::quotient(positive_part(paid), positive_part(price)));
-    }
-    static constexpr double reduced_mass(const ContactTerms& terms) {
-      return 1 / (1 / terms.ball_mass + 1 / terms.main_mass);
     }
     // x / y for |x| < y, and 0 where the ball has come by less.
     static constexpr Value over(Value x, Value y) {

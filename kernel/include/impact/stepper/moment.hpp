@@ -8,11 +8,11 @@
 // are all that the motion of a free mass sees of the force: v gains J0/m and x gains J1/m. With r and s the roots of
 // the penetrations d0 and d1 at both ends, p = (s+r)/2 and z = (s-r)/2, a root of the penetration that runs linearly in
 // time gives both in closed form, the damping is a total derivative, and the deviation of the rates from a uniform one
-// enters to first order. One square root and one quotient a step; fourth order.
+// enters to first order. One square root and one quotient a step; fourth order. It is derived here and in moment/.
 //
 // Range. Free pairs, over 64 phases of the impact within the step, e = 0.05 to 1 (choice_test.cpp): from 5 steps per
-// Resolution::detail on a contact gains no energy (an undamped Hooke-Newton one 1.4e-4 of it at 5 steps, 1e-5 at 8,
-// falling with the sixth power); from 8 on its restitution is within 1 % of the law's.
+// Resolution::shortest_part on a contact gains no energy (an undamped Hooke-Newton one 1.4e-4 of it at 5 steps, 1e-5 at
+// 8, falling with the sixth power); from 8 on its restitution is within 1 % of the law's.
 //
 // In the coupled machine (coupled_scenes_test.cpp) three more numbers decide. A contact linearised at a penetration has
 // per step the stiffness k = (h omega)^2 and the damping q = h c/mu, and the formulas of moment/power.hpp map its
@@ -42,12 +42,12 @@ struct Moment {
   static constexpr double longest_phase = 0.16;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
-  static constexpr double fewest_steps = 5, precise_steps = 8;  // per Resolution::detail
+  static constexpr double fewest_steps = 5, precise_steps = 8;  // per Resolution::shortest_part
   // Radians of the contact's own vibration, and its damping h c/mu, at the deepest penetration.
   static constexpr double longest_contact_phase = 0.9, largest_damping = largest_damping_of_moment;
   static constexpr Range steps(const Resolution& contact) {
     using constant::smaller;
-    return {0, smaller(smaller(smaller(contact.detail / fewest_steps, longest_passive_step(contact)),
+    return {0, smaller(smaller(smaller(contact.shortest_part / fewest_steps, longest_passive_step(contact)),
                                longest_contact_phase / contact.pulsation),
                        largest_damping / (contact.damping + 1e-300))};
   }
@@ -55,13 +55,13 @@ struct Moment {
   static constexpr double largest_gain = 1e-5;
   // An impact gains no more than it loses, or 2.5e-6 of its energy: ten steps a contact.
   static constexpr double longest_passive_step(const Resolution& contact) {
-    if (!contact.is_linear) return contact.detail;
+    if (!contact.is_linear) return contact.shortest_part;
     const double e = contact.restitution, loss = constant::larger(1 - e * e, 2.5e-6);
-    return contact.detail / precise_steps * constant::power(loss / largest_gain, 1.0 / 6);
+    return contact.shortest_part / precise_steps * constant::power(loss / largest_gain, 1.0 / 6);
   }
   // An upper bound: 1.7e-3 (power laws) or 6e-5 (Hooke-Newton) at 8 steps.
   static constexpr double restitution_error(const Resolution& contact, double step) {
-    const double share = precise_steps * step / contact.detail, fourth = share * share * share * share;
+    const double share = precise_steps * step / contact.shortest_part, fourth = share * share * share * share;
     return (contact.is_linear ? 5.5e-5 : 1.5e-3) * fourth * (share + 0.1);
   }
 

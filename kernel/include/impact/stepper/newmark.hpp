@@ -135,7 +135,7 @@ struct Pointwise {
     constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
       phase = Phase::touching;
       if constexpr (ContactLaw::is_linear) {
-        force = units.elastic(at) + damping(plan) * at_rate;
+        force = units.elastic(at) + this->damping(plan) * at_rate;
         if (plan.clamped) force = Format::value(positive_part(force));
       } else {
         force = Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate));
@@ -144,17 +144,12 @@ struct Pointwise {
     constexpr void hold_damping(const Plan&, Value, Value) {}
 
    private:
-    constexpr auto damping(const Plan& plan) const {
-      if constexpr (ContactLaw::is_damped_per_impact)
-        return this->own_damping;
-      else
-        return plan.damping;
-    }
     // x (1 + C v), never negative: the contact does not pull.
     template <class Shape>
     constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
       if constexpr (ContactLaw::is_damped)
-        return x * positive_part(strength<ContactLaw::is_damped_per_impact, Units>(units.one(), damping(plan) * v));
+        return x *
+               positive_part(strength<ContactLaw::is_damped_per_impact, Units>(units.one(), this->damping(plan) * v));
       else
         return x;
     }
@@ -162,7 +157,7 @@ struct Pointwise {
     [[gnu::always_inline]] constexpr Value found(const Plan& plan, const Units& units, Value trial,
                                                  Value trial_rate) const {
       if constexpr (ContactLaw::is_linear) {
-        const Value f = plan.solution * (units.elastic(trial) + damping(plan) * trial_rate);
+        const Value f = plan.solution * (units.elastic(trial) + this->damping(plan) * trial_rate);
         return plan.clamped ? Format::value(positive_part(f)) : f;
       } else {
         Value f{};
@@ -176,7 +171,7 @@ struct Pointwise {
           const Value by_penetration = plan.slope.by_penetration * Format::value(damped(plan, units, root, rate));
           Value slope = by_penetration + Format::value(half(by_penetration));
           if constexpr (ContactLaw::is_damped)
-            slope = slope + damping(plan) * (plan.slope.by_rate * Format::value(shape));
+            slope = slope + this->damping(plan) * (plan.slope.by_rate * Format::value(shape));
           f = f + Format::over_one_plus(law - f, slope, plan.slope.half_one);
         }
         return f;

@@ -34,6 +34,9 @@ struct Approach {
   Value before;             // at its start
   Value increment;          // of the rate by spring, drive and field from this step's end to the next one's
   Value main_rate;          // of the main mass at the end
+
+  // As if the rate were linear in time.
+  constexpr Value rate_at_start() const { return travel + travel - rate; }
 };
 
 // The same in a field (motion/field.hpp).
@@ -115,7 +118,7 @@ template <class Format, class ContactLaw, class Response, class Value>
   typename Format::Energy stored{};
   if (is_touching)
     stored = ContactLaw::template stored<Format>(units, step.penetration - response.penetration * impulse.j1);
-  return {force, stored, step.travel + step.travel - step.rate, rate, begins, !begins};
+  return {force, stored, step.rate_at_start(), rate, begins, !begins};
 }
 
 // Defaults for what the contact step asks of every treatment.

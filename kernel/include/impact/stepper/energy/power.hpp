@@ -201,8 +201,8 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     auto factor = positive_part(Format::value(plan.stiffness));
     if constexpr (ContactLaw::is_damped) {
       correction = correction_of(plan, n);
-      factor = positive_part(strength<is_per_impact, Units>(Format::value(plan.stiffness),
-                                                            damping(plan) * (way + plan.response.travel(correction))));
+      factor = positive_part(strength<is_per_impact, Units>(
+          Format::value(plan.stiffness), this->damping(plan) * (way + plan.response.travel(correction))));
     }
     const Value j0 = as_signed(n * factor);
     return {j0, half(j0) + correction};
@@ -224,8 +224,15 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       penetration = step.before;
       taken[0] = Value{};
     }
-    const Stiff contact{plan.stiff,          damping(plan), phase == Phase::touching, taken[0], penetration,
-                        trial - step.before, trial,         step.rate - step.travel,  field};
+    const Stiff contact{plan.stiff,
+                        this->damping(plan),
+                        phase == Phase::touching,
+                        taken[0],
+                        penetration,
+                        trial - step.before,
+                        trial,
+                        step.rate - step.travel,
+                        field};
     const auto end = contact.template end<is_in_field>();
     taken[0] = end.rate;
     taken[1] = trial - end.recoil - end.penetration;
@@ -233,12 +240,6 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     phase = end.is_inside ? Phase::touching : Phase::apart;
     const Value j1 = Format::moved(end.recoil, -plan.response.travel_places);
     return {j1 + j1, j1};
-  }
-  constexpr Damping damping(const Plan& plan) const {
-    if constexpr (ContactLaw::is_damped_per_impact)
-      return this->own_damping;
-    else
-      return plan.damping;
   }
 
   // n, for the penetration at the end; these take root and phase along.

@@ -39,7 +39,7 @@ struct ConstantForceGains {
     const Value own_force = force * j0;
     return {{own_force, Format::value(half(own_force))},
             stored,
-            step.travel + step.travel - step.rate,
+            step.rate_at_start(),
             step.rate - rate * j0,
             begins,
             !begins,

@@ -131,12 +131,7 @@ struct SubsteppedMoment {
       typename Format::Energy stored{};
       if (this->phase == Phase::touching) stored = ContactLaw::template stored<Format>(units, this->penetration);
       const bool begins = before.phase == Phase::apart;
-      return {{force, Format::value(half(force))},
-              stored,
-              step.travel + step.travel - step.rate,
-              step_rate,
-              begins,
-              !begins};
+      return {{force, Format::value(half(force))}, stored, step.rate_at_start(), step_rate, begins, !begins};
     }
 
     template <class Seen>

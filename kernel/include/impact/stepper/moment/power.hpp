@@ -47,6 +47,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Weight sixth_damping;              // K C/6, by what an impulse does to a rate
     Gain force;                        // 1/K: from an impulse to the force's own impulse
     int travel_places, change_places;  // from impulses to penetrations, from increments to impulses
+    int ahead_places;  // by which K goes to the left before an impulse that counts coarser multiplies it
     SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -55,6 +56,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const double stiffness = of_force * constant::power_of_two(-terms.damping_exponent - unit.recoil);
     const double damping = ContactLaw::is_damped_per_impact ? terms.damping_ratio : terms.damping_time / terms.step;
     const int from = ContactLaw::is_damped_per_impact ? 0 : unit.penetration;
+    const int room = -constant::exponent_above(1.001 * stiffness), coarser = unit.recoil - unit.penetration;
     return {response.template shared<Format>(terms, flow, unit),
             Format::constant(stiffness),
             Format::constant(0.4 * stiffness),
@@ -64,6 +66,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Format::gain(1 / of_force, unit.recoil, 0),
             unit.penetration - unit.recoil,
             unit.recoil - unit.increment,
+            coarser < 0 || room < 0 ? 0
+            : coarser < room        ? coarser
+                                    : room,
             decltype(Plan::slowest)::make(terms, unit, largest_damping_of_moment)};
   }
 
@@ -124,10 +129,10 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto zz = square(z);
     const auto zz_5p = Format::square_over_five(z, p);
     const auto n = p * (without_sign(half(d + penetration)) + zz) + zz * zz_5p;  // p^2 + z^2 is their mean
-    const auto eight_w = p + twice(zz_5p), w = eighth(eight_w);
+    const auto w = eighth(p + twice(zz_5p));
     const Value dd = d - penetration;
     const auto factor = positive_part(strength(plan, dd));
-    const auto by_change = ahead(plan, Format::value(eighth(plan.stiffness))) * eight_w;
+    const auto by_change = ahead(plan, Format::value(plan.stiffness)) * w;
     Value j0 = Format::value(n * factor) - behind(plan, Format::value(by_change * dv));
     Value j1 = Format::value(half(j0)) - Format::value(w * factor * dd);
     if constexpr (ContactLaw::is_damped) j1 = j1 - damped_sixth(plan, dv, half(n));
@@ -186,20 +191,10 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   // What an impulse does to the penetration, in its unit.
   static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_places); }
-  // The same of a product with an impulse: where impulses count coarser than penetrations its other factor goes to the
-  // left, before the product is rounded, otherwise the product to the right. K so counted is below 8: (h omega)^2 < 0.8
-  // at the deepest penetration, whose unit is less than 200 times as large.
-  static constexpr Value ahead(const Plan& plan, Value factor) {
-    return Format::moved(factor, plan.travel_places < 0 ? plan.travel_places : 0);
-  }
+  // The same of a product with an impulse: its other factor and then the product.
+  static constexpr Value ahead(const Plan& plan, Value factor) { return Format::moved(factor, -plan.ahead_places); }
   static constexpr Value behind(const Plan& plan, Value product) {
-    return Format::moved(product, plan.travel_places > 0 ? plan.travel_places : 0);
-  }
-  constexpr auto damping(const Plan& plan) const {
-    if constexpr (ContactLaw::is_damped_per_impact)
-      return this->own_damping;
-    else
-      return plan.damping;
+    return Format::moved(product, plan.travel_places + plan.ahead_places);
   }
   // (steepness + K C d^(3/2)) missed, what J0 misses with the penetration at the end.
   template <class Steepness, class Shape>
@@ -232,7 +227,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr Value strength(const Plan& plan, Value rate) const {
     const Value elastic = Format::value(plan.stiffness);
     if constexpr (ContactLaw::is_damped)
-      return impact::strength<ContactLaw::is_damped_per_impact, Units>(elastic, damping(plan) * rate);
+      return impact::strength<ContactLaw::is_damped_per_impact, Units>(elastic, this->damping(plan) * rate);
     else
       return elastic;
   }

@@ -392,7 +392,7 @@ class Absorber
     state_.drive = decltype(state_.drive)::start(plan.drive);
     (Features::start(plan, state_), ...);
     const bool left = is_at_left();
-    const Value inside = penetration(left);
+    const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, left));
     if (is_positive(inside)) {
       state_.at_left = left;
       state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
@@ -518,7 +518,8 @@ class Absorber
   // A ball that a correction has put into a stop without touching it stands at it.
   constexpr void push_out() {
     const bool left = is_at_left();
-    if (is_positive(penetration(left))) state_.x2 = plan.units.stop(state_.x1, left);
+    if (is_positive(plan.units.penetration(mirrored(state_.x2 - state_.x1, left))))
+      state_.x2 = plan.units.stop(state_.x1, left);
   }
 
   // What spring, drive and field give the contact to bear.
@@ -533,7 +534,8 @@ class Absorber
     Contact& contact = state_.contact;
     if (contact.rests_on(plan.units, state_, at_left())) return;
     const Phase phase = contact.phase;
-    const Value found = penetration(at_left()), inside = contact.no_deeper(found);
+    const Value found = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left())),
+                inside = contact.no_deeper(found);
     if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, at_left()));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = relative_rate(at_left());
@@ -652,8 +654,7 @@ class Absorber
     return true;
   }
 
-  // Penetration and its rate, for the state as it stands.
-  constexpr Value penetration(bool left) const { return plan.units.penetration(mirrored(state_.x2 - state_.x1, left)); }
+  // Rate of penetration, for the state as it stands.
   constexpr Value relative_rate(bool left) const {
     return mirrored(
         plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);

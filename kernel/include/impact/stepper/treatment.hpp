@@ -36,7 +36,7 @@ struct Approach {
   Value main_rate;          // of the main mass at the end
 
   // As if the rate were linear in time.
-  constexpr Value rate_at_start() const { return travel + travel - rate; }
+  [[gnu::always_inline]] constexpr Value rate_at_start() const { return travel + travel - rate; }
 };
 
 // The same in a field (motion/field.hpp).

@@ -96,7 +96,9 @@ struct IntegerOscillator {
 };
 
 // The recurrence in floating point, in metres: for double, and for plain float, whose amplitude wanders by about
-// 6e-8 sqrt(steps).
+// 6e-8 sqrt(steps). There a sine of less than 1e-6 rad a step loses its slope's last places in each sum: it is off by
+// 5e-3 within two periods at 1e-6, by half at 1e-7; and one within 1e-7 of three or four steps a period, and not these,
+// by up to 6e-2 within 1e7 steps.
 template <class Real>
 struct RealOscillator {
   struct Plan {

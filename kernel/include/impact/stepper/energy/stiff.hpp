@@ -204,9 +204,8 @@ struct StiffContact {
       Value left = square_of(v) + work;
       if constexpr (is_damped)
         if (is_positive(left)) left = left - Format::value(afresh(q) * correction(slowing_part(q, back)));
-      if (!is_positive(left)) {
+      if (!is_positive(left))
         return is_shallow && !is_positive(work) && is_positive(d - back) && flies_on<is_in_field>(end);
-      }
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of<true>(end.rate);
       if constexpr (is_in_field) {
@@ -342,9 +341,6 @@ struct StiffContact {
         if (is_positive(least - recoil)) recoil = least;
       }
       const Value free = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
-      // What a field presses in is not put out of its stop, which would lift it.
-      if constexpr (is_in_field)
-        if (step.is_inside && is_positive(step.field) && is_positive(free)) return {recoil, Value{}, free, true};
       Value end{};
       if (step.is_inside && !is_positive(free)) end = is_positive(free - farthest) ? free : farthest;
       if constexpr (is_in_field)

@@ -564,6 +564,36 @@ TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
   }
 }
 
+// A light main mass whose spring presses it onto a heavy ball, in a weak field. A ball that stayed in its stop without
+// stored energy sank through it, 7 mm deep.
+TEST(FoundInAField, ABallWhoseContactHasSpentItsEnergyDoesNotSinkThroughItsStop) {
+  CoupledScene found;
+  Request& request = found.request;
+  request.law = Law::hunt_crossley;
+  request.damping = Damping::hunt_crossley;
+  request.stepper = Stepper::energy;
+  request.numeric = Numeric::fixed32;
+  request.drive = DriveKind::none;
+  request.step = 0.00083776993090317923;
+  Scene& scene = request.scene;
+  scene.main_mass = 0.032051130904392842;
+  scene.ball_mass = 25.574968206406954;
+  scene.main_stiffness = 756.59122101186131;
+  scene.main_damping = scene.drive_amplitude = 0;
+  scene.clearance = 0.013253704537344759;
+  scene.contact_stiffness = 41155012281.00486;
+  scene.restitution = 0.36925608769813384;
+  scene.gravity = 0.00087246580533912861;
+  scene.v1 = -0.11231124093828221;
+  scene.x2 = 0.005237009987810709;
+  scene.v2 = -0.079866032697389691;
+  request.bounds = Bounds{0.023790882019704335, 2.3231616687360592, 0, 0, 0};
+  found.energy = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
+  found.steps = 2000;
+  EXPECT_TRUE(run_coupled(found).is_accepted);
+  EXPECT_LE(badness(found), 1);
+}
+
 // On a base that shakes a ball of 800 main masses gains 5 % of the energy by being put into its stop. Of what is paid
 // for that one step of Newton's method leaves a square, a second one the square of that.
 TEST(FoundInAField, WhatABallGainsByItsStopIsPaidForToTheSecondOrder) {

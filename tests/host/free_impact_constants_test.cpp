@@ -112,5 +112,28 @@ constexpr ContactTerms paper_terms() {
 static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).restitution - 0.7561486807) < 1e-10);
 static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).contact_time - 0.03035344861) < 3e-7);
 
+// A ball at rest on its stop, which the main spring then drives into it from its bound: a load at once, twice its
+// static penetration with a linear stop, (5/2)^(2/3) of it with a power law. What the approach brings is nothing beside
+// it, and the ball is so heavy that its momentum bears it.
+TEST(DeepestPenetration, HoldsABallThatIsPressed) {
+  Scene scene;
+  scene.main_mass = 10;
+  scene.ball_mass = 1e9;
+  scene.main_stiffness = 100;
+  scene.main_damping = scene.drive_amplitude = 0;
+  scene.contact_stiffness = 1e6;
+  Bounds bounds;
+  bounds.displacement = 0.1;
+  bounds.speed = 1e-5;
+  bounds.force = 0;
+  const double load = 1 / (1 / scene.main_mass + 1 / scene.ball_mass) * 100 * 0.1 / 10;
+  const double linear = 2 * load / scene.contact_stiffness,
+               power = std::pow(2.5 * load / scene.contact_stiffness, 2.0 / 3);
+  EXPECT_GE(deepest_penetration(scene, bounds, true, 0), linear);
+  EXPECT_LE(deepest_penetration(scene, bounds, true, 0), 1.02 * linear);
+  EXPECT_GE(deepest_penetration(scene, bounds, false, 0), power);
+  EXPECT_LE(deepest_penetration(scene, bounds, false, 0), 1.02 * power);
+}
+
 }  // namespace
 }  // namespace impact::host

@@ -23,8 +23,7 @@
 //     parts         Gravity, BaseAcceleration (motion/field.hpp), DryFriction (motion/friction.hpp)
 //     features      EnergyLedger, ImpactLog, ContactForce, Snapshots
 //
-// A step is: both masses fly freely to its end (motion/linear_flow.hpp); where the ball then stands inside a stop, the
-// contact finds the force's impulse and moment, and both masses answer to them.
+// This header is the way in and out; the step itself is step/step.hpp.
 
 #include <stdint.h>
 
@@ -47,6 +46,7 @@
 #include <impact/plan_source.hpp>
 #include <impact/scene.hpp>
 #include <impact/snapshot.hpp>
+#include <impact/step/step.hpp>
 #include <impact/stepper/energy.hpp>
 #include <impact/stepper/impulsive.hpp>
 #include <impact/stepper/moment.hpp>
@@ -82,9 +82,11 @@ using CheckedSource =
 
 template <class Rig, class Law_, class Stepper_, class Drive_, class Format_, class... Features>
 class Absorber
-    : private detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>,
+    : private Step<detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>,
+                   contract::KeptFeature<Features>...>,
       private SnapshotWindow<typename contract::KeptFormat<Format_>::Value, detail::is_one_of<Snapshots, Features...>> {
   using Source = detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>;
+  using Steps = Step<Source, contract::KeptFeature<Features>...>;
 
   // impact/contracts.hpp; one message for one mistake.
   static constexpr bool is_at_run_time = detail::is_one_of<Rig, AtRunTime>, has_scene = contract::has_scene<Rig>,
@@ -119,8 +121,9 @@ class Absorber
   using Format = typename PlanType::FormatType;
   using Value = typename Format::Value;
   using Long = typename Format::Long;
-  using Contact = typename Stepper::template Contact<Format, ContactLaw>;
+  using Contact = typename PlanType::Treatment;
   using Source::plan;
+  using typename Steps::State;
 
   // The SI value of a native 1.0, which is a raw 2^31 in Fixed32; 1 in floating point. Of displacements in m, of
   // velocities in m/s, of contact forces and, of a Sampled drive, of samples in N. Constants of the type, but where the
@@ -136,25 +139,11 @@ class Absorber
   using Source::base_sample_of;
   using Source::base_sample_unit;
 
-  // Beside an EnergyLedger, or a feature derived from it.
-  static constexpr bool counts_slid_way = Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
-
-  // All that changes from step to step. Plain: it can be copied, kept and given back.
-  struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
-    // Displacement, as place() reads it, and displacement per step, the one that the coming step will make
-    // (motion/linear_flow.hpp): main mass, ball.
-    Long x1, dx1, x2, dx2;
-    typename Drive::template State<Format> drive;
-    Contact contact;
-    uint16_t at_left;  // the stop of the contact under way or last
-    Fault fault;
-  };
-
   constexpr Absorber() {
     start();
     if constexpr (publishes) see(Window::first(), begins_inside());
   }
-  explicit constexpr Absorber(const PlanType& next) : Source(next) {
+  explicit constexpr Absorber(const PlanType& next) : Steps(next) {
     start();
     if constexpr (publishes) see(Window::first(), begins_inside());
   }
@@ -363,50 +352,13 @@ class Absorber
   }
 
  private:
-  using SeenForce = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
-  using SeenChange =
-      typename detail::Either<Contact::sees_change, ApproachUnderChange<SeenForce, Value>, SeenForce>::Type;
-  using SeenStep =
-      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<SeenForce, Value>, SeenChange>::Type;
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
-  static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
+  using Steps::advance, Steps::begin_to_rub, Steps::hold_in_range, Steps::leave_rubbing, Steps::load_contact;
+  using Steps::at_left, Steps::carried, Steps::is_at_left, Steps::place, Steps::rate_ahead;
+  using Steps::counts_slid_way, Steps::has_own_damping, Steps::state_;
+  using Steps::push_out, Steps::raise, Steps::rubs, Steps::start, Steps::still_to_rub, Steps::touch_anew;
 
-  // Whether the range check after flight may wait until after contact: the response cannot wrap a state that was in
-  // range before the step. (A shared one changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a
-  // quarter.)
-  constexpr bool checks_range_once() const {
-    if constexpr (decltype(PlanType::contact.response)::is_shared)
-      return !Contact::is_sudden(plan.contact);
-    else
-      return false;
-  }
-
-  constexpr void start() {
-    state_ = State{};
-    if (Source::is_refused()) return;
-    state_.x1 = plan.x1;
-    state_.dx1 = plan.dx1;
-    state_.x2 = plan.x2;
-    state_.dx2 = plan.dx2;
-    state_.drive = decltype(state_.drive)::start(plan.drive);
-    (Features::start(plan, state_), ...);
-    const bool left = is_at_left();
-    const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, left));
-    if (is_positive(inside)) {
-      state_.at_left = left;
-      state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
-      load_contact();
-    }
-    begin_to_rub();
-  }
-  // A plan AtRunTime may have a friction of 0: then nothing is done, and the bits are those without DryFriction.
-  constexpr bool rubs() const {
-    if constexpr (Friction::is_friction)
-      return is_positive(plan.friction.full);
-    else
-      return false;
-  }
   // What records starts anew.
   template <class Feature>
   constexpr void restart() {
@@ -414,70 +366,6 @@ class Absorber
       static_cast<typename Feature::template State<Format>&>(state_) = {};
       Feature::start(plan, state_);
     }
-  }
-  // Adds the half impulse that acts in the step ahead.
-  constexpr void begin_to_rub() {
-    if constexpr (Friction::is_friction) {
-      if (!rubs()) return;
-      Friction::begin(plan, state_, plan.units.relative(way_ahead()));
-      if constexpr (counts_slid_way) state_.slid.add(still_to_rub());
-    }
-  }
-  // Takes it out again.
-  constexpr void leave_rubbing() {
-    if constexpr (Friction::is_friction) {
-      if (!rubs()) return;
-      if constexpr (counts_slid_way) state_.slid.add(decltype(still_to_rub()){} - still_to_rub());
-      Friction::undo(plan, state_);
-    }
-  }
-
-  // A step: both masses fly, here; touch() sees by is_inside() whether the ball is inside a stop, and makes the
-  // approach of it, push() has the treatment resolve it and both masses answer; friction rubs at the step's end, in
-  // flight or at the stop.
-  constexpr void advance(Value sample, Value base) {
-    if (Source::is_refused()) return;
-    if constexpr (Drive::is_sampled)
-      if (!state_.drive.accepts(plan.drive, sample)) hold_sample(sample);
-    if constexpr (Field::is_sampled) {
-      if (!Field::accepts(plan, base)) {
-        base = Field::held(plan, base);
-        raise(Fault::sample);
-      }
-      base = Field::at_end(plan, base);
-    }
-    Long main_travel = state_.dx1;
-    if constexpr (Drive::is_sampled) plan.units.add(main_travel, state_.drive.at_once(plan.drive, sample));
-    if constexpr (Field::is_sampled) plan.units.add(main_travel, Field::at_once(plan, base));
-    state_.x1.advance(main_travel);
-    if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
-    [[maybe_unused]] const auto drive_before = state_.drive.before();
-    Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
-                      Format::term(plan.damping, plan.units.damped(state_.dx1));
-    if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
-    if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
-    if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
-    plan.units.add(state_.dx1, increment);
-    if constexpr (Field::is_field) Field::fly(plan, state_, base);
-    if (!checks_range_once() && !is_flight_in_range()) {
-      hold();
-    } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
-      DriveChange<Value> change{};
-      if constexpr (Contact::sees_change) change = state_.drive.change(plan.drive, drive_before);
-      meet_stop(increment, main_travel, change);
-    } else if (checks_range_once() && !is_flight_in_range()) {
-      hold();
-    } else if constexpr (Friction::is_friction) {
-      rub(main_travel);
-    }
-    (Features::after_step(plan, state_), ...);
-  }
-  // Friction need not be looked at: it brings both rates nearer to each other.
-  [[gnu::always_inline]] constexpr bool is_flight_in_range() const {
-    if constexpr (Field::is_field)
-      return plan.units.in_range_in_field(state_.x1, state_.x2, state_.dx1, state_.dx2);
-    else
-      return plan.units.in_range(state_.x1, state_.x2, state_.dx1);
   }
   constexpr void publish() {
     if constexpr (publishes) Window::publish([this](Snapshot<Value>& now) { see(now, is_touching()); });
@@ -509,232 +397,6 @@ class Absorber
     }
   }
 
-  // What a force that a treatment keeps has not done yet, towards the stop as a displacement per step.
-  constexpr Value carried(typename Format::Gain share) const {
-    return plan.units.as_displacement(mirrored(share * state_.contact.force, at_left()));
-  }
-  constexpr bool at_left() const { return plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop; }
-
-  // A ball that a correction has put into a stop without touching it stands at it.
-  constexpr void push_out() {
-    const bool left = is_at_left();
-    if (is_positive(plan.units.penetration(mirrored(state_.x2 - state_.x1, left))))
-      state_.x2 = plan.units.stop(state_.x1, left);
-  }
-
-  // What spring, drive and field give the contact to bear.
-  constexpr void load_contact() {
-    const Value in_half_a_step = mirrored(rate_ahead() + Field::ball_rate(plan, state_), at_left());
-    state_.contact.bear(plan.contact, in_half_a_step + in_half_a_step);
-  }
-
-  // The contact under way as if it stood so from its beginning; what it bears stays, and its damping, as far as a step
-  // bears that.
-  constexpr void touch_anew() {
-    Contact& contact = state_.contact;
-    if (contact.rests_on(plan.units, state_, at_left())) return;
-    const Phase phase = contact.phase;
-    const Value found = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left())),
-                inside = contact.no_deeper(found);
-    if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, at_left()));
-    if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
-      const Value rate = relative_rate(at_left());
-      if constexpr (has_own_damping) contact.hold_damping(plan.contact, inside, rate);
-      contact.start(plan.contact, plan.units, inside, rate);
-      contact.phase = phase;
-      if (!contact.is_sound(plan.contact, plan.units)) hold();
-    } else {
-      contact.phase = Phase::apart;
-      contact.drop_force();
-    }
-  }
-
-  // A position, of what the state keeps in its stead: in a sampled field less what the last sample gave at once.
-  constexpr Long place(Long x) const { return Field::place(plan, state_, x); }
-
-  // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
-  constexpr Value rate_ahead() const { return rate_ahead_but_field() - Field::main_rate(plan, state_); }
-  constexpr Value rate_ahead_but_field() const {
-    Value ahead =
-        plan.rate_by_dx1 * plan.units.displacement(state_.dx1) + plan.rate_by_x1 * plan.units.position(state_.x1);
-    if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state_.drive.rate(plan.drive);
-    return ahead;
-  }
-
-  [[gnu::always_inline]] constexpr void meet_stop(Value increment, Long main_travel, DriveChange<Value> change) {
-    if constexpr (Format::calls_contact)
-      call_meet_stop_and_rub(increment, main_travel, change);
-    else
-      meet_stop_and_rub(increment, main_travel, change);
-  }
-  [[gnu::noinline]] constexpr void call_meet_stop_and_rub(Value increment, Long main_travel,
-                                                          DriveChange<Value> change) {
-    meet_stop_and_rub(increment, main_travel, change);
-  }
-  [[gnu::always_inline]] constexpr void meet_stop_and_rub(Value increment, Long main_travel,
-                                                          DriveChange<Value> change) {
-    if constexpr (Friction::is_friction) {
-      const Long flight = Field::ball_travel(plan, state_) - main_travel, apart = state_.x2 - state_.x1;
-      touch(increment, main_travel, change);
-      if (rubs()) rub_at_stop(flight, apart - (state_.x2 - state_.x1));
-    } else {
-      touch(increment, main_travel, change);
-    }
-  }
-  [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel, DriveChange<Value> change) {
-    if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
-    const bool left = at_left();
-    state_.contact.carry_over(plan.contact, plan.units, state_, left);
-    SeenStep step{};
-    if (!is_inside(step, left)) return hold_unjudged();
-    step.rate = relative_rate(left);
-    step.travel = mirrored(flown(main_travel), left);
-    step.before = step.penetration - step.travel;
-    if constexpr (Contact::sees_change) step.half_change = -mirrored(change.half, left);
-    if constexpr (Contact::is_instantaneous) {
-      step.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
-      increment = increment + change.to_end;
-    }
-    if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
-  }
-
-  // The penetration; whether there is a contact, under way or begun.
-  [[gnu::always_inline]] constexpr bool is_inside(Approach<Value>& step, bool left) {
-    const Long relative_displacement = mirrored(state_.x2 - state_.x1, left);
-    step.penetration = plan.units.penetration(relative_displacement);
-    if (state_.contact.phase == Phase::apart && !is_positive(step.penetration)) return false;
-    if (!plan.units.fits(relative_displacement)) raise(Fault::penetration);
-    return true;
-  }
-
-  // The ball that has left one stop comes to the other in the same step, at the rate that it left with.
-  [[gnu::noinline]] constexpr void cross(Value increment, bool left) {
-    SeenStep step{};
-    if (!is_inside(step, left)) return;
-    state_.at_left = left;
-    step.travel = step.rate = relative_rate(left);
-    step.before = step.penetration - step.rate;
-    if (is_positive(step.before) && !put_back(plan.units, state_, step, left)) return;
-    push(step, increment, left);
-  }
-
-  // What the contact does to both masses. False where the ball was put back to its stop or a state was held.
-  [[gnu::always_inline]] constexpr bool push(SeenStep& step, Value increment, bool left) {
-    const auto& units = plan.units;
-    Contact& contact = state_.contact;
-    if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left)) {
-      reload(state_);  // which every contact would keep in registers for this one
-      hold_unjudged();
-      return false;
-    }
-    if constexpr (Field::is_field) {
-      const Value ball = Field::ball_increment(plan, state_);
-      step.ball_increment = left ? -ball : ball;
-      step.increment = -mirrored(increment - ball, left);
-    } else {
-      step.increment = -mirrored(increment, left);
-    }
-    step.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
-    // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
-    [[maybe_unused]] const Value rate = step.rate;
-    if constexpr (Friction::is_friction && Contact::keeps_force)
-      step.rate = rate - mirrored(Format::value(half(state_.impulse)), left);
-    const Contact contact_before = contact;
-    // Not const: GCC keeps a constant that several branches make in memory.
-    auto impulse = contact.resolve(plan.contact, units, step);
-    reload(state_);
-    plan.contact.response.answer(units, state_, mirrored(impulse, left));
-    contact.place_ball(plan.contact, units, state_, left);
-    if (hold_in_range()) return false;
-    if constexpr (sizeof...(Features) > 0) {
-      step.rate = rate;
-      const auto seen = contact.record(plan.contact, units, step, contact_before, impulse);
-      (Features::after_contact(plan, state_, seen), ...);
-    }
-    return true;
-  }
-
-  // Rate of penetration, for the state as it stands.
-  constexpr Value relative_rate(bool left) const {
-    return mirrored(
-        plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);
-  }
-
-  // What the coming step adds to x2 - x1, as the last sample says.
-  constexpr Long way_ahead() const {
-    Long way = state_.dx2 - state_.dx1;
-    if constexpr (Drive::is_sampled) plan.units.add(way, -state_.drive.at_once(plan.drive, state_.drive.sample));
-    if constexpr (Field::is_sampled) plan.units.add(way, -Field::at_once(plan, state_.by_field));
-    return way;
-  }
-  // What a step's flight has added to x2 - x1.
-  constexpr Value flown(Long main_travel) const {
-    return plan.units.relative(Field::ball_travel(plan, state_) - main_travel);
-  }
-
-  // Dry friction at the end of a step in flight.
-  [[gnu::always_inline]] constexpr void rub(Long main_travel) {
-    if (!rubs()) return;
-    [[maybe_unused]] Value rate{};
-    if constexpr (counts_slid_way) rate = rubbing_rate();
-    if (!Friction::slides_on(plan, state_, state_.dx2))
-      rub_anew(flown(main_travel), way_ahead(), typename Friction::Any{});
-    if constexpr (counts_slid_way) count_slid_way(rate);
-  }
-  template <class Allowed>
-  [[gnu::noinline]] constexpr void rub_anew(Value slid, Long ahead, Allowed allowed) {
-    Friction::rub(plan, state_, slid, ahead, allowed);
-  }
-  // And of one in which the ball has met a stop: where it still touches it, contact will take as much of x2 - x1 in the
-  // coming step as it did in this one.
-  [[gnu::always_inline]] constexpr void rub_at_stop(Long flight, Long taken) {
-    const Long slid = flight - taken;
-    const bool touches = state_.contact.phase != Phase::apart;
-    if (!touches) taken = {};
-    [[maybe_unused]] Value rate{};
-    if constexpr (counts_slid_way) rate = rubbing_rate();
-    if (Contact::is_sudden(plan.contact))
-      rub_anew(plan.units.relative(slid), way_ahead() - taken, Friction::passive(plan, rubbing_rate()));
-    else if (!Friction::slides_on(plan, state_, state_.dx2 - taken))
-      rub_anew(plan.units.relative(slid), way_ahead() - taken, typename Friction::Any{});
-    if constexpr (counts_slid_way) count_slid_way(rate);
-    if (!touches) return;
-    const Value towards_stop = mirrored(-state_.impulse, at_left());
-    state_.contact.change_rate(plan.contact, towards_stop);
-    if constexpr (counts_slid_way) state_.rate = state_.rate + towards_stop;
-  }
-  // The work of an impulse is at the mean of the rates before and after it: what both masses lose, exactly.
-  constexpr void count_slid_way(Value before) {
-    state_.slid.add(Friction::dissipated(plan, state_, before));
-    state_.slid.add(Friction::dissipated(plan, state_, rubbing_rate()));
-  }
-  constexpr Value rubbing_rate() const {
-    Value main = plan.units.relative(state_.dx1) + rate_ahead(), sliding = relative_rate(false);
-    if constexpr (Contact::keeps_force) {
-      const Value main_carried = plan.contact.dx1_share * state_.contact.force,
-                  ball_carried = plan.contact.dx2_share * state_.contact.force;
-      main = main - mirrored(main_carried, at_left());
-      sliding = sliding + mirrored(main_carried + ball_carried, at_left());
-    }
-    return Friction::rubbing_rate(plan, sliding, main);
-  }
-  // The half of the last impulse that acts in the step ahead.
-  constexpr auto still_to_rub() const {
-    const Value main = plan.friction.main_rate_ahead * state_.impulse, ball = plan.friction.ball_ahead * state_.impulse;
-    const Value more = Friction::rubbing_rate(plan, main + ball, -main);
-    return Friction::dissipated(plan, state_, rubbing_rate() + Format::value(half(more)));
-  }
-
-  constexpr bool is_beyond_stop() const {
-    if (plan.left_stop && plan.right_stop) return plan.units.beyond_stops(state_.x2, state_.x1);
-    return plan.left_stop ? plan.units.beyond_stop(state_.x1, state_.x2) : plan.units.beyond_stop(state_.x2, state_.x1);
-  }
-
-  // The stop that the ball would be in: of two the one on its side.
-  constexpr bool is_at_left() const {
-    return plan.left_stop && (!plan.right_stop || (state_.x2 - state_.x1).is_negative());
-  }
-
   constexpr bool is_sound(const State& state) const {
     const auto& units = plan.units;
     bool is_sound = units.in_range(state.x1, state.x2, state.dx1, state.dx2) && units.is_sound(state.x1) &&
@@ -747,35 +409,6 @@ class Absorber
     return is_sound && state.contact.is_sound(plan.contact, units) && state.contact.fits_together(plan.contact) &&
            (Features::is_sound(plan, state) && ...);
   }
-
-  // What contact or a change of plan has left beyond its range.
-  constexpr bool hold_in_range() {
-    if (plan.units.in_range(state_.x1, state_.x2, state_.dx1, state_.dx2)) return false;
-    hold();
-    return true;
-  }
-  // A flight that was left to a contact to judge, where there is none.
-  [[gnu::always_inline]] constexpr void hold_unjudged() {
-    if (checks_range_once()) hold_in_range();
-  }
-  __attribute__((noinline)) constexpr void hold() {
-    const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);
-    plan.units.hold_displacement(state_.dx1);
-    plan.units.hold_displacement(state_.dx2);
-    state_.contact.phase = Phase::apart;  // and no more: to clear it all is a call of memset on a Cortex-M0
-    state_.contact.drop_force();
-    raise(is_far || is_ball_far ? Fault::displacement : Fault::speed);
-  }
-  __attribute__((noinline)) constexpr void hold_sample(Value& sample) {
-    sample = state_.drive.held(plan.drive, sample);
-    raise(Fault::sample);
-  }
-
-  constexpr void raise(Fault fault) {
-    if (state_.fault == Fault::none) state_.fault = fault;
-  }
-
-  State state_{};
 };
 
 }  // namespace impact

@@ -195,6 +195,17 @@ inline constexpr bool
     is_feature<Type, Void<decltype(Type::kind), decltype(Type::is_bound), typename Type::template State<Fixed32>>> =
         true;
 
+// Records nothing: one for each type, since two bases must not be the same.
+template <class Type>
+struct InPlaceOf : SilentFeature {
+  static constexpr uint32_t kind = 0;
+  static constexpr bool is_bound = false;
+  template <class Format>
+  struct State {};
+};
+template <class Type>
+using KeptFeature = typename detail::Either<is_feature<Type>, Type, InPlaceOf<Type>>::Type;
+
 template <class Type, class = void>
 inline constexpr bool is_field = false;
 template <class Type>

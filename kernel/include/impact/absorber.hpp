@@ -43,7 +43,7 @@
 #include <impact/numeric/fixed32.hpp>
 #include <impact/numeric/real.hpp>
 #include <impact/plan.hpp>
-#include <impact/plan_source.hpp>
+#include <impact/plan/source.hpp>
 #include <impact/scene.hpp>
 #include <impact/snapshot.hpp>
 #include <impact/step/step.hpp>

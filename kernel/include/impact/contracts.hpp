@@ -99,7 +99,7 @@
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/none.hpp>
 #include <impact/numeric/fixed32.hpp>
-#include <impact/plan_source.hpp>
+#include <impact/plan/source.hpp>
 #include <impact/scene.hpp>
 #include <impact/stepper/moment.hpp>
 

@@ -4,7 +4,7 @@
 // a constant of the image, or AtRunTime, with a plan that the constructor is given.
 
 #include <impact/plan.hpp>
-#include <impact/refusal.hpp>
+#include <impact/plan/refusal.hpp>
 
 namespace impact {
 

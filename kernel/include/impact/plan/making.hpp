@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// How a plan is made: from scene, bounds and step to the flow and the contact's terms, from these to the largest values
+// that a step's numbers reach, and so to the units that they count in; then every constant. Between them what no plan
+// can be made for is refused.
+
+#include <impact/law/resolution.hpp>
+#include <impact/law/terms.hpp>
+#include <impact/motion/field.hpp>
+#include <impact/motion/handover.hpp>
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/fingerprint.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/scene.hpp>
+#include <impact/status.hpp>
+
+namespace impact {
+
+template <class Plan>
+class PlanMaking {
+  using Format = typename Plan::FormatType;
+  using ContactLaw = typename Plan::LawType;
+  using Stepper = typename Plan::StepperType;
+  using Drive = typename Plan::DriveType;
+  using Field = typename Plan::FieldType;
+  using Friction = typename Plan::FrictionType;
+  using Treatment = typename Plan::Treatment;
+  using Long = typename Plan::Long;
+
+ public:
+  static constexpr Plan make(const Scene& scene, const Bounds& bounds, double h) {
+    PlanStatus status = status_of_values(scene, bounds, h);
+    if (status != PlanStatus::ok) return Plan::refused(status);
+    Basis basis = basis_of(scene, bounds, h);
+    status = status_of_motion(scene, bounds, basis);
+    if (status != PlanStatus::ok) return Plan::refused(status);
+    const UnitBounds largest = largest_of(scene, bounds, basis);
+    // Deeper than any motion within the bounds leads to, and so than the step is judged at. An impact at an instant
+    // stores nothing, and puts the ball on its stop.
+    if (!Treatment::is_instantaneous && initial_penetration(scene) > basis.terms.deepest)
+      return Plan::refused(PlanStatus::initial_displacement);
+    const UnitExponents exponents = Format::Units::exponents(largest);
+    basis.terms.force_unit = Treatment::force_unit(basis.terms, exponents);
+    basis.terms.damping_exponent = exponents.force + (basis.terms.is_linear ? exponents.penetration : 0);
+    status = status_of_units(scene, basis, largest, exponents);
+    if (status != PlanStatus::ok) return Plan::refused(status);
+    const Plan plan = constants_of(scene, bounds, basis, exponents);
+    if (!plan.units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return Plan::refused(PlanStatus::displacement_bound);
+    if (!plan.units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return Plan::refused(PlanStatus::speed_bound);
+    return plan;
+  }
+
+ private:
+  struct Basis {
+    LinearFlow flow, ball;
+    ContactTerms terms;
+    double friction_way;  // of the sliding, by friction's force in a step, m
+  };
+
+  static constexpr PlanStatus status_of_values(const Scene& scene, const Bounds& bounds, double h) {
+    PlanStatus status = status_of(scene, h, Stepper::longest_phase);
+    if (status == PlanStatus::ok) status = status_of(scene, bounds);
+    if (status == PlanStatus::ok) status = Plan::status_of_parts(scene, bounds);
+    if (status != PlanStatus::ok) return status;
+    if (!damping_ratio_range.holds(damping_ratio<ContactLaw>(scene))) return PlanStatus::restitution;
+    if (ContactLaw::is_linear && scene.contact_damping > largest_linear_damping(scene))
+      return PlanStatus::contact_damping;
+    return status_of(Stepper::steps(resolution_of<ContactLaw>(scene, bounds)), h);
+  }
+
+  static constexpr Basis basis_of(const Scene& scene, const Bounds& bounds, double h) {
+    Basis basis{Stepper::flow(scene, h), {}, contact_terms<ContactLaw>(scene, bounds), 0};
+    if constexpr (Field::is_field || Friction::is_friction) basis.ball = flow_of_ball<Stepper>(scene, h);
+    if constexpr (Friction::is_friction)
+      basis.friction_way = scene.ball_friction * Friction::increment(basis.flow, basis.ball);
+    basis.terms.step = h;
+    basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
+    // Where the ball crosses the clearance in a step, a treatment that waits for the next finds it beyond the stop by
+    // the ways of both.
+    basis.terms.crosses = scene.stops == Stops::both && basis.terms.largest_rate * h >= scene.clearance;
+    return basis;
+  }
+
+  // Whether the parts of the scene can keep their promises.
+  static constexpr PlanStatus status_of_motion(const Scene& scene, const Bounds& bounds, const Basis& basis) {
+    const double way = basis.terms.largest_rate * basis.terms.step;
+    // A ball that may cross the cavity in one step is first seen up to two steps' way inside a stop. Putting it back
+    // would do work against a field, and friction would miss that way: refuse.
+    const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
+    if (has_parts && scene.stops == Stops::both && 2 * way >= scene.clearance) return PlanStatus::clearance;
+    if constexpr (Friction::is_friction) {
+      // An impulse of friction acts forward, and in part ahead.
+      const LinearFlow& flow = basis.flow;
+      if (!(flow.e12 > 0 && flow.constant_start() > 0 && flow.constant_increment() > flow.constant_start()))
+        return PlanStatus::step;
+      if (!(basis.friction_way <= way)) return PlanStatus::ball_friction;
+    }
+    return PlanStatus::ok;
+  }
+
+  // The largest values that the numbers of a step reach.
+  static constexpr UnitBounds largest_of(const Scene& scene, const Bounds& bounds, const Basis& basis) {
+    using constant::larger;
+    const ContactTerms& terms = basis.terms;
+    const double h = terms.step;
+    UnitBounds largest{};
+    largest.gap = scene.clearance / 2;
+    largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
+    largest.position = bounds.displacement;
+    largest.displacement = bounds.speed * h;
+    const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
+    // Free flight from within a contact ends deeper than contact lets the ball go: with (d/D)^2 + (d'/V)^2 <= 1, for
+    // the power laws (d/D)^(5/2), no deeper than (D^2 + (5/4) (h V)^2)^(1/2).
+    const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
+                 flown = way / longer;
+    largest.penetration = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
+    // An impact changes the rate of sliding by twice the largest, and friction by no more than the largest in a step.
+    const double largest_change = Friction::is_friction && scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
+    largest.penetration = larger(largest.penetration, largest_change);
+    const double drive = larger(scene.drive_amplitude, bounds.force);
+    // A state is held at up to twice its bounds.
+    const double held = constant::power_of_two(constant::exponent_above(bounds.displacement));
+    const double spring_and_damper = scene.main_stiffness * held + scene.main_damping * 2 * bounds.speed;
+    largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
+    if constexpr (Field::is_field) {
+      const double in_field = h * h * Field::largest(scene, bounds);
+      largest.displacement += in_field;
+      largest.increment += 2 * in_field;
+    }
+    largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
+    Treatment::bound_forces(terms, largest);
+    largest.penetration = larger(largest.penetration, largest_change);
+    return largest;
+  }
+
+  // Whether the format tells apart what a step must.
+  static constexpr PlanStatus status_of_units(const Scene& scene, const Basis& basis, const UnitBounds& largest,
+                                              const UnitExponents& exponents) {
+    using Units = typename Format::Units;
+    const ContactTerms& terms = basis.terms;
+    const double h = terms.step;
+    const PlanStatus status = status_of(Units::overflow_of(exponents, largest));
+    if (status != PlanStatus::ok) return status;
+    // The fastest impact has a way in a step.
+    if (!Units::resolves(terms.largest_rate * h / 2, exponents.penetration)) return PlanStatus::speed_bound;
+    const double lighter = constant::smaller(scene.ball_mass, scene.main_mass);
+    if (!Treatment::is_instantaneous && !Units::resolves(terms.force_unit * h * h / lighter, exponents.recoil))
+      return PlanStatus::contact_stiffness;
+    if (!Units::resolves(Treatment::finest_penetration(terms), exponents.penetration))
+      return PlanStatus::contact_stiffness;
+    // What is below 64 of a rate's last places has no size of its own.
+    if (Friction::is_friction && scene.ball_friction > 0 &&
+        !Units::resolves(basis.friction_way / 64, exponents.penetration))
+      return PlanStatus::ball_friction;
+    return PlanStatus::ok;
+  }
+
+  static constexpr Plan constants_of(const Scene& scene, const Bounds& bounds, const Basis& basis,
+                                     const UnitExponents& exponents) {
+    const LinearFlow &flow = basis.flow, &ball = basis.ball;
+    const ContactTerms& terms = basis.terms;
+    const double h = terms.step;
+    const auto units = Format::Units::make(exponents, scene.clearance / 2, h, terms.force_unit);
+    Plan plan{};
+    plan.status = PlanStatus::ok;
+    plan.step = h;
+    plan.units = units;
+    plan.stiffness = Format::gain(flow.stiffness(), exponents.position, exponents.increment);
+    plan.damping = Format::gain(scene.main_damping > 0 ? flow.damping() : 0, exponents.damped, exponents.increment);
+    plan.rate_by_dx1 = Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration);
+    plan.rate_by_x1 = Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration);
+    plan.drive = Drive::template make_plan<Format>(scene, bounds, h, flow, exponents);
+    plan.contact = Treatment::make_plan(terms, flow, exponents);
+    plan.force_scale = terms.force_unit;
+    plan.drive_scale = Drive::template force_unit<Format>(scene, bounds);
+    plan.left_stop = scene.stops != Stops::right;
+    plan.right_stop = scene.stops != Stops::left;
+    plan.crosses = terms.crosses && Treatment::meets_both_stops;
+    plan.x1 = units.state_at(scene.x1);
+    const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
+    const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);
+    const double ball_in_field = scene.gravity * scene.ball_mass * ball.constant_start();
+    plan.dx1 =
+        units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + Drive::at_start(scene, flow) + main_in_field);
+    plan.x2 = units.state_at(scene.x2);
+    plan.dx2 = units.state(scene.v2 * h + ball_in_field);
+    plan.identity = Plan::identity_of(scene, bounds, h);
+    plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents);
+    plan.handover.contact = fingerprint_of(terms, exponents).value;
+    if constexpr (Field::is_sampled) {
+      Fingerprint units_of_samples{plan.handover.units};
+      units_of_samples.add_number(bounds.base_acceleration);
+      units_of_samples.add_number(scene.gravity);
+      plan.handover.units = units_of_samples.value;
+    }
+    if constexpr (Field::is_field)
+      static_cast<typename Plan::FieldConstants&>(plan) =
+          Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
+    if constexpr (Friction::is_friction) {
+      // What a sample may add to x2 - x1 at once.
+      const double at_once = Drive::largest_at_once(scene, bounds, flow) +
+                             Field::largest(scene, bounds) * constant::magnitude(field_at_once);
+      static_cast<typename Plan::FrictionConstants&>(plan) =
+          Friction::template make_plan<Format>(scene, flow, ball, at_once, exponents, units);
+    }
+    return plan;
+  }
+};
+
+}  // namespace impact

@@ -118,17 +118,17 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
   Value penetration;
-  Root root;       // at the start of the step, while touching
-  Value taken[3];  // y of the last steps, the last first; of stiff contact V and the last correction
+  Root root;        // at the start of the step, while touching
+  Value memory[3];  // of a resolved contact taken(), of a stiff one stored_rate() and last_correction()
   Phase phase;
 
   constexpr void start(const Plan& plan, const Units&, Value at, Value rate) {
     penetration = at;
     root = Format::root(at);
-    taken[0] = taken[1] = taken[2] = Value{};
+    memory[0] = memory[1] = memory[2] = Value{};
     phase = Phase::touching;
     if (!plan.is_resolved) {
-      taken[0] = plan.stiff.rate_at(at);
+      stored_rate() = plan.stiff.rate_at(at);
       return;
     }
     // The step before and the one ahead as the law in their middle.
@@ -137,10 +137,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       return pushed(plan, Format::factor(Format::root(Format::value(held)) * held), way).j1;
     };
     const Value now = plan.response.travel(y(at, rate)), half_way = Format::value(half(rate));
-    taken[0] = y(at - half_way, rate + now);
-    const Value fall = taken[0] - y(at + half_way, rate - now);
-    taken[1] = taken[0] + fall;
-    taken[2] = taken[1] + fall;
+    taken(1) = y(at - half_way, rate + now);
+    const Value fall = taken(1) - y(at + half_way, rate - now);
+    taken(2) = taken(1) + fall;
+    taken(3) = taken(2) + fall;
   }
   constexpr bool fits_together(const Plan& plan) const {
     return !plan.is_resolved || phase == Phase::apart || is_root_of<Format>(penetration, root);
@@ -154,7 +154,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   template <class State>
   [[gnu::always_inline]] constexpr void place_ball(const Plan& plan, const Units& units, State& state,
                                                    bool left) const {
-    if (!plan.is_resolved) units.displace(state.x2, -mirrored(taken[1], left));
+    if (!plan.is_resolved) units.displace(state.x2, -mirrored(last_correction(), left));
   }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                              const Approach<Value>& step, const EnergyPower& before,
@@ -177,24 +177,30 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       penetration = step.penetration;
       n = enter(step.before);
     } else {
-      last = taken[0], last_but_one = taken[1];
+      last = taken(1), last_but_one = taken(2);
       const Value rise = last - last_but_one;
-      predicted = rise + rise + rise + taken[2];
+      predicted = rise + rise + rise + taken(3);
       penetration = step.penetration - plan.response.travel(predicted);
       n = is_positive(penetration) ? stay() : leave(before);
     }
     Impulse<Value> push = pushed(plan, n, penetration - before);  // not const: GCC would keep it in memory
-    taken[0] = push.j1, taken[1] = last, taken[2] = last_but_one;
+    taken(1) = push.j1, taken(2) = last, taken(3) = last_but_one;
     return {push.j0, predicted};
   }
 
   constexpr typename Format::Energy stored(const Plan& plan, const Units& units) const {
     if (phase != Phase::touching) return {};
     if (plan.is_resolved) return ContactLaw::template stored<Format>(units, penetration);
-    return plan.stiff.stored(taken[0]);
+    return plan.stiff.stored(stored_rate());
   }
 
  private:
+  constexpr Value& taken(int steps_ago) { return memory[steps_ago - 1]; }  // y
+  constexpr Value& stored_rate() { return memory[0]; }                     // V, energy/stiff.hpp
+  constexpr Value& last_correction() { return memory[1]; }                 // of the ball's place, in the last step
+  constexpr Value stored_rate() const { return memory[0]; }
+  constexpr Value last_correction() const { return memory[1]; }
+
   // J0, and as j1 y, of a step with the mean n in which the penetration changes by `way`, but for the correction.
   [[gnu::always_inline]] constexpr Impulse<Value> pushed(const Plan& plan, Factor n, Value way) const {
     Value correction{};
@@ -222,20 +228,20 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     if constexpr (is_in_field) field = plan.field * step.ball_increment;
     if (phase == Phase::apart) {
       penetration = step.before;
-      taken[0] = Value{};
+      stored_rate() = Value{};
     }
     const Stiff contact{plan.stiff,
                         this->damping(plan),
                         phase == Phase::touching,
-                        taken[0],
+                        stored_rate(),
                         penetration,
                         trial - step.before,
                         trial,
                         step.rate - step.travel,
                         field};
     const auto end = contact.template end<is_in_field>();
-    taken[0] = end.rate;
-    taken[1] = trial - end.recoil - end.penetration;
+    stored_rate() = end.rate;
+    last_correction() = trial - end.recoil - end.penetration;
     penetration = end.penetration;
     phase = end.is_inside ? Phase::touching : Phase::apart;
     const Value j1 = Format::moved(end.recoil, -plan.response.travel_places);

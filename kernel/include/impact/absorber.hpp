@@ -52,6 +52,7 @@
 #include <impact/stepper/moment.hpp>
 #include <impact/stepper/moment/substepped.hpp>
 #include <impact/stepper/newmark.hpp>
+#include <impact/types.hpp>
 
 namespace impact {
 

@@ -102,6 +102,7 @@
 #include <impact/plan/source.hpp>
 #include <impact/scene.hpp>
 #include <impact/stepper/moment.hpp>
+#include <impact/types.hpp>
 
 namespace impact::contract {
 

@@ -157,13 +157,4 @@ struct Snapshots : SilentFeature {
   }
 };
 
-namespace detail {
-template <class One, class... List>
-inline constexpr bool is_one_of = false;
-template <class One, class First, class... Rest>
-inline constexpr bool is_one_of<One, First, Rest...> = is_one_of<One, Rest...>;
-template <class One, class... Rest>
-inline constexpr bool is_one_of<One, One, Rest...> = true;
-}  // namespace detail
-
 }  // namespace impact

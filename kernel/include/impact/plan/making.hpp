@@ -12,6 +12,7 @@
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/fingerprint.hpp>
 #include <impact/numeric/units.hpp>
+#include <impact/plan/identity.hpp>
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
 

@@ -8,8 +8,8 @@
 #include <impact/fault.hpp>
 #include <impact/features.hpp>
 #include <impact/motion/friction.hpp>
-#include <impact/motion/phase.hpp>
 #include <impact/numeric/units.hpp>
+#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 

@@ -7,6 +7,7 @@
 #include <impact/law/impact_damping.hpp>
 #include <impact/step/rubbing.hpp>
 #include <impact/stepper/treatment.hpp>
+#include <impact/types.hpp>
 
 namespace impact {
 

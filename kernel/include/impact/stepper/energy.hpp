@@ -11,6 +11,7 @@
 #include <impact/scene.hpp>
 #include <impact/stepper/energy/linear.hpp>
 #include <impact/stepper/energy/power.hpp>
+#include <impact/types.hpp>
 
 namespace impact {
 

@@ -33,6 +33,7 @@
 #include <impact/scene.hpp>
 #include <impact/stepper/moment/linear.hpp>
 #include <impact/stepper/moment/power.hpp>
+#include <impact/types.hpp>
 
 namespace impact {
 

@@ -6,24 +6,14 @@
 #include <stdint.h>
 
 #include <impact/law/terms.hpp>
-#include <impact/motion/phase.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
 
 namespace impact {
 
-namespace detail {
-// Of two types the first where the condition holds.
-template <bool, class One, class>
-struct Either {
-  using Type = One;
-};
-template <class One, class Other>
-struct Either<false, One, Other> {
-  using Type = Other;
-};
-}  // namespace detail
+// Where a contact stands between steps. `released`: let go at zero force, still inside the stop.
+enum class Phase : uint32_t { apart, touching, released };
 
 // A step as the stop sees it, free flight to its end: penetrations and what they change by in a step, all positive
 // towards the stop. Inside a contact the treatment itself knows the penetration before.

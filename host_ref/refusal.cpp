@@ -148,7 +148,10 @@ Refusal refusal_of(const Request& asked, const Settled& settled) {
   if (std::isnan(found.value)) return {option, value, "a number"};
   if (!found.allowed.holds(found.value))
     if (const std::string allowed = allowed_text(asked, found); !allowed.empty())
-      return {option, value, option == "step" ? allowed + crossing_text(asked, settled) : allowed};
+      return {option, value,
+              option == "step"                                                 ? allowed + crossing_text(asked, settled)
+              : option == "contact-damping" && asked.damping_is_by_restitution ? allowed + ", without --restitution"
+                                                                               : allowed};
   if (const std::string step = shorter_step(asked); !step.empty())
     return {"step", shortest_text(request.step), step + " to " + step};
   if (request.numeric == Numeric::fixed32)

@@ -26,14 +26,15 @@ struct Request {
   DriveKind drive = DriveKind::sine;
   Damping damping = Damping::constant;  // of Hunt-Crossley; all but constant by Scene::restitution
   Scene scene{};
-  double step = 1e-4;                  // h, s
-  std::optional<Bounds> bounds{};      // when absent, they are looked for: see below
-  bool measures_bounds = false;        // looked for by a run, in every format
-  double duration = 1.0;               // s, used only to find bounds
-  std::vector<double> samples{};       // drive samples, N, used only to find bounds
-  bool is_shaken = false;              // the base accelerates:
-  std::vector<double> base_samples{};  // m/s^2, used only to find bounds
-  bool counts_drive_work = true;       // for Sample::drive_work
+  bool damping_is_by_restitution = false;  // Scene::contact_damping is what --restitution asks for
+  double step = 1e-4;                      // h, s
+  std::optional<Bounds> bounds{};          // when absent, they are looked for: see below
+  bool measures_bounds = false;            // looked for by a run, in every format
+  double duration = 1.0;                   // s, used only to find bounds
+  std::vector<double> samples{};           // drive samples, N, used only to find bounds
+  bool is_shaken = false;                  // the base accelerates:
+  std::vector<double> base_samples{};      // m/s^2, used only to find bounds
+  bool counts_drive_work = true;           // for Sample::drive_work
 };
 long step_count(const Request& request);  // duration / step to the nearest whole number
 

@@ -14,8 +14,8 @@ Request without_absorber(const Request& request) {
     case Stepper::central:
       bare.stepper = request.stepper;
       break;
-    default:  // fly exactly
-      bare.stepper = Stepper::moment;
+    default:  // they fly alike, exactly, and this one at every step that any of them takes
+      bare.stepper = Stepper::energy;
   }
   bare.drive = request.drive;
   bare.samples = request.samples;

@@ -7,8 +7,10 @@ namespace impact::host {
 namespace {
 
 double largest_alone(const Request& bare) {
+  const Outcome outcome = make_simulation(bare);
+  if (!outcome.simulation) return 0;
   double largest = 0;
-  run(*outcome_of(bare).simulation, bare, step_count(bare) + 1, [&](long, const double* x1, long count) {
+  run(*outcome.simulation, bare, step_count(bare) + 1, [&](long, const double* x1, long count) {
     for (long i = 0; i < count; ++i) largest = larger(largest, std::abs(x1[i]));
   });
   return largest;

@@ -13,7 +13,7 @@ namespace impact::host {
 // Largest |x1| of the main mass alone, run once for all scenes that share what it depends on.
 class BareRuns {
  public:
-  // `drive_file`: what the request's samples are from.
+  // `drive_file`: what the request's samples are from. 0 where the mass alone can not be run.
   double largest(const Request& request, const std::string& drive_file);
 
  private:

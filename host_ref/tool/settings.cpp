@@ -101,6 +101,7 @@ void settle(Settings& settings, const Given& given) {
   refuse_unless(!per_impact, "impact-speed", "with --damping constant: the others take each impact's own");
   refuse_unless(!per_impact || request.damping == Damping::hunt_crossley, "paper-damping",
                 "with --damping constant or hunt-crossley, which is (2.9)");
+  request.damping_is_by_restitution = has("restitution") && !per_impact;
   if (has("restitution")) {
     scene.contact_damping = per_impact ? 0 : damping_from(settings, given.at("restitution"));
   } else if (!has("contact-damping")) {

@@ -63,6 +63,12 @@ std::string fingerprint_of(const std::vector<double>& samples, const std::vector
   return digits;
 }
 
+std::string one_cell(std::string text) {
+  for (char& character : text)
+    if (character == ',' || character == '\n' || character == '\r') character = ';';
+  return text;
+}
+
 // Reads and checks every line.
 Sweep read_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
   std::ifstream input(settings.sweep);
@@ -80,6 +86,7 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
   for (const Argument& argument : common) sweep.header += argument.name + ",";
   for (const std::string& column : columns) {
     try {
+      if (column.empty()) throw BadInput("a column", "without a name", "the options that describe a scene");
       if (!describes_scene(column)) throw BadInput("--" + column, "", "the options that describe a scene");
     } catch (const BadInput& bad) {
       throw BadInput(where(1), bad);
@@ -105,7 +112,7 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
       swept.number = scene;
       swept.arguments = common;
       swept.key = std::to_string(scene) + ",";
-      for (const Argument& argument : common) swept.key += argument.value + ",";
+      for (const Argument& argument : common) swept.key += one_cell(argument.value) + ",";
       for (size_t i = 0; i < cells.size(); ++i) {
         if (!cells[i].empty()) swept.arguments.push_back({columns[i], cells[i]});
         swept.key += cells[i] + ",";
@@ -144,11 +151,6 @@ Summary summary_of(Simulation& simulation, const Request& request) {
   summary.last = simulation.sample();
   summary.root_mean_square = std::sqrt(squares / static_cast<double>(samples));
   return summary;
-}
-
-std::string one_cell(std::string text) {
-  std::replace(text.begin(), text.end(), ',', ';');
-  return text;
 }
 
 // What follows the key in a scene's row.

@@ -26,7 +26,7 @@ bool is_held(const Kernel& absorber) {
     most = std::ldexp(1 + 0x1p-30, units.position_exponent - 1);
   const auto& state = absorber.state();
   return std::abs(now.x1) <= most && std::isfinite(now.x2) && std::isfinite(now.v1) && std::isfinite(now.v2) &&
-         units.in_range(state.x1, state.x2, state.dx1);
+         units.in_flight_range(state.x1, state.x2, state.dx1, absorber.plan.left_stop && absorber.plan.right_stop);
 }
 
 template <class Kernel>

@@ -142,11 +142,11 @@ class Absorber
 
   constexpr Absorber() {
     start();
-    if constexpr (publishes) see(Window::first(), begins_inside());
+    if constexpr (publishes) see(Window::first());
   }
   explicit constexpr Absorber(const PlanType& next) : Steps(next) {
     start();
-    if constexpr (publishes) see(Window::first(), begins_inside());
+    if constexpr (publishes) see(Window::first());
   }
 
   // Back to the scene's initial state, without fault.
@@ -278,7 +278,7 @@ class Absorber
   // drive or kind of contact are out of range, or a contact under way does not fit together; one that a motion far
   // beyond the bounds has just left, and that the next step would hold, is refused as well. It is no signature: of
   // bytes that somebody has made up to pass, the next steps are defined and end in range or with a fault, but they are
-  // no motion of this absorber.
+  // no motion of this absorber, and what features recorded may be anything.
   static constexpr uint32_t state_version = 3;
   struct Saved {
     uint32_t version, plan_identity;
@@ -356,7 +356,7 @@ class Absorber
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   using Steps::advance, Steps::begin_to_rub, Steps::hold_in_range, Steps::leave_rubbing, Steps::load_contact;
-  using Steps::at_left, Steps::carried, Steps::is_at_left, Steps::place, Steps::rate_ahead;
+  using Steps::at_left, Steps::carried, Steps::place, Steps::rate_ahead;
   using Steps::counts_slid_way, Steps::has_own_damping, Steps::state_;
   using Steps::push_out, Steps::raise, Steps::rubs, Steps::start, Steps::still_to_rub, Steps::touch_anew;
 
@@ -369,9 +369,9 @@ class Absorber
     }
   }
   constexpr void publish() {
-    if constexpr (publishes) Window::publish([this](Snapshot<Value>& now) { see(now, is_touching()); });
+    if constexpr (publishes) Window::publish([this](Snapshot<Value>& now) { see(now); });
   }
-  constexpr void see(Snapshot<Value>& now, bool touches) const {
+  constexpr void see(Snapshot<Value>& now) const {
     now.displacement = displacement();
     now.velocity = velocity();
     now.ball_displacement = ball_displacement();
@@ -379,12 +379,7 @@ class Absorber
     if constexpr (detail::is_one_of<ContactForce, Features...>) now.contact_force = contact_force();
     now.steps = state_.steps;
     now.fault = Source::is_refused() ? Fault::plan : state_.fault;
-    now.is_touching = touches;
-  }
-
-  // is_touching() at the start. (GCC 12 cannot read the phase while it evaluates the constructor.)
-  constexpr bool begins_inside() const {
-    return !Source::is_refused() && is_positive(plan.units.penetration(mirrored(plan.x2 - plan.x1, is_at_left())));
+    now.is_touching = is_touching();
   }
 
   // Scene, bounds, step, types and features.

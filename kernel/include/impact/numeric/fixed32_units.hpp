@@ -183,7 +183,7 @@ struct Fixed32Units {
     return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
   }
   // In range while the top two bits of each Value agree, which one step's increment cannot carry dx1 past.
-  constexpr bool in_range(Long x1, Long x2, Long dx1) const {
+  constexpr bool in_flight_range(Long x1, Long x2, Long dx1, bool) const {
     return static_cast<int32_t>(top(x1) | top(x2) | top(dx1) << (32 - displacement_shift)) >= 0;
   }
   // The ball's displacement per step grows as well.

@@ -79,7 +79,7 @@ struct RealFormat {
   using Gain = Real;
   using HeldGain = Real;
   using Long = State<Real>;
-  using Tally = State<Real>;
+  using Tally = CompensatedState<Real>;
   using Oscillator = OscillatorType;
   static constexpr bool calls_contact = false;
 
@@ -152,7 +152,10 @@ struct RealFormat {
     static constexpr Value held(Value x, Value) { return x; }
     static constexpr Value held_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }
-    static constexpr bool in_range(Long x1, Long, Long) { return is_below_limit(x1.sum); }
+    // The ball is where its stops are, if it has both.
+    static constexpr bool in_flight_range(Long x1, Long x2, Long, bool has_both_stops) {
+      return is_below_limit(x1.sum) && (has_both_stops || is_below_limit(x2.sum));
+    }
     static constexpr bool in_range_in_field(Long x1, Long x2, Long, Long) {
       return is_below_limit(x1.sum) && is_below_limit(x2.sum);
     }

@@ -132,6 +132,9 @@ class PlanMaking {
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
     Treatment::bound_forces(terms, largest);
     largest.penetration = larger(largest.penetration, largest_change);
+    // The others are refused such a start where it is deeper than what they bound.
+    if (Treatment::is_instantaneous)
+      largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
     return largest;
   }
 

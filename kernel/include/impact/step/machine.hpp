@@ -71,6 +71,13 @@ class Machine : protected Source {
     return plan.left_stop && (!plan.right_stop || (state_.x2 - state_.x1).is_negative());
   }
 
+  // How far a ball without a contact is inside the stop. (The difference of both positions counts modulo 2^64 in
+  // Fixed32: a ball far from the only stop may seem deep inside it.)
+  constexpr Value depth_inside() const {
+    if (!is_beyond_stop()) return {};
+    return plan.units.penetration(mirrored(state_.x2 - state_.x1, is_at_left()));
+  }
+
   // Rate of penetration, for the state as it stands.
   constexpr Value relative_rate(bool left) const {
     return mirrored(

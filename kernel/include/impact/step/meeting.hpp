@@ -16,7 +16,8 @@ class Meeting : protected Rubbing<Source, Features...> {
   using Base = Rubbing<Source, Features...>;
 
  protected:
-  using Base::at_left, Base::flown, Base::is_at_left, Base::rate_ahead, Base::rate_ahead_but_field, Base::relative_rate;
+  using Base::at_left, Base::flown, Base::depth_inside, Base::is_at_left, Base::rate_ahead, Base::rate_ahead_but_field,
+      Base::relative_rate;
   using Base::Base, Base::plan, Base::state_;
   using Base::hold, Base::hold_in_range, Base::raise;
   using typename Base::Contact, typename Base::Field, typename Base::Format, typename Base::Friction;
@@ -143,9 +144,7 @@ class Meeting : protected Rubbing<Source, Features...> {
 
   // A ball that a correction has put into a stop without touching it stands at it.
   constexpr void push_out() {
-    const bool left = is_at_left();
-    if (is_positive(plan.units.penetration(mirrored(state_.x2 - state_.x1, left))))
-      state_.x2 = plan.units.stop(state_.x1, left);
+    if (is_positive(depth_inside())) state_.x2 = plan.units.stop(state_.x1, is_at_left());
   }
 
  private:

@@ -15,13 +15,16 @@ class Step : protected Meeting<Source, Features...> {
  protected:
   using Base::Base, Base::plan, Base::state_;
   using Base::begin_to_rub, Base::load_contact, Base::rub, Base::rub_at_stop, Base::rubs, Base::touch;
-  using Base::checks_range_once, Base::is_at_left, Base::is_beyond_stop, Base::is_refused, Base::relative_rate;
+  using Base::checks_range_once, Base::depth_inside, Base::is_at_left, Base::is_beyond_stop, Base::is_refused,
+      Base::relative_rate;
   using Base::hold, Base::raise;
   using typename Base::Contact, typename Base::Drive, typename Base::Field, typename Base::Format;
   using typename Base::Friction, typename Base::Long, typename Base::State, typename Base::Value;
 
   constexpr void start() {
     state_ = State{};
+    state_.contact.phase = Phase::apart;  // once more: GCC 12 cannot read them in a constructor otherwise
+    state_.contact.drop_force();
     if (is_refused()) return;
     state_.x1 = plan.x1;
     state_.dx1 = plan.dx1;
@@ -29,11 +32,11 @@ class Step : protected Meeting<Source, Features...> {
     state_.dx2 = plan.dx2;
     state_.drive = decltype(state_.drive)::start(plan.drive);
     (Features::start(plan, state_), ...);
-    const bool left = is_at_left();
-    const Value inside = plan.units.penetration(mirrored(state_.x2 - state_.x1, left));
-    if (is_positive(inside)) {
+    const Value depth = depth_inside();
+    if (is_positive(depth)) {
+      const bool left = is_at_left();
       state_.at_left = left;
-      state_.contact.start(plan.contact, plan.units, inside, relative_rate(left));
+      state_.contact.start(plan.contact, plan.units, depth, relative_rate(left));
       load_contact();
     }
     begin_to_rub();
@@ -89,7 +92,7 @@ class Step : protected Meeting<Source, Features...> {
     if constexpr (Field::is_field)
       return plan.units.in_range_in_field(state_.x1, state_.x2, state_.dx1, state_.dx2);
     else
-      return plan.units.in_range(state_.x1, state_.x2, state_.dx1);
+      return plan.units.in_flight_range(state_.x1, state_.x2, state_.dx1, plan.left_stop && plan.right_stop);
   }
   [[gnu::always_inline]] constexpr void meet_stop(Value increment, Long main_travel, DriveChange<Value> change) {
     if constexpr (Format::calls_contact)

@@ -26,6 +26,7 @@ struct ContactTerms {
   double largest_penetration = 0, largest_rate = 0;  // that units have room for, m and m/s
   double deepest = 0;                                // that the bounds allow, m: depth.hpp
   double pressing = 0;                               // the main mass's largest acceleration, m/s^2: set by the plan
+  double field = 0;                                  // the largest acceleration of a field, m/s^2: set by the plan
   double force_unit = 0;                             // N
   int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
   double damping_ratio = 0;                          // a = c1 v0/k1, where it is set at each impact of a speed v0

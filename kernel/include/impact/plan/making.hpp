@@ -76,6 +76,7 @@ class PlanMaking {
     if constexpr (Friction::is_friction)
       basis.friction_way = scene.ball_friction * Friction::increment(basis.flow, basis.ball);
     basis.terms.step = h;
+    basis.terms.field = Field::largest(scene, bounds);
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
     // Where the ball crosses the clearance in a step, a treatment that waits for the next finds it beyond the stop by
     // the ways of both.

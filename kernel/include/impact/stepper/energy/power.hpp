@@ -70,6 +70,17 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const double slope = terms.stiffness * compliance * constant::square_root(d);
     return 1.5 * slope <= 0.02 && slope * d * terms.damping_time / terms.step <= largest_ratio;
   }
+  // A ball whose stored energy has no place is put out of a stiff contact, in a field a against its weight. From the
+  // depth d at which V is a place that gains up to this share of the fastest impact's energy: with g of stiff.hpp,
+  // g d = share (h v/2)^2.
+  static constexpr double largest_lift = 1e-3;
+  static constexpr double finest_penetration(const ContactTerms& terms) {
+    if (is_resolved(terms) || !(terms.field > 0)) return Treatment::finest_penetration(terms);
+    const double compliance = terms.step * terms.step / (2 * terms.reduced_mass()), rate = terms.largest_rate;
+    const double lift = largest_lift * rate * rate * terms.step * terms.step / 4;
+    const double d = lift / (compliance * terms.ball_mass * terms.field);
+    return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
+  }
   // No force can do more in a step than to send the ball back at its own speed, and no penetration be more than an
   // impact's or a few steps' way.
   static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {

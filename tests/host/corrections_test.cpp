@@ -280,5 +280,35 @@ TEST(Corrections, OfNothingLeaveTheMotion) {
                      7.1e-5);
 }
 
+// Far on the side without a stop the difference of both positions, less the stop's place, passes 2^63 in Fixed32.
+template <class Format>
+struct CorrectionsFarFromTheStop : testing::Test {};
+using AllFormats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
+TYPED_TEST_SUITE(CorrectionsFarFromTheStop, AllFormats);
+
+TYPED_TEST(CorrectionsFarFromTheStop, OfNothingLeaveTheBall) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
+  for (const double side : {1.0, -1.0}) {
+    Scene scene;
+    scene.stops = side > 0 ? Stops::right : Stops::left;
+    scene.main_stiffness = scene.main_damping = 0;
+    scene.clearance = 0.16;
+    scene.x1 = side * 0.12;
+    scene.x2 = -side * 0.12;
+    Bounds bounds;
+    bounds.displacement = 0.125;
+    Kernel kernel(Kernel::PlanType::make(scene, bounds, 1e-4));
+    EXPECT_FALSE(kernel.is_touching());
+    for (int n = 0; n < 10; ++n) {
+      kernel.step();
+      kernel.correct({}, {});
+    }
+    EXPECT_NEAR(kernel.reading().x2, -side * 0.12, 1e-8);
+    EXPECT_FALSE(kernel.is_touching());
+    EXPECT_EQ(kernel.fault(), Fault::none);
+    EXPECT_TRUE(kernel.restore(kernel.save()));
+  }
+}
+
 }  // namespace
 }  // namespace impact

@@ -105,6 +105,23 @@ TYPED_TEST(Faults, ADisplacementOutOfRange) {
       Fault::displacement);
 }
 
+// A ball that flies away from the only stop.
+TYPED_TEST(Faults, ABallOutOfRange) {
+  Scene scene;
+  scene.stops = Stops::right;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
+  scene.contact_stiffness = 1;
+  scene.contact_damping = 0;
+  scene.v2 = std::is_same_v<TypeParam, Fixed32> ? -1 : -1e3;
+  const Bounds bounds{0.1, -scene.v2, 0, 0};
+  auto absorber = made<Absorber<AtRunTime, Hertz, Moment, NoDrive, TypeParam>>(scene, bounds, 0.016);
+  for (int n = 0; n < 70000 && absorber.fault() == Fault::none; ++n) absorber.step();
+  EXPECT_EQ(absorber.fault(), Fault::displacement);
+  EXPECT_TRUE(is_held(absorber));
+  EXPECT_LE(std::abs(absorber.reading().x2), 0x1p20);
+  EXPECT_TRUE(absorber.restore(absorber.save()));
+}
+
 // Fixed32: the same resonance with room for displacements. Floating point: only a contact that the stepper cannot
 // resolve gets there, here with 1e15 N and more on a ball of 1e-9 kg.
 TYPED_TEST(Faults, ASpeedOutOfRange) {

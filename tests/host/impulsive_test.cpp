@@ -486,6 +486,24 @@ TYPED_TEST(ImpulsiveStep, StartsInsideAStop) {
   }
 }
 
+// Deeper than the ball's way in a step.
+TYPED_TEST(ImpulsiveStep, StartsDeepInsideAStop) {
+  using Absorber = Kernel<TypeParam, HuntCrossley, Sine>;
+  for (double inside : {1e-3, 2e-3, 1e-2, 5e-2}) {
+    Scene scene;
+    scene.contact_stiffness = 1e10;
+    scene.contact_damping = 1e9;
+    scene.x2 = scene.clearance / 2 + inside;
+    const auto plan = Absorber::PlanType::make(scene, {}, 1e-4);
+    ASSERT_EQ(plan.status, PlanStatus::ok) << inside;
+    Absorber absorber(plan);
+    for (int n = 0; n < 10000; ++n) absorber.step();
+    EXPECT_EQ(absorber.fault(), Fault::none) << inside;
+    const auto now = absorber.reading();
+    EXPECT_LE(std::abs(now.x2 - now.x1), scene.clearance / 2 + 1e-3) << inside;
+  }
+}
+
 TYPED_TEST(ImpulsiveStep, GoesOnFromASavedState) {
   Scene scene;
   scene.contact_stiffness = 1e10;

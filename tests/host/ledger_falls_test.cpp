@@ -51,10 +51,7 @@ struct Allowance : SilentFeature {
   static void after_contact(const Plan& plan, State& state, const Step& step) {
     using Format = typename Plan::FormatType;
     constexpr bool is_fixed = std::is_same_v<Format, Fixed32>, is_double = std::is_same_v<Format, Float64>;
-    constexpr double relative = is_fixed    ? 0x1p-23
-                                : is_double ? 0x1p-49
-                                            : 0x1p-20,
-                     sum = rounded_by_sum<Format>;
+    constexpr double relative = is_fixed ? 0x1p-23 : is_double ? 0x1p-49 : 0x1p-20, sum = rounded_by_sum<Format>;
     const double place = is_fixed ? std::ldexp(1, -31 + larger(0, -plan.contact.response.travel_places)) : 0;
     const double force = plan.units.fraction(step.force.j0), way = plan.units.fraction(step.way),
                  stored = plan.units.fraction(step.stored),

@@ -240,6 +240,39 @@ TYPED_TEST(Formats, ACorrectionInContactLeavesAContact) {
   run(Pointwise(Pointwise::PlanType::make(Scene{}, Bounds{}, h)));
 }
 
+// As constants, whose first snapshot the compiler makes; a stop that would pull lets go at once.
+template <class Law_>
+struct SentAway {
+  static constexpr Scene scene = [] {
+    Scene made;
+    made.contact_damping = Law_::is_linear ? 20.81 : Scene{}.contact_damping;
+    made.x2 = 0.0101;
+    made.v2 = -1.5;
+    return made;
+  }();
+  static constexpr Bounds bounds{};
+  static constexpr double step = 1e-4;
+};
+template <class ContactLaw, class Format, class... Steppers>
+void expect_first_snapshots() {
+  const auto one = [](auto absorber) {
+    const auto first = absorber.snapshot();
+    EXPECT_TRUE(first.is_whole);
+    EXPECT_EQ(first.is_touching, absorber.is_touching());
+    EXPECT_EQ(si(first.ball_velocity, 1), si(absorber.ball_velocity(), 1));
+    EXPECT_EQ(si(first.velocity, 1), si(absorber.velocity(), 1));
+    absorber.reset();
+    EXPECT_EQ(absorber.snapshot().is_touching, first.is_touching);
+  };
+  (one(Absorber<SentAway<ContactLaw>, ContactLaw, Steppers, Sine, Format, Snapshots>()), ...);
+}
+TYPED_TEST(Formats, TheFirstSnapshotIsTheStart) {
+  expect_first_snapshots<HuntCrossley, TypeParam, Moment, SubsteppedMoment<4>, EnergyConsistent, AverageAcceleration,
+                         LinearAcceleration, FoxGoodwin, CentralDifference>();
+  expect_first_snapshots<HookeNewton, TypeParam, Moment, SubsteppedMoment<4>, EnergyConsistent, AverageAcceleration,
+                         LinearAcceleration, FoxGoodwin, CentralDifference>();
+}
+
 TYPED_TEST(Formats, AnAbsorberFromARefusedPlanHoldsStill) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, ContactForce, Snapshots, EnergyLedger>;
   Scene scene;

@@ -72,6 +72,18 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
       turned * 0x1p-31 + 1e-6);
 }
 
+// Entries far below the sum's last place: a plain float would stand still at 2.
+template <class Format>
+struct Tallies : testing::Test {};
+using FloatFormats = testing::Types<Float32, Float32Plain>;
+TYPED_TEST_SUITE(Tallies, FloatFormats);
+TYPED_TEST(Tallies, GoOnBelowTheirLastPlace) {
+  typename TypeParam::Tally tally{};
+  const float entry = 1e-7F;
+  for (int n = 0; n < 40000000; ++n) tally.add(entry);
+  EXPECT_NEAR(tally.total(), 4e7 * static_cast<double>(entry), 1e-6);
+}
+
 // A period of three, four or six steps, of which the curvature is a whole number: every period rounds like the one
 // before, and what it rounds must not add up.
 TEST(SoakOfAnOscillator, KeepsTheAmplitudeOfAFewStepsAPeriod) {

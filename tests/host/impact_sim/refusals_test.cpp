@@ -56,6 +56,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--damping exact --paper-damping --restitution 0.5", "--paper-damping", "", "with --damping constant"},
         Refused{"--damping flores --restitution 0.0157", "--restitution", "0.0157", "0.0158 to 1"},
         Refused{"--damping lee-wang --restitution 0.009", "--restitution", "0.009", "0.01 to 1"},
+        Refused{"--numeric fixed32 --newmark moment --step 4e-4 --ball-mass 1e3 --contact-stiffness 2900 --restitution "
+                "0.02 --v2 .5 --duration .5",
+                "--contact-damping", "", "without --restitution"},
         Refused{"--law newton", "--law", "newton", "hooke-newton, hertz, hunt-crossley"},
         Refused{"--newmark euler", "--newmark", "euler", "fox-goodwin"},
         Refused{"--numeric double", "--numeric", "double", "float64"},

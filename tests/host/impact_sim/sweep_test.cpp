@@ -163,6 +163,7 @@ TEST_F(ImpactSimSweep, ABadLineIsRefusedBeforeAnythingRuns) {
   EXPECT_THAT(refusal("clearence\n0.02\n"),
               HasSubstr("line 1: --clearence: allowed: the options of --help; --clearance?"));
   EXPECT_THAT(refusal("output\nx.csv\n"), HasSubstr("line 1: --output"));
+  EXPECT_THAT(refusal("clearance,\n0.01,\n"), HasSubstr("line 1: a column without a name"));
   EXPECT_THAT(refusal("x1,x1\n0,0\n"), HasSubstr("line 2: --x1 0: allowed: once"));
   EXPECT_THAT(refusal(""), HasSubstr("--sweep bad.csv"));
 }
@@ -183,6 +184,31 @@ TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
     const auto row = split(scenes[scene[2] == '4' ? 0 : 1], ',');
     EXPECT_EQ(std::stod(row[3]), largest) << scene;
   }
+}
+
+// Half a radian of the main mass in a step: EnergyConsistent takes it, and so must the mass without absorber.
+TEST_F(ImpactSimSweep, RunsWhatItsStepperTakes) {
+  write(file("stiff.csv"), "main-stiffness\n1e6\n1000\n");
+  const Result result =
+      run("--sweep stiff.csv --newmark energy --contact-stiffness 1e11 --step 5e-4 --duration .1 --output rows.csv");
+  EXPECT_EQ(result.code, 0) << result.err;
+  const auto rows = lines_of(read(file("rows.csv")));
+  ASSERT_THAT(rows, SizeIs(3));
+  for (size_t n = 1; n < rows.size(); ++n) {
+    const auto header = split(rows[0], ','), row = split(rows[n] + " ", ',');
+    ASSERT_EQ(row.size(), header.size()) << rows[n];
+    EXPECT_FALSE(row[row.size() - 4].empty()) << "the attenuation of " << rows[n];
+  }
+}
+
+TEST_F(ImpactSimSweep, ANameWithACommaIsOneCell) {
+  write(file("a,b.txt"), "1\n1\n1\n");
+  write(file("few.csv"), "clearance\n0.02\n0.03\n");
+  const std::string driven = "--sweep few.csv --drive-file a,b.txt --step 1e-4 --newmark moment --output rows.csv";
+  EXPECT_EQ(run(driven).code, 0);
+  const auto rows = lines_of(read(file("rows.csv")));
+  EXPECT_EQ(split(rows[1], ',').size(), split(rows[0], ',').size() - (rows[1].back() == ',' ? 1 : 0));
+  EXPECT_EQ(run(driven).code, 0) << "what it has written itself";
 }
 
 TEST_F(ImpactSimSweep, OptionsOfTheCommandLineHoldForEveryScene) {

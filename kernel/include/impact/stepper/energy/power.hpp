@@ -73,7 +73,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   // A ball whose stored energy has no place is put out of a stiff contact, in a field a against its weight. From the
   // depth d at which V is a place that gains up to this share of the fastest impact's energy: with g of stiff.hpp,
   // g d = share (h v/2)^2.
-  static constexpr double largest_lift = 1e-3;
+  static constexpr double largest_lift = 1e-4;
   static constexpr double finest_penetration(const ContactTerms& terms) {
     if (is_resolved(terms) || !(terms.field > 0)) return Treatment::finest_penetration(terms);
     const double compliance = terms.step * terms.step / (2 * terms.reduced_mass()), rate = terms.largest_rate;

@@ -106,7 +106,7 @@ TYPED_TEST(Tuning, KeepsTheDrivesPhase) {
 }
 
 // Of an impact without loss, at whatever step of it the stop becomes harder or softer: the ball leaves with what both
-// masses had and the stop stored then, but for 3.2e-4 that a contact of 8 steps may gain (README.md), and in 32 bits
+// masses had and the stop stored then, but for 3.2e-4, by which a ledger of 8 steps is off (README.md), and in 32 bits
 // 1e-4 of it. An energy-consistent contact may lose some of it: its prediction starts anew.
 template <class Kernel>
 void expect_energy_kept(double softer, double harder) {

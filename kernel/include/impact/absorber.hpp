@@ -42,7 +42,7 @@
 #include <impact/motion/sine.hpp>
 #include <impact/numeric/fixed32.hpp>
 #include <impact/numeric/real.hpp>
-#include <impact/plan.hpp>
+#include <impact/plan/plan.hpp>
 #include <impact/plan/source.hpp>
 #include <impact/scene.hpp>
 #include <impact/snapshot.hpp>
@@ -111,6 +111,8 @@ class Absorber
                 "impact/contracts.hpp");
   static_assert((contract::is_feature<Features> && ...),
                 "from the sixth on the arguments must be features, such as EnergyLedger: see impact/contracts.hpp");
+  static_assert(((!__is_base_of(DryFriction, Features) || detail::is_one_of<DryFriction, Features>)&&...),
+                "a friction of one's own: DryFriction is the only one");
 
  public:
   using PlanType = typename Source::PlanType;
@@ -122,7 +124,7 @@ class Absorber
   using Format = typename PlanType::FormatType;
   using Value = typename Format::Value;
   using Long = typename Format::Long;
-  using Contact = typename PlanType::Treatment;
+  using Contact = typename PlanType::ContactType;
   using Source::plan;
   using typename Steps::State;
 
@@ -189,7 +191,7 @@ class Absorber
       publish();
     }
   }
-  // Both.
+  // With both samples, at the step's end: the force, and the base's acceleration.
   constexpr void step(Value force, Value acceleration) {
     static_assert(Drive::is_sampled && Field::is_sampled,
                   "step(force, acceleration): the drive must be Sampled, and BaseAcceleration among the parts");
@@ -197,7 +199,8 @@ class Absorber
     publish();
   }
 
-  // Now, in native numbers: valid in the context that steps. For any other, snapshot(). Of the main mass, and the ball.
+  // As of the last step, in native numbers, of the main mass and of the ball: in the context that steps. In any other
+  // snapshot().
   constexpr Value displacement() const { return plan.units.position(place(state_.x1)); }
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(rate_ahead());
@@ -224,6 +227,7 @@ class Absorber
     else
       return {};
   }
+  // Whether the last step ended in contact; not for a ball that is let go but still inside.
   constexpr bool is_touching() const { return state_.contact.phase == Phase::touching; }
   constexpr const State& state() const { return state_; }
 
@@ -232,6 +236,7 @@ class Absorber
     if (Source::is_refused()) return Fault::plan;
     return *static_cast<const volatile Fault*>(&state_.fault);
   }
+  // In the context that steps; the state stays as it is.
   constexpr void clear_fault() {
     state_.fault = Fault::none;
     publish();
@@ -298,7 +303,7 @@ class Absorber
   // anew. A contact under way whose own parameters change goes on from its penetration. Refuses, and changes nothing,
   // when bounds, step, clearance or stops differ; in Fixed32 when displacement_unit() does, which a softer stop or a
   // larger drive may widen under the same bounds; with BaseAcceleration when gravity does; or during a contact when its
-  // state depends on the plan's forces: pointwise steppers, a damping set per impact, features.
+  // state depends on the plan's forces: Newmark's classical steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
@@ -356,7 +361,7 @@ class Absorber
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   using Steps::advance, Steps::begin_to_rub, Steps::hold_in_range, Steps::leave_rubbing, Steps::load_contact;
-  using Steps::at_left, Steps::carried, Steps::place, Steps::rate_ahead;
+  using Steps::at_left, Steps::place, Steps::rate_ahead;
   using Steps::counts_slid_way, Steps::has_own_damping, Steps::state_;
   using Steps::push_out, Steps::raise, Steps::rubs, Steps::start, Steps::still_to_rub, Steps::touch_anew;
 
@@ -380,6 +385,11 @@ class Absorber
     now.steps = state_.steps;
     now.fault = Source::is_refused() ? Fault::plan : state_.fault;
     now.is_touching = is_touching();
+  }
+
+  // A kept force's share of the displacement that the coming step makes: along x, as displacements count.
+  constexpr Value carried(typename Format::Gain share) const {
+    return plan.units.as_displacement(mirrored(share * state_.contact.force, at_left()));
   }
 
   // Scene, bounds, step, types and features.

@@ -38,6 +38,11 @@
 //                                      change of plan needs
 //           make_plan, make_handover   <Format>(scene, bounds, h, flow, exponents)
 //           force_unit<Format>(scene, bounds)    N: what State::force counts in
+//           State::start(plan)         before the first step
+//           State::force(plan)         what a ledger counts, in force_unit
+//           State::hand_over(plan, handover, next, next_handover)    DriveShares, for a change of plan
+//           and if sine: State::advance(plan), rate(plan), oscillator; if sampled: accepts, held, at_once,
+//                                      advance(plan, next), rate, sample, as motion/sampled.hpp has them
 //           State::before()            what change() asks of a step's start
 //           State::change(plan, before)    the step's DriveChange, for a treatment that sees_change
 //           largest(scene, bounds)     N: the largest force
@@ -82,15 +87,7 @@
 //           at_end(plan, sample)       `next`
 //           at_once(plan, next)        increment: to x1, in the step that the sample ends
 //
-// Friction  is_friction                a part whose force acts between ball and main mass, against y' or at rest
-//           FrictionPlan<Format>       a base of the plan: its constants are plan.friction
-//           plan.friction.full         0 where it does nothing
-//           increment(main, ball)      m/N: what it adds to the way of the sliding in a step
-//           make_plan<Format>(scene, main, ball, at_once, exponents, units)    at_once: what a sample adds to that, m
-//           begin(plan, state, way), undo(plan, state)    at the start, and around a change of plan
-//           slides_on(plan, state, ball)    after a step: true where the same impulse as the last has acted again
-//           rub(plan, state, slid, ahead, allowed)    otherwise; allowed: Any{}, passive(plan, rate)
-//           dissipated(plan, state, rate)    half of it by the last impulse, over the force
+// Friction  DryFriction is the only one: motion/friction.hpp
 
 #include <impact/features.hpp>
 #include <impact/law/hunt_crossley.hpp>

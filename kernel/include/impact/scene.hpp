@@ -49,7 +49,8 @@ struct Scene {
 
 // The largest values that the scene reaches, in SI units. The plan judges the step by them in every format. Fixed32
 // takes its units from them: the tighter they are, the finer it counts, and beyond them it saturates and raises a
-// fault. In floating point of a running state only the force of a sampled drive is held to them. The defaults hold the
+// fault. In floating point only samples are held to them while running: a drive's to `force`, a
+// base's to `base_acceleration`. The defaults hold the
 // paper's scene under every law; with Hertz, which loses nothing, for the first ten minutes (in three hours the ball
 // reaches 2.7 m/s). Scene::drive_amplitude, too, has its part in the units and in the deepest penetration under every
 // drive.

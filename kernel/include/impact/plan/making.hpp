@@ -26,29 +26,24 @@ class PlanMaking {
   using Drive = typename Plan::DriveType;
   using Field = typename Plan::FieldType;
   using Friction = typename Plan::FrictionType;
-  using Treatment = typename Plan::Treatment;
+  using Contact = typename Plan::ContactType;
   using Long = typename Plan::Long;
 
  public:
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double h) {
-    PlanStatus status = status_of_values(scene, bounds, h);
-    if (status != PlanStatus::ok) return Plan::refused(status);
-    Basis basis = basis_of(scene, bounds, h);
-    status = status_of_motion(scene, bounds, basis);
-    if (status != PlanStatus::ok) return Plan::refused(status);
-    const UnitBounds largest = largest_of(scene, bounds, basis);
-    // Deeper than any motion within the bounds leads to, and so than the step is judged at. An impact at an instant
-    // stores nothing, and puts the ball on its stop.
-    if (!Treatment::is_instantaneous && initial_penetration(scene) > basis.terms.deepest)
-      return Plan::refused(PlanStatus::initial_displacement);
-    const UnitExponents exponents = Format::Units::exponents(largest);
-    basis.terms.force_unit = Treatment::force_unit(basis.terms, exponents);
-    basis.terms.damping_exponent = exponents.force + (basis.terms.is_linear ? exponents.penetration : 0);
-    status = status_of_units(scene, basis, largest, exponents);
-    if (status != PlanStatus::ok) return Plan::refused(status);
-    const Plan plan = constants_of(scene, bounds, basis, exponents);
-    if (!plan.units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return Plan::refused(PlanStatus::displacement_bound);
-    if (!plan.units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return Plan::refused(PlanStatus::speed_bound);
+    const Plan plan = made(scene, bounds, h);
+    if constexpr (Field::is_field) {
+      // Where it is the field that leaves a quantity no room, the field is named.
+      const bool has_no_room = plan.status == PlanStatus::displacement_bound ||
+                               plan.status == PlanStatus::speed_bound || plan.status == PlanStatus::contact_stiffness;
+      Scene calm = scene;
+      Bounds still = bounds;
+      calm.gravity = still.base_acceleration = 0;
+      if (has_no_room && made(calm, still, h).status == PlanStatus::ok)
+        return Plan::refused(bounds.base_acceleration > constant::magnitude(scene.gravity)
+                                 ? PlanStatus::base_acceleration_bound
+                                 : PlanStatus::gravity);
+    }
     return plan;
   }
 
@@ -59,10 +54,37 @@ class PlanMaking {
     double friction_way;  // of the sliding, by friction's force in a step, m
   };
 
+  static constexpr Plan made(const Scene& scene, const Bounds& bounds, double h) {
+    PlanStatus status = status_of_values(scene, bounds, h);
+    if (status != PlanStatus::ok) return Plan::refused(status);
+    Basis basis = basis_of(scene, bounds, h);
+    status = status_of_motion(scene, bounds, basis);
+    if (status != PlanStatus::ok) return Plan::refused(status);
+    const UnitBounds largest = largest_of(scene, bounds, basis);
+    const UnitExponents exponents = Format::Units::exponents(largest);
+    basis.terms.force_unit = Contact::force_unit(basis.terms, exponents);
+    basis.terms.damping_exponent = exponents.force + (basis.terms.is_linear ? exponents.penetration : 0);
+    status = status_of_units(scene, basis, largest, exponents);
+    if (status != PlanStatus::ok) return Plan::refused(status);
+    const Plan plan = constants_of(scene, bounds, basis, exponents);
+    if (!plan.units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return Plan::refused(PlanStatus::displacement_bound);
+    if (!plan.units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return Plan::refused(PlanStatus::speed_bound);
+    return plan;
+  }
+
+  // A part that is stated must be named, or the scene would be another one.
+  static constexpr PlanStatus status_of_parts(const Scene& scene, const Bounds& bounds) {
+    const auto is_stated = [](double x) { return x < 0 || x > 0; };
+    if (!Field::is_field && is_stated(scene.gravity)) return PlanStatus::gravity_not_named;
+    if (!Field::is_sampled && is_stated(bounds.base_acceleration)) return PlanStatus::base_acceleration_not_named;
+    if (!Friction::is_friction && is_stated(scene.ball_friction)) return PlanStatus::ball_friction_not_named;
+    return PlanStatus::ok;
+  }
+
   static constexpr PlanStatus status_of_values(const Scene& scene, const Bounds& bounds, double h) {
     PlanStatus status = status_of(scene, h, Stepper::longest_phase);
     if (status == PlanStatus::ok) status = status_of(scene, bounds);
-    if (status == PlanStatus::ok) status = Plan::status_of_parts(scene, bounds);
+    if (status == PlanStatus::ok) status = status_of_parts(scene, bounds);
     if (status != PlanStatus::ok) return status;
     if (!damping_ratio_range.holds(damping_ratio<ContactLaw>(scene))) return PlanStatus::restitution;
     if (ContactLaw::is_linear && scene.contact_damping > largest_linear_damping(scene))
@@ -84,7 +106,7 @@ class PlanMaking {
     return basis;
   }
 
-  // Whether the parts of the scene can keep their promises.
+  // Whether the parts of the scene can keep their promises, and the motion may begin where it does.
   static constexpr PlanStatus status_of_motion(const Scene& scene, const Bounds& bounds, const Basis& basis) {
     const double way = basis.terms.largest_rate * basis.terms.step;
     // A ball that may cross the cavity in one step is first seen up to two steps' way inside a stop. Putting it back
@@ -98,6 +120,10 @@ class PlanMaking {
         return PlanStatus::step;
       if (!(basis.friction_way <= way)) return PlanStatus::ball_friction;
     }
+    // Deeper than any motion within the bounds leads to, and so than the step is judged at. An impact at an instant
+    // stores nothing, and puts the ball on its stop.
+    if (!Contact::is_instantaneous && initial_penetration(scene) > basis.terms.deepest)
+      return PlanStatus::initial_displacement;
     return PlanStatus::ok;
   }
 
@@ -111,7 +137,7 @@ class PlanMaking {
     largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
     largest.position = bounds.displacement;
     largest.displacement = bounds.speed * h;
-    const double way = terms.largest_rate * h * (terms.crosses && !Treatment::meets_both_stops ? 2 : 1);
+    const double way = terms.largest_rate * h * (terms.crosses && !Contact::meets_both_stops ? 2 : 1);
     // Free flight from within a contact ends deeper than contact lets the ball go: with (d/D)^2 + (d'/V)^2 <= 1, for
     // the power laws (d/D)^(5/2), no deeper than (D^2 + (5/4) (h V)^2)^(1/2).
     const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
@@ -131,11 +157,10 @@ class PlanMaking {
       largest.increment += 2 * in_field;
     }
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
-    Treatment::bound_forces(terms, largest);
-    largest.penetration = larger(largest.penetration, largest_change);
+    Contact::bound_forces(terms, largest);
+    largest.penetration = larger(largest.penetration, largest_change);  // again: a treatment may have set it lower
     // The others are refused such a start where it is deeper than what they bound.
-    if (Treatment::is_instantaneous)
-      largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
+    if (Contact::is_instantaneous) largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
     return largest;
   }
 
@@ -150,9 +175,9 @@ class PlanMaking {
     // The fastest impact has a way in a step.
     if (!Units::resolves(terms.largest_rate * h / 2, exponents.penetration)) return PlanStatus::speed_bound;
     const double lighter = constant::smaller(scene.ball_mass, scene.main_mass);
-    if (!Treatment::is_instantaneous && !Units::resolves(terms.force_unit * h * h / lighter, exponents.recoil))
+    if (!Contact::is_instantaneous && !Units::resolves(terms.force_unit * h * h / lighter, exponents.recoil))
       return PlanStatus::contact_stiffness;
-    if (!Units::resolves(Treatment::finest_penetration(terms), exponents.penetration))
+    if (!Units::resolves(Contact::finest_penetration(terms), exponents.penetration))
       return PlanStatus::contact_stiffness;
     // What is below 64 of a rate's last places has no size of its own.
     if (Friction::is_friction && scene.ball_friction > 0 &&
@@ -176,12 +201,12 @@ class PlanMaking {
     plan.rate_by_dx1 = Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration);
     plan.rate_by_x1 = Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration);
     plan.drive = Drive::template make_plan<Format>(scene, bounds, h, flow, exponents);
-    plan.contact = Treatment::make_plan(terms, flow, exponents);
+    plan.contact = Contact::make_plan(terms, flow, exponents);
     plan.force_scale = terms.force_unit;
     plan.drive_scale = Drive::template force_unit<Format>(scene, bounds);
     plan.left_stop = scene.stops != Stops::right;
     plan.right_stop = scene.stops != Stops::left;
-    plan.crosses = terms.crosses && Treatment::meets_both_stops;
+    plan.crosses = terms.crosses && Contact::meets_both_stops;
     plan.x1 = units.state_at(scene.x1);
     const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
     const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);

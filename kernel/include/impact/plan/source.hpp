@@ -3,7 +3,7 @@
 // Where an absorber has its plan from: a rig that states scene, bounds and step as constants, so that the plan is
 // a constant of the image, or AtRunTime, with a plan that the constructor is given.
 
-#include <impact/plan.hpp>
+#include <impact/plan/plan.hpp>
 #include <impact/plan/refusal.hpp>
 
 namespace impact {

@@ -8,7 +8,7 @@
 #include <impact/fault.hpp>
 #include <impact/features.hpp>
 #include <impact/motion/friction.hpp>
-#include <impact/numeric/units.hpp>
+#include <impact/numeric/formula.hpp>
 #include <impact/stepper/treatment.hpp>
 
 namespace impact {
@@ -25,7 +25,7 @@ class Machine : protected Source {
   using Drive = typename PlanType::DriveType;
   using Field = typename PlanType::FieldType;
   using Friction = typename PlanType::FrictionType;
-  using Contact = typename PlanType::Treatment;
+  using Contact = typename PlanType::ContactType;
   using Value = typename Format::Value;
   using Long = typename Format::Long;
 
@@ -46,7 +46,8 @@ class Machine : protected Source {
   // A position, of what the state keeps in its stead: in a sampled field less what the last sample gave at once.
   constexpr Long place(Long x) const { return Field::place(plan, state_, x); }
 
-  // h v1 less the displacement that the coming step will make: what spring and drive will have changed by then.
+  // h v1 less the displacement that the coming step will make, as penetrations count: what spring, damper, drive and
+  // field take of h v1, in the mean over that step.
   constexpr Value rate_ahead() const { return rate_ahead_but_field() - Field::main_rate(plan, state_); }
   constexpr Value rate_ahead_but_field() const {
     Value ahead =
@@ -55,10 +56,6 @@ class Machine : protected Source {
     return ahead;
   }
 
-  // What a force that a treatment keeps has not done yet, towards the stop as a displacement per step.
-  constexpr Value carried(typename Format::Gain share) const {
-    return plan.units.as_displacement(mirrored(share * state_.contact.force, at_left()));
-  }
   constexpr bool at_left() const { return plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop; }
 
   constexpr bool is_beyond_stop() const {
@@ -96,7 +93,7 @@ class Machine : protected Source {
     return plan.units.relative(Field::ball_travel(plan, state_) - main_travel);
   }
 
-  // What contact or a change of plan has left beyond its range.
+  // Holds a state that is beyond its range, with a fault. Whether it was.
   constexpr bool hold_in_range() {
     if (plan.units.in_range(state_.x1, state_.x2, state_.dx1, state_.dx2)) return false;
     hold();

@@ -5,32 +5,24 @@
 // contact under way that a correction or a change of plan finds.
 
 #include <impact/law/impact_damping.hpp>
-#include <impact/step/rubbing.hpp>
+#include <impact/step/machine.hpp>
 #include <impact/stepper/treatment.hpp>
 #include <impact/types.hpp>
 
 namespace impact {
 
 template <class Source, class... Features>
-class Meeting : protected Rubbing<Source, Features...> {
-  using Base = Rubbing<Source, Features...>;
+class Meeting : protected Machine<Source, Features...> {
+  using Base = Machine<Source, Features...>;
 
  protected:
-  using Base::at_left, Base::flown, Base::depth_inside, Base::is_at_left, Base::rate_ahead, Base::rate_ahead_but_field,
-      Base::relative_rate;
+  using Base::at_left, Base::flown, Base::depth_inside, Base::is_at_left, Base::rate_ahead, Base::relative_rate;
   using Base::Base, Base::plan, Base::state_;
   using Base::hold, Base::hold_in_range, Base::raise;
   using typename Base::Contact, typename Base::Field, typename Base::Format, typename Base::Friction;
   using typename Base::Long, typename Base::PlanType, typename Base::Value;
 
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
-
-  // More members than a treatment asks for would cost every contact a call of memset.
-  using SeenForce = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
-  using SeenChange =
-      typename detail::Either<Contact::sees_change, ApproachUnderChange<SeenForce, Value>, SeenForce>::Type;
-  using SeenStep =
-      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<SeenForce, Value>, SeenChange>::Type;
 
   // Whether the range check after flight may wait until after contact: the response cannot wrap a state that was in
   // range before the step. (A shared one changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a
@@ -46,73 +38,18 @@ class Meeting : protected Rubbing<Source, Features...> {
     if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
     const bool left = at_left();
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
-    SeenStep step{};
-    if (!is_inside(step, left)) return hold_unjudged();
-    step.rate = relative_rate(left);
-    step.travel = mirrored(flown(main_travel), left);
-    step.before = step.penetration - step.travel;
-    if constexpr (Contact::sees_change) step.half_change = -mirrored(change.half, left);
+    StopApproach approach{};
+    if (!finds_contact(approach, left)) return hold_unjudged();
+    approach.rate = relative_rate(left);
+    approach.travel = mirrored(flown(main_travel), left);
+    approach.before = approach.penetration - approach.travel;
+    if constexpr (Contact::sees_change) approach.half_change = -mirrored(change.half, left);
     if constexpr (Contact::is_instantaneous) {
-      step.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
+      approach.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
       increment = increment + change.to_end;
     }
-    if (push(step, increment, left) && plan.crosses && state_.contact.phase == Phase::apart) cross(increment, !left);
-  }
-
-  // The penetration; whether there is a contact, under way or begun.
-  [[gnu::always_inline]] constexpr bool is_inside(Approach<Value>& step, bool left) {
-    const Long relative_displacement = mirrored(state_.x2 - state_.x1, left);
-    step.penetration = plan.units.penetration(relative_displacement);
-    if (state_.contact.phase == Phase::apart && !is_positive(step.penetration)) return false;
-    if (!plan.units.fits(relative_displacement)) raise(Fault::penetration);
-    return true;
-  }
-
-  // The ball that has left one stop comes to the other in the same step, at the rate that it left with.
-  [[gnu::noinline]] constexpr void cross(Value increment, bool left) {
-    SeenStep step{};
-    if (!is_inside(step, left)) return;
-    state_.at_left = left;
-    step.travel = step.rate = relative_rate(left);
-    step.before = step.penetration - step.rate;
-    if (is_positive(step.before) && !put_back(plan.units, state_, step, left)) return;
-    push(step, increment, left);
-  }
-
-  // What the contact does to both masses. False where the ball was put back to its stop or a state was held.
-  [[gnu::always_inline]] constexpr bool push(SeenStep& step, Value increment, bool left) {
-    const auto& units = plan.units;
-    Contact& contact = state_.contact;
-    if (contact.phase == Phase::apart && is_positive(step.before) && !contact.begin_inside(units, state_, step, left)) {
-      reload(state_);  // which every contact would keep in registers for this one
-      hold_unjudged();
-      return false;
-    }
-    if constexpr (Field::is_field) {
-      const Value ball = Field::ball_increment(plan, state_);
-      step.ball_increment = left ? -ball : ball;
-      step.increment = -mirrored(increment - ball, left);
-    } else {
-      step.increment = -mirrored(increment, left);
-    }
-    step.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
-    // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
-    [[maybe_unused]] const Value rate = step.rate;
-    if constexpr (Friction::is_friction && Contact::keeps_force)
-      step.rate = rate - mirrored(Format::value(half(state_.impulse)), left);
-    const Contact contact_before = contact;
-    // Not const: GCC keeps a constant that several branches make in memory.
-    auto impulse = contact.resolve(plan.contact, units, step);
-    reload(state_);
-    plan.contact.response.answer(units, state_, mirrored(impulse, left));
-    contact.place_ball(plan.contact, units, state_, left);
-    if (hold_in_range()) return false;
-    if constexpr (sizeof...(Features) > 0) {
-      step.rate = rate;
-      const auto seen = contact.record(plan.contact, units, step, contact_before, impulse);
-      (Features::after_contact(plan, state_, seen), ...);
-    }
-    return true;
+    if (push(approach, increment, left) && plan.crosses && state_.contact.phase == Phase::apart)
+      cross(increment, !left);
   }
 
   // What spring, drive and field give the contact to bear.
@@ -148,6 +85,71 @@ class Meeting : protected Rubbing<Source, Features...> {
   }
 
  private:
+  // More members than a treatment asks for would cost every contact a call of memset.
+  using FieldApproach = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
+  using ChangeApproach =
+      typename detail::Either<Contact::sees_change, ApproachUnderChange<FieldApproach, Value>, FieldApproach>::Type;
+  using StopApproach =
+      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<FieldApproach, Value>, ChangeApproach>::Type;
+
+  // Writes the penetration at the step's end. True where a contact is under way or begins; with a fault beyond its
+  // bound.
+  [[gnu::always_inline]] constexpr bool finds_contact(Approach<Value>& approach, bool left) {
+    const Long relative_displacement = mirrored(state_.x2 - state_.x1, left);
+    approach.penetration = plan.units.penetration(relative_displacement);
+    if (state_.contact.phase == Phase::apart && !is_positive(approach.penetration)) return false;
+    if (!plan.units.fits(relative_displacement)) raise(Fault::penetration);
+    return true;
+  }
+
+  // The ball that has left one stop comes to the other in the same step, at the rate that it left with.
+  [[gnu::noinline]] constexpr void cross(Value increment, bool left) {
+    StopApproach approach{};
+    if (!finds_contact(approach, left)) return;
+    state_.at_left = left;
+    approach.travel = approach.rate = relative_rate(left);
+    approach.before = approach.penetration - approach.rate;
+    if (is_positive(approach.before) && !put_back(plan.units, state_, approach, left)) return;
+    push(approach, increment, left);
+  }
+
+  // What the contact does to both masses. False where the ball was put back to its stop or a state was held.
+  [[gnu::always_inline]] constexpr bool push(StopApproach& approach, Value increment, bool left) {
+    const auto& units = plan.units;
+    Contact& contact = state_.contact;
+    if (contact.phase == Phase::apart && is_positive(approach.before) &&
+        !contact.begin_inside(units, state_, approach, left)) {
+      reload(state_);  // which every contact would keep in registers for this one
+      hold_unjudged();
+      return false;
+    }
+    if constexpr (Field::is_field) {
+      const Value ball = Field::ball_increment(plan, state_);
+      approach.ball_increment = left ? -ball : ball;
+      approach.increment = -mirrored(increment - ball, left);
+    } else {
+      approach.increment = -mirrored(increment, left);
+    }
+    approach.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
+    // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
+    [[maybe_unused]] const Value rate = approach.rate;
+    if constexpr (Friction::is_friction && Contact::keeps_force)
+      approach.rate = rate - mirrored(Format::value(half(state_.impulse)), left);
+    const Contact contact_before = contact;
+    // Not const: GCC keeps a constant that several branches make in memory.
+    auto impulse = contact.resolve(plan.contact, units, approach);
+    reload(state_);
+    plan.contact.response.answer(units, state_, mirrored(impulse, left));
+    contact.place_ball(plan.contact, units, state_, left);
+    if (hold_in_range()) return false;
+    if constexpr (sizeof...(Features) > 0) {
+      approach.rate = rate;
+      const auto seen = contact.record(plan.contact, units, approach, contact_before, impulse);
+      (Features::after_contact(plan, state_, seen), ...);
+    }
+    return true;
+  }
+
   // A flight that was left to a contact to judge, where there is none.
   [[gnu::always_inline]] constexpr void hold_unjudged() {
     if (checks_range_once()) hold_in_range();

@@ -3,18 +3,18 @@
 // Dry friction's place in a step (its physics: motion/friction.hpp): an impulse at the step's end, after flight or
 // after contact, and half of one around a start, a correction or a change of plan. Without the part nothing.
 
-#include <impact/step/machine.hpp>
+#include <impact/step/meeting.hpp>
 
 namespace impact {
 
 template <class Source, class... Features>
-class Rubbing : protected Machine<Source, Features...> {
-  using Base = Machine<Source, Features...>;
+class Rubbing : protected Meeting<Source, Features...> {
+  using Base = Meeting<Source, Features...>;
 
  protected:
   using Base::at_left, Base::flown, Base::rate_ahead, Base::relative_rate, Base::way_ahead;
   using Base::Base, Base::plan, Base::state_, Base::counts_slid_way;
-  using typename Base::Contact, typename Base::Field, typename Base::Format, typename Base::Friction;
+  using typename Base::Contact, typename Base::Format, typename Base::Friction;
   using typename Base::Long, typename Base::Value;
 
   // A plan AtRunTime may have a friction of 0: then nothing is done, and the bits are those without DryFriction.
@@ -50,10 +50,6 @@ class Rubbing : protected Machine<Source, Features...> {
       rub_anew(flown(main_travel), way_ahead(), typename Friction::Any{});
     if constexpr (counts_slid_way) count_slid_way(rate);
   }
-  template <class Allowed>
-  [[gnu::noinline]] constexpr void rub_anew(Value slid, Long ahead, Allowed allowed) {
-    Friction::rub(plan, state_, slid, ahead, allowed);
-  }
   // And of one in which the ball has met a stop: where it still touches it, contact will take as much of x2 - x1 in the
   // coming step as it did in this one.
   [[gnu::always_inline]] constexpr void rub_at_stop(Long flight, Long taken) {
@@ -72,6 +68,18 @@ class Rubbing : protected Machine<Source, Features...> {
     state_.contact.change_rate(plan.contact, towards_stop);
     if constexpr (counts_slid_way) state_.rate = state_.rate + towards_stop;
   }
+  // The half of the last impulse that acts in the step ahead.
+  constexpr auto still_to_rub() const {
+    const Value main = plan.friction.main_rate_ahead * state_.impulse, ball = plan.friction.ball_ahead * state_.impulse;
+    const Value more = Friction::rubbing_rate(plan, main + ball, -main);
+    return Friction::dissipated(plan, state_, rubbing_rate() + Format::value(half(more)));
+  }
+
+ private:
+  template <class Allowed>
+  [[gnu::noinline]] constexpr void rub_anew(Value slid, Long ahead, Allowed allowed) {
+    Friction::rub(plan, state_, slid, ahead, allowed);
+  }
   // The work of an impulse is at the mean of the rates before and after it: what both masses lose, exactly.
   constexpr void count_slid_way(Value before) {
     state_.slid.add(Friction::dissipated(plan, state_, before));
@@ -86,12 +94,6 @@ class Rubbing : protected Machine<Source, Features...> {
       sliding = sliding + mirrored(main_carried + ball_carried, at_left());
     }
     return Friction::rubbing_rate(plan, sliding, main);
-  }
-  // The half of the last impulse that acts in the step ahead.
-  constexpr auto still_to_rub() const {
-    const Value main = plan.friction.main_rate_ahead * state_.impulse, ball = plan.friction.ball_ahead * state_.impulse;
-    const Value more = Friction::rubbing_rate(plan, main + ball, -main);
-    return Friction::dissipated(plan, state_, rubbing_rate() + Format::value(half(more)));
   }
 };
 

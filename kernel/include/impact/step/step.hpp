@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A step: both masses fly freely to its end (motion/linear_flow.hpp); where the ball then stands inside a stop it meets
-// that (step/meeting.hpp); dry friction rubs at the end (step/rubbing.hpp). And the state that the first step starts
-// from.
+// A step. Both masses fly freely to its end (motion/linear_flow.hpp), with the drive's share s,
+//
+//     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2        (of x1 the new one, of dx1 the
+//     old)
+//
+// where the ball then stands inside a stop it meets that (step/meeting.hpp), and dry friction rubs at the step's end
+// (step/rubbing.hpp). And the state that the first step starts from.
 
-#include <impact/step/meeting.hpp>
+#include <impact/step/rubbing.hpp>
 
 namespace impact {
 
 template <class Source, class... Features>
-class Step : protected Meeting<Source, Features...> {
-  using Base = Meeting<Source, Features...>;
+class Step : protected Rubbing<Source, Features...> {
+  using Base = Rubbing<Source, Features...>;
 
  protected:
   using Base::Base, Base::plan, Base::state_;
@@ -107,9 +111,9 @@ class Step : protected Meeting<Source, Features...> {
   [[gnu::always_inline]] constexpr void meet_stop_and_rub(Value increment, Long main_travel,
                                                           DriveChange<Value> change) {
     if constexpr (Friction::is_friction) {
-      const Long flight = Field::ball_travel(plan, state_) - main_travel, apart = state_.x2 - state_.x1;
+      const Long flight = Field::ball_travel(plan, state_) - main_travel, distance = state_.x2 - state_.x1;
       touch(increment, main_travel, change);
-      if (rubs()) rub_at_stop(flight, apart - (state_.x2 - state_.x1));
+      if (rubs()) rub_at_stop(flight, distance - (state_.x2 - state_.x1));
     } else {
       touch(increment, main_travel, change);
     }

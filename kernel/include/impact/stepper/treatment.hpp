@@ -132,7 +132,8 @@ struct Treatment {
   template <class Plan, class Units, class State>
   static constexpr void carry_over(const Plan&, const Units&, const State&, bool) {}
   static constexpr void drop_force() {}
-  // What spring, drive and field change the rate of penetration by in a step, for a contact that begins inside.
+  // What spring, drive and field change the rate of penetration by in a step, for a contact without a step before it:
+  // at the start, and after a change of plan.
   template <class Plan, class Value>
   static constexpr void bear(const Plan&, Value) {}
   // The rate of penetration at the step's end is another one: dry friction.

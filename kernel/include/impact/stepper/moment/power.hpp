@@ -191,7 +191,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   // What an impulse does to the penetration, in its unit.
   static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_places); }
-  // The same of a product with an impulse: its other factor and then the product.
+  // K times an impulse: K goes to the left by ahead_places first, and the product to the right by these and travel's,
+  // so that no places are lost.
   static constexpr Value ahead(const Plan& plan, Value factor) { return Format::moved(factor, -plan.ahead_places); }
   static constexpr Value behind(const Plan& plan, Value product) {
     return Format::moved(product, plan.travel_places + plan.ahead_places);

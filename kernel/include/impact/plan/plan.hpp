@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// From a scene and a step length to every constant of a step: flow, formats, drive, contact. All of it is a constant
-// expression in double, so that a firmware image holds only the constants that its step reads, and a host can make the
-// same plan at run time.
+// The constants of a step, made from a scene, its bounds and a step length (plan/making.hpp). All are constant
+// expressions in double, so that a firmware image holds only those that its step reads, and a host can make the same
+// plan at run time.
+
+#include <stdint.h>
 
 #include <impact/law/terms.hpp>
 #include <impact/motion/field.hpp>
 #include <impact/motion/friction.hpp>
 #include <impact/motion/handover.hpp>
-#include <impact/numeric/constant_math.hpp>
-#include <impact/numeric/units.hpp>
 #include <impact/plan/identity.hpp>
 #include <impact/plan/making.hpp>
 #include <impact/scene.hpp>
@@ -30,7 +30,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   using FrictionConstants = typename Friction::template FrictionPlan<Format>;
   using Gain = typename Format::Gain;
   using Long = typename Format::Long;
-  using Treatment = typename Stepper::template Contact<Format, ContactLaw>;
+  using ContactType = typename Stepper::template Contact<Format, ContactLaw>;
 
   PlanStatus status;  // unless ok, the rest is meaningless
   double step;        // h, s
@@ -38,29 +38,17 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   Gain stiffness, damping;       // of the recurrence in linear_flow.hpp
   Gain rate_by_dx1, rate_by_x1;  // a velocity from the displacement that the coming step will make
   typename Drive::template Plan<Format> drive;
-  typename Treatment::Plan contact;
+  typename ContactType::Plan contact;
   double force_scale, drive_scale;  // N that State's forces and the drive's count in
   bool left_stop, right_stop;
   bool crosses;                      // a step can leave one stop and touch the other
   Long x1, dx1, x2, dx2;             // the initial state
   uint32_t identity;                 // the fingerprint of scene, bounds, step and types
-  Handover<Format, Drive> handover;  // read by a change of plan only
+  Handover<Format, Drive> handover;  // read by correct() and by a change of plan
 
+  // `step` in s. Where `status` is not ok nothing else means anything. Double arithmetic: for a constant, or a host.
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step) {
-    const Plan plan = PlanMaking<Plan>::make(scene, bounds, step);
-    if constexpr (Field::is_field) {
-      // Where it is the field that leaves a quantity no room, the field is named.
-      const bool has_no_room = plan.status == PlanStatus::displacement_bound ||
-                               plan.status == PlanStatus::speed_bound || plan.status == PlanStatus::contact_stiffness;
-      Scene calm = scene;
-      Bounds still = bounds;
-      calm.gravity = still.base_acceleration = 0;
-      if (has_no_room && PlanMaking<Plan>::make(calm, still, step).status == PlanStatus::ok)
-        return refused(bounds.base_acceleration > constant::magnitude(scene.gravity)
-                           ? PlanStatus::base_acceleration_bound
-                           : PlanStatus::gravity);
-    }
-    return plan;
+    return PlanMaking<Plan>::make(scene, bounds, step);
   }
 
   // The SI values of native 1.0: m, m/s, and N of a contact force and of a sample.
@@ -77,6 +65,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
       return 0;
   }
 
+  // A force in N as a sample; beyond its bound it is held there in Fixed32.
   template <class Real>
   constexpr typename Format::Value sample_of(Real newtons) const {
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
@@ -111,7 +100,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
                               sizeof(typename Format::Value),
                               sizeof(Long),
                               sizeof(Gain),
-                              sizeof(Treatment)};
+                              sizeof(ContactType)};
     Fingerprint fingerprint =
         fingerprint_of(scene, bounds, h, damping_ratio<ContactLaw>(scene), Stepper::longest_phase);
     for (uint32_t kind : kinds) fingerprint.add(kind);
@@ -119,14 +108,6 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     if constexpr (Field::is_sampled) fingerprint.add_number(bounds.base_acceleration);
     if constexpr (Friction::is_friction) fingerprint.add_number(scene.ball_friction);
     return fingerprint.value;
-  }
-  // A part that is stated must be named, or the scene would be another one.
-  static constexpr PlanStatus status_of_parts(const Scene& scene, const Bounds& bounds) {
-    const auto is_stated = [](double x) { return x < 0 || x > 0; };
-    if (!Field::is_field && is_stated(scene.gravity)) return PlanStatus::gravity_not_named;
-    if (!Field::is_sampled && is_stated(bounds.base_acceleration)) return PlanStatus::base_acceleration_not_named;
-    if (!Friction::is_friction && is_stated(scene.ball_friction)) return PlanStatus::ball_friction_not_named;
-    return PlanStatus::ok;
   }
 
  private:

@@ -284,7 +284,7 @@ class Absorber
   // beyond the bounds has just left, and that the next step would hold, is refused as well. It is no signature: of
   // bytes that somebody has made up to pass, the next steps are defined and end in range or with a fault, but they are
   // no motion of this absorber, and what features recorded may be anything.
-  static constexpr uint32_t state_version = 3;
+  static constexpr uint32_t state_version = 4;
   struct Saved {
     uint32_t version, plan_identity;
     State state;

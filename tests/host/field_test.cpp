@@ -153,16 +153,18 @@ void rest(double tolerance, int lead) {
   EXPECT_EQ(absorber.fault(), Fault::none);
 }
 template <class Law, class Stepper>
-void rest_in_every_format(int lead = 0) {
+void rest_in_every_format(int lead = 0, double in_fixed32 = 2e-8) {
   rest<Law, Stepper, Float64>(1e-9, lead);
-  rest<Law, Stepper, Fixed32>(2e-8, lead);
+  rest<Law, Stepper, Fixed32>(in_fixed32, lead);
   rest<Law, Stepper, Float32>(2e-8, lead);
 }
 // The classical schemes begin a contact that is under way without its force, and miss h^2/4 of the load's acceleration
 // in the first step: they are given 30 s for that.
 TEST(Field, BallRestsAtItsStaticPenetration) {
   rest_in_every_format<HuntCrossley, Moment>();
-  rest_in_every_format<HuntCrossley, SubsteppedMoment<4>>();
+  // A place of a sub-step's impulse, 5.7e-14 m, moves the equilibrium by 4^2/(h omega)^2 of it, (h omega)^2 = 9.5e-5:
+  // by 9.6e-9 m. J0 rounds four products.
+  rest_in_every_format<HuntCrossley, SubsteppedMoment<4>>(0, 4e-8);
   rest_in_every_format<HuntCrossley, EnergyConsistent>();
   rest_in_every_format<HuntCrossley, AverageAcceleration>(300000);
   rest_in_every_format<HookeNewton, Moment>();

@@ -7,8 +7,9 @@
 //     ball        displacement D += R                      R: rate, per sub-step
 //     main mass   (X, U) by its own exact flow over a sub-step, linear_flow.hpp
 //
-// so that a sub-step's trial is the cubic at its end less X + D. Both masses have the sums at the step's end. Fourth
-// order in h/n, for a main mass that turns by less than a radian in h.
+// so that a sub-step's trial is the cubic at its end less X + D. Both masses have the sums at the step's end; the
+// ball's D and R are its share of the impulses' own sums, so that however heavy it is they have places. Fourth order in
+// h/n, for a main mass that turns by less than a radian in h.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>
@@ -39,8 +40,23 @@ struct SubsteppedMoment {
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
 
+    // As Response, but that the ball's part of an impulse that counts as what it does to both masses keeps all its
+    // places: a heavy ball's may have none in a push.
+    struct StepResponse : Response<Gain> {
+      template <class State>
+      [[gnu::always_inline]] constexpr void answer(const Units& units, State& state,
+                                                   const SplitImpulse<Value>& main) const {
+        units.push(state.x1, this->x1 * main.j1);
+        units.push(state.dx1, this->dx1 * main.j0 + this->dx1_by_moment * main.j1);
+        units.displace(state.x2, this->x2, -main.ball.j1);
+        units.displace(state.dx2, this->dx2, -main.ball.j0);
+      }
+    };
+    // Power laws' impulses are changes of the relative rate, Hooke-Newton's count in forces and become the ball's at
+    // once.
+    static constexpr bool is_linear = ContactLaw::is_linear;
     struct Plan {
-      Response<Gain> response;
+      StepResponse response;
       typename Inner::Plan inner;
       Gain part, square, cube;                          // 1/n, 1/n^2, 1/n^3
       Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // the main mass's flow over a sub-step, less (1 1; 0 1)
@@ -66,25 +82,24 @@ struct SubsteppedMoment {
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const ContactTerms sub = in_a_part(terms);
       const MomentResponse answer(sub);
-      // Power laws' impulses are changes of the relative rate, Hooke-Newton's count in forces.
-      constexpr bool is_linear = ContactLaw::is_linear;
       const double scale = is_linear ? terms.force_unit * sub.step * sub.step : 1 / (1 / terms.ball_mass + answer.gx);
       const int from = is_linear ? 0 : unit.recoil;
-      const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step);
+      const double of_ball = scale / terms.ball_mass, share = is_linear ? 1 : of_ball;  // of what the sums count
+      const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step) * share;
       Scene main{};
       main.main_mass = terms.main_mass;
       main.main_stiffness = terms.main_stiffness;
       main.main_damping = terms.main_damping;
       const LinearFlow part = exact_flow(main, sub.step);
       Plan plan{};
-      plan.response = {Format::gain(1, unit.recoil, unit.push),
-                       Format::gain(n * flow.e12, unit.recoil, unit.push),
-                       Format::gain(flow.e11, unit.recoil, unit.push),
-                       Format::gain(1, unit.recoil, unit.push),
-                       Format::gain(n, unit.recoil, unit.push),
-                       {},
-                       {},
-                       {}};
+      plan.response = {{Format::gain(1, unit.recoil, unit.push),
+                        Format::gain(n * flow.e12, unit.recoil, unit.push),
+                        Format::gain(flow.e11, unit.recoil, unit.push),
+                        Format::gain(share, unit.recoil, unit.penetration),
+                        Format::gain(n * share, unit.recoil, unit.penetration),
+                        {},
+                        {},
+                        {}}};
       plan.inner = Inner::make_plan(sub, flow, unit);
       if constexpr (!is_linear) plan.inner.change_places = unit.recoil - unit.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);
@@ -97,7 +112,7 @@ struct SubsteppedMoment {
       plan.main_x = Format::gain(scale * answer.gx, from, unit.recoil);
       plan.main_u = Format::gain(scale * answer.g0, from, unit.recoil);
       plan.main_u_by_moment = Format::gain(scale * answer.hg1, from, unit.recoil);
-      plan.ball = Format::gain(scale / terms.ball_mass, from, unit.recoil);
+      plan.ball = Format::gain(of_ball, from, unit.recoil);
       plan.to_penetration = Format::gain(n, unit.recoil, unit.penetration);
       plan.late = Format::gain(terms.step * terms.step / (3 * terms.main_mass * flow.constant_increment()),
                                unit.increment, unit.penetration);
@@ -149,7 +164,7 @@ struct SubsteppedMoment {
       Value free = at, free_rate = plan.part * rate_before, curvature = second + second;
       Value first_difference = free_rate + second + third, second_difference = curvature + third6,
             rate_difference = curvature + third3;
-      Value x{}, u{}, y{}, w{};  // what the impulses have done to the main mass (x, u) and to the ball (y, w)
+      Value x{}, u{}, y{}, w{};  // what the impulses have done to the main mass (x, u), and the ball's sums (y, w)
       for (int i = 1; i <= n; ++i) {
         free = free + first_difference;
         first_difference = first_difference + second_difference;
@@ -161,7 +176,7 @@ struct SubsteppedMoment {
         u = u + plan.by_x_to_u * x + plan.by_u_to_u * u;
         x = moved;
         y = y + w;
-        const Value part_trial = (i == n ? trial : free) - Format::moved(x + y, plan.travel_places);
+        const Value part_trial = (i == n ? trial : free) - Format::moved(x + of_ball(plan, y), plan.travel_places);
         if (this->phase == Phase::apart) {
           if (!is_positive(part_trial)) {
             at = part_trial;
@@ -169,18 +184,25 @@ struct SubsteppedMoment {
           }
           if (is_positive(at)) at = Value{};
         }
-        const Value part_rate = free_rate - Format::moved(u + w, plan.travel_places);
+        const Value part_rate = free_rate - Format::moved(u + of_ball(plan, w), plan.travel_places);
         Impulse<Value> impulse =  // not const: GCC would keep it in memory
             Inner::resolve(plan.inner, units, {part_trial, part_rate, part_trial - at, at, curvature, Value{}});
         x = x + plan.main_x * impulse.j1;
         u = u + plan.main_u * impulse.j0 + plan.main_u_by_moment * impulse.j1;
-        y = y + plan.ball * impulse.j1;
-        w = w + plan.ball * impulse.j0;
+        y = y + for_ball(plan, impulse.j1);
+        w = w + for_ball(plan, impulse.j0);
         at = this->penetration;
       }
-      step_rate = trial_rate - plan.to_penetration * (u + w);
+      step_rate = trial_rate - plan.to_penetration * (u + of_ball(plan, w));
       return {{u, x}, {w, y}, rate_before};
     }
+
+   private:
+    // An impulse as the ball's sums count, and what such a sum does to the ball.
+    static constexpr Value for_ball(const Plan& plan, Value impulse) {
+      return is_linear ? plan.ball * impulse : impulse;
+    }
+    static constexpr Value of_ball(const Plan& plan, Value sum) { return is_linear ? sum : plan.ball * sum; }
   };
 };
 

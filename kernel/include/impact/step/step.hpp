@@ -2,11 +2,10 @@
 #pragma once
 // A step. Both masses fly freely to its end (motion/linear_flow.hpp), with the drive's share s,
 //
-//     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2        (of x1 the new one, of dx1 the
-//     old)
+//     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2
 //
-// where the ball then stands inside a stop it meets that (step/meeting.hpp), and dry friction rubs at the step's end
-// (step/rubbing.hpp). And the state that the first step starts from.
+// of x1 the new one, of dx1 the old. Where the ball then stands inside a stop it meets that (step/meeting.hpp), and dry
+// friction rubs at the step's end (step/rubbing.hpp). And the state that the first step starts from.
 
 #include <impact/step/rubbing.hpp>
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <random>
+#include <utility>
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
@@ -207,48 +209,49 @@ std::string text_of(const Request& request) {
   const auto say = [&](const char* option, std::string_view value) {
     text += std::string(" --") + option + " " += value;
   };
-  const auto say_number = [&](const char* option, double value) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.17g", value);
-    say(option, digits);
+  const auto say_numbers = [&](std::initializer_list<std::pair<const char*, double>> numbers) {
+    for (const auto& [option, value] : numbers) {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%.17g", value);
+      say(option, digits);
+    }
   };
   say("law", name_of(request.law));
   say("newmark", name_of(request.stepper));
   say("numeric", name_of(request.numeric));
-  say_number("main-mass", scene.main_mass);
-  say_number("ball-mass", scene.ball_mass);
-  say_number("main-stiffness", scene.main_stiffness);
-  say_number("main-damping", scene.main_damping);
-  say_number("clearance", scene.clearance);
-  say_number("contact-stiffness", scene.contact_stiffness);
+  say_numbers({{"main-mass", scene.main_mass},
+               {"ball-mass", scene.ball_mass},
+               {"main-stiffness", scene.main_stiffness},
+               {"main-damping", scene.main_damping},
+               {"clearance", scene.clearance},
+               {"contact-stiffness", scene.contact_stiffness}});
   if (request.damping == Damping::constant) {
-    say_number("contact-damping", scene.contact_damping);
+    say_numbers({{"contact-damping", scene.contact_damping}});
   } else {
     say("damping", name_of(request.damping));
-    say_number("restitution", scene.restitution);
+    say_numbers({{"restitution", scene.restitution}});
   }
   if (request.drive == DriveKind::sampled) {
     say("drive-file", drive_file);
   } else if (request.drive == DriveKind::sine) {
-    say_number("drive-amplitude", scene.drive_amplitude);
-    say_number("drive-pulsation", scene.drive_pulsation);
+    say_numbers({{"drive-amplitude", scene.drive_amplitude}, {"drive-pulsation", scene.drive_pulsation}});
   } else {
     say("drive", "none");
   }
   if (request.is_shaken) {
     say("base-acceleration-file", base_file);
-    say_number("bound-base-acceleration", bounds.base_acceleration);
+    say_numbers({{"bound-base-acceleration", bounds.base_acceleration}});
   }
-  if (scene.gravity < 0 || scene.gravity > 0) say_number("gravity", scene.gravity);
-  if (scene.ball_friction > 0) say_number("ball-friction", scene.ball_friction);
-  say_number("step", request.step);
-  say_number("duration", request.duration);
-  say_number("v1", scene.v1);
-  say_number("x2", scene.x2);
-  say_number("v2", scene.v2);
-  say_number("bound-displacement", bounds.displacement);
-  say_number("bound-speed", bounds.speed);
-  say_number("bound-force", bounds.force);
+  if (scene.gravity < 0 || scene.gravity > 0) say_numbers({{"gravity", scene.gravity}});
+  if (scene.ball_friction > 0) say_numbers({{"ball-friction", scene.ball_friction}});
+  say_numbers({{"step", request.step},
+               {"duration", request.duration},
+               {"v1", scene.v1},
+               {"x2", scene.x2},
+               {"v2", scene.v2},
+               {"bound-displacement", bounds.displacement},
+               {"bound-speed", bounds.speed},
+               {"bound-force", bounds.force}});
   return text;
 }
 

@@ -113,18 +113,21 @@ std::string allowed_text(const Request& asked, const Explanation& found) {
   return (may_be_off ? "0, or " : "") + least + " to " + most;
 }
 
-// Why a step is too long where no contact asks for a shorter one.
-std::string crossing_text(const Request& asked, const Settled& settled) {
-  if (settled.planned.status != PlanStatus::clearance) return {};
-  const Scene& scene = asked.scene;
-  const double speed = settled.request.bounds->speed;
-  return " (with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a step, at " +
-         short_text(speed) + " m/s" +
-         (asked.bounds                                                      ? " of --bound-speed)"
-          : settled.is_measured                                             ? ", half as much again as a run reaches)"
-          : speed > std::max({0.5, std::abs(scene.v1), std::abs(scene.v2)}) ? ", an estimate in place of which "
-                                                                              "--bound-speed may state it)"
-                                                                            : ")");
+// Where the largest speed of a refusal comes from.
+std::string source_of_speed(const Request& asked, const Settled& settled) {
+  if (asked.bounds) return " of --bound-speed";
+  if (settled.is_measured) return ", half as much again as a run reaches";
+  const double least = std::max({0.5, std::abs(asked.scene.v1), std::abs(asked.scene.v2)});
+  return settled.request.bounds->speed > least ? ", an estimate in place of which --bound-speed may state it" : "";
+}
+
+// What a range does not say of itself.
+std::string condition_of(const std::string& option, const Request& asked, const Settled& settled) {
+  if (option == "contact-damping" && asked.damping_is_by_restitution) return ", without --restitution";
+  if (option == "step" && settled.planned.status == PlanStatus::clearance)
+    return " (with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a step, at " +
+           short_text(settled.request.bounds->speed) + " m/s" + source_of_speed(asked, settled) + ")";
+  return {};
 }
 
 }  // namespace
@@ -148,10 +151,7 @@ Refusal refusal_of(const Request& asked, const Settled& settled) {
   if (std::isnan(found.value)) return {option, value, "a number"};
   if (!found.allowed.holds(found.value))
     if (const std::string allowed = allowed_text(asked, found); !allowed.empty())
-      return {option, value,
-              option == "step"                                                 ? allowed + crossing_text(asked, settled)
-              : option == "contact-damping" && asked.damping_is_by_restitution ? allowed + ", without --restitution"
-                                                                               : allowed};
+      return {option, value, allowed + condition_of(option, asked, settled)};
   if (const std::string step = shorter_step(asked); !step.empty())
     return {"step", shortest_text(request.step), step + " to " + step};
   if (request.numeric == Numeric::fixed32)

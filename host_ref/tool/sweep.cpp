@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <host_ref/extremes.hpp>
 #include <host_ref/tool/bare.hpp>
@@ -44,9 +45,19 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
+// A scene's samples are read to check it, and again to run it.
+void expect_readable_again(const std::vector<Argument>& arguments) {
+  for (const auto& [name, file] : arguments) {
+    const bool is_read = name == "drive-file" || name == "base-file" || name == "base-acceleration-file";
+    if (is_read && std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+      throw BadInput("--" + name, file, "a file that can be read twice, in a sweep");
+  }
+}
+
 // That a kernel exists for the scene, as far as it can be told before anything runs; the rest is left to the row's
 // `fault`.
 Settings checked(const std::vector<Argument>& arguments) {
+  expect_readable_again(arguments);
   Settings settings = settings_from(arguments);
   const Refusal refusal = refusal_before_a_run(settings.request);
   if (!refusal.field.empty()) throw BadInput(refusal);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <host_ref/limits.hpp>
 #include <host_ref/simulation.hpp>
 #include <initializer_list>
@@ -13,28 +14,28 @@
 
 namespace impact::host {
 
-template <class Value>
-std::optional<Value> value_from(std::string_view text) {
-  Value value{};
+inline std::optional<long> whole_number_from(std::string_view text) {
+  long value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return {};
-  return value;
+  return error == std::errc{} && stop == end ? std::optional<long>(value) : std::nullopt;
 }
 
-inline std::optional<long> whole_number_from(std::string_view text) { return value_from<long>(text); }
-
-// Finite numbers only.
+// Finite numbers only; one too small for a double is 0.
 inline std::optional<double> number_from(std::string_view text) {
+  double value = 0;
 #ifdef __cpp_lib_to_chars
-  const auto value = value_from<double>(text);
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc::invalid_argument || stop != end) return {};
+  if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
 #else  // a library that reads whole numbers only, as the explorer's does
   const std::string copy(text);
   char* end = nullptr;
-  std::optional<double> value = std::strtod(copy.c_str(), &end);
-  if (copy.empty() || end != copy.c_str() + copy.size()) value.reset();
+  value = std::strtod(copy.c_str(), &end);
+  if (copy.empty() || end != copy.c_str() + copy.size()) return {};
 #endif
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
 
 inline void append_number(std::string& text, double value, int significant_digits) {

@@ -165,6 +165,8 @@ TEST_F(ImpactSimSweep, ABadLineIsRefusedBeforeAnythingRuns) {
   EXPECT_THAT(refusal("output\nx.csv\n"), HasSubstr("line 1: --output"));
   EXPECT_THAT(refusal("clearance,\n0.01,\n"), HasSubstr("line 1: a column without a name"));
   EXPECT_THAT(refusal("x1,x1\n0,0\n"), HasSubstr("line 2: --x1 0: allowed: once"));
+  EXPECT_THAT(refusal("drive-file\n/dev/null\n"),
+              HasSubstr("line 2: --drive-file /dev/null: allowed: a file that can be read twice"));
   EXPECT_THAT(refusal(""), HasSubstr("--sweep bad.csv"));
 }
 

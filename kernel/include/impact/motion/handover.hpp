@@ -19,7 +19,6 @@
 #include <stdint.h>
 
 #include <impact/motion/linear_flow.hpp>
-#include <impact/numeric/fingerprint.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
 
@@ -29,20 +28,14 @@ template <class Format, class Drive>
 struct Handover {
   using Gain = typename Format::Gain;
 
-  uint32_t units;    // what a state counts in: the fingerprint of bounds, step, clearance, stops and a position's unit
-  uint32_t contact;  // what a contact under way remembers in: of its parameters, and set by the plan
+  uint32_t units, contact;  // fingerprints of what a state and a contact under way count in (plan/identity.hpp)
   Gain ahead_by_dx1, ahead_by_x1, behind_by_u1, behind_by_x1;
   typename Drive::template Handover<Format> drive;
 
   static constexpr Handover make(const Scene& scene, const Bounds& bounds, double h, const LinearFlow& flow,
-                                 const UnitExponents& unit) {
-    const double numbers[] = {bounds.displacement, bounds.speed, bounds.penetration, bounds.force, h, scene.clearance};
-    Fingerprint units{};
-    for (double number : numbers) units.add_number(number);
-    units.add(static_cast<uint32_t>(scene.stops));
-    units.add(static_cast<uint32_t>(unit.position));
-    return {units.value,
-            0,
+                                 const UnitExponents& unit, uint32_t units, uint32_t contact) {
+    return {units,
+            contact,
             Format::gain(1 / flow.e12 - 1, unit.displacement, unit.increment),
             Format::gain(-flow.e11 / flow.e12, unit.position, unit.increment),
             Format::gain(1 - flow.e12, unit.displacement, unit.increment),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What tells one plan's scene and contact from another's, for saved states and changes of plan.
+// What tells one plan's scene, states and contacts from another's, for saved states and changes of plan.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/fingerprint.hpp>
@@ -37,7 +37,23 @@ constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, d
   fingerprint.add(static_cast<uint32_t>(scene.tension));
   return fingerprint;
 }
-constexpr Fingerprint fingerprint_of(const ContactTerms& terms, const UnitExponents& unit) {
+// What a state counts in. A base's samples count in their bound, and at once in what gravity counts in.
+template <class Field>
+constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bounds, double h,
+                                           const UnitExponents& unit) {
+  const double numbers[] = {bounds.displacement, bounds.speed, bounds.penetration, bounds.force, h, scene.clearance};
+  Fingerprint fingerprint{};
+  for (double number : numbers) fingerprint.add_number(number);
+  fingerprint.add(static_cast<uint32_t>(scene.stops));
+  fingerprint.add(static_cast<uint32_t>(unit.position));
+  if constexpr (Field::is_sampled) {
+    fingerprint.add_number(bounds.base_acceleration);
+    fingerprint.add_number(scene.gravity);
+  }
+  return fingerprint;
+}
+// What a contact under way remembers in.
+constexpr Fingerprint fingerprint_of_contact(const ContactTerms& terms, const UnitExponents& unit) {
   const double numbers[] = {terms.ball_mass, terms.main_mass,    terms.main_stiffness, terms.main_damping,
                             terms.stiffness, terms.damping_time, terms.deepest};
   Fingerprint fingerprint{};

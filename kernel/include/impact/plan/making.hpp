@@ -10,7 +10,6 @@
 #include <impact/motion/handover.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
-#include <impact/numeric/fingerprint.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/plan/identity.hpp>
 #include <impact/scene.hpp>
@@ -216,14 +215,9 @@ class PlanMaking {
     plan.x2 = units.state_at(scene.x2);
     plan.dx2 = units.state(scene.v2 * h + ball_in_field);
     plan.identity = Plan::identity_of(scene, bounds, h);
-    plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents);
-    plan.handover.contact = fingerprint_of(terms, exponents).value;
-    if constexpr (Field::is_sampled) {
-      Fingerprint units_of_samples{plan.handover.units};
-      units_of_samples.add_number(bounds.base_acceleration);
-      units_of_samples.add_number(scene.gravity);
-      plan.handover.units = units_of_samples.value;
-    }
+    plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents,
+                                                  fingerprint_of_state<Field>(scene, bounds, h, exponents).value,
+                                                  fingerprint_of_contact(terms, exponents).value);
     if constexpr (Field::is_field)
       static_cast<typename Plan::FieldConstants&>(plan) =
           Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);

@@ -6,6 +6,7 @@
 
 #include <impact/numeric/formula.hpp>
 #include <impact/silent_feature.hpp>
+#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -51,6 +52,11 @@ struct EnergyLedger {
   static constexpr void start(const Plan& plan, State& state) {
     state.x1_before = Plan::FieldType::place(plan, state, state.x1);
     state.drive_force = state.drive.force(plan.drive);
+    // What a stop that the ball starts in holds, no contact has taken up.
+    using Format = typename Plan::FormatType;
+    if (!Plan::ContactType::is_instantaneous && state.contact.phase == Phase::touching)
+      state.stored = Plan::LawType::template stored<Format>(
+          plan.units, plan.units.penetration(mirrored(state.x2 - state.x1, state.at_left)));
   }
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {

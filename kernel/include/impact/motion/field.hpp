@@ -227,7 +227,7 @@ struct BaseAcceleration : ScenePart {
     typename Format::Value by_field;  // h^2 a at the last sample
   };
   template <class Plan, class State>
-  static constexpr void start(const Plan& plan, State& state) {
+  static constexpr void begin(const Plan& plan, State& state) {
     state.by_field = plan.field.gravity;
     plan.units.add(state.x1, -(plan.field.offset * state.by_field));
     plan.units.add(state.x2, -(plan.field.offset * state.by_field));

@@ -34,7 +34,7 @@ class Step : protected Rubbing<Source, Features...> {
     state_.x2 = plan.x2;
     state_.dx2 = plan.dx2;
     state_.drive = decltype(state_.drive)::start(plan.drive);
-    (Features::start(plan, state_), ...);
+    if constexpr (Field::is_sampled) Field::begin(plan, state_);
     const Value depth = depth_inside();
     if (is_positive(depth)) {
       const bool left = is_at_left();
@@ -43,6 +43,7 @@ class Step : protected Rubbing<Source, Features...> {
       load_contact();
     }
     begin_to_rub();
+    (Features::start(plan, state_), ...);
   }
 
   // `sample` and `base` are read where the drive and the field are sampled.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <impact/absorber.hpp>
+#include <initializer_list>
 
 #include "host_ref/extremes.hpp"
 
@@ -150,6 +151,44 @@ TYPED_TEST(Tuning, OfAStopUnderWayCreatesNoEnergy) {
   expect_energy_kept<Tunable<TypeParam, SubsteppedMoment<4>>>(1e8, 1e9);
   expect_energy_kept<Tunable<TypeParam, EnergyConsistent>>(3e6, 3e7);
   expect_energy_kept<Tunable<TypeParam, EnergyConsistent>>(1e9, 1e10);
+}
+
+// A stop twice as hard counts penetrations in another unit in Fixed32: what a contact remembers of them is not read in
+// it, and the ball stays where it is, also where Hooke-Newton has let go of it inside the stop.
+template <class Kernel>
+void expect_ball_left_in_place(const Scene& softer, const Scene& harder, double step, double place) {
+  const auto from = Kernel::PlanType::make(softer, Bounds{}, step), to = Kernel::PlanType::make(harder, Bounds{}, step);
+  ASSERT_NE(from.units.si_penetration_unit(), to.units.si_penetration_unit());
+  Kernel kernel(from);
+  int changes = 0;
+  for (int n = 0; n < 50000; ++n) {
+    kernel.step();
+    if (kernel.state().contact.phase == Phase::apart) continue;
+    Kernel changed = kernel;
+    ASSERT_TRUE(changed.retune(to));
+    ASSERT_NEAR(changed.reading().x2, kernel.reading().x2, place) << n;
+    ++changes;
+  }
+  EXPECT_GT(changes, 100);
+}
+TEST(TuningOfAStopInFixed32, LeavesTheBallInPlace) {
+  Scene softer, harder;
+  softer.contact_stiffness = 1200;
+  softer.contact_damping = 30;
+  harder.contact_stiffness = 2400;
+  harder.contact_damping = 42;
+  expect_ball_left_in_place<Absorber<AtRunTime, HookeNewton, Moment, Sine, Fixed32>>(softer, harder, h, 0);
+  expect_ball_left_in_place<Absorber<AtRunTime, HookeNewton, SubsteppedMoment<4>, Sine, Fixed32>>(softer, harder, h, 0);
+  // On an impulsive stop the ball lies whole places of a penetration deep.
+  for (Scene* scene : {&softer, &harder}) {
+    scene->gravity = -9.81;
+    scene->drive_amplitude = 0;
+    scene->x1 = scene->x2 = -0.00981;
+    scene->contact_damping = scene == &softer ? 100 : 200;
+    scene->contact_stiffness = scene == &softer ? 3e5 : 6e5;
+  }
+  expect_ball_left_in_place<Absorber<AtRunTime, HookeNewton, Impulsive, NoDrive, Fixed32, Gravity>>(softer, harder,
+                                                                                                    1e-3, 1e-10);
 }
 
 // The motion after the change against a fine Runge-Kutta integration of the scene's own equation, in free flight.

@@ -319,6 +319,7 @@ class Absorber
     if constexpr (counts_slid_way) state_.slid = {};
     begin_to_rub();
     if (is_other_contact && state_.contact.phase != Phase::apart) {
+      state_.contact.stand_at(plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left())));
       touch_anew();
       load_contact();
     }

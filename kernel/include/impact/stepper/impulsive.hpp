@@ -148,6 +148,7 @@ struct Impulsive {
     Value lies;      // and how far inside the stop
 
     constexpr void start(const Plan&, const Units&, Value, Value) { phase = Phase::touching; }
+    constexpr void stand_at(Value inside) { lies = is_positive(inside) ? inside : Value{}; }
     // No deeper in it than it lay.
     template <class State>
     constexpr bool rests_on(const Units& units, State& state, bool left) {

@@ -151,6 +151,9 @@ struct Treatment {
   static constexpr bool rests_on(const Units&, State&, bool) {
     return false;
   }
+  // Under another plan the ball is as deep in its stop as it was, which now counts in another unit.
+  template <class Value>
+  static constexpr void stand_at(Value) {}
   // A correction finds the ball inside its stop: how deep it is left there.
   template <class Value>
   static constexpr Value no_deeper(Value inside) {

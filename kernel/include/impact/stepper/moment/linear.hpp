@@ -82,6 +82,7 @@ struct MomentLinear : ResolvedForces {
     phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
   constexpr void change_rate(const Plan&, Value by) { rate = rate + by; }
+  constexpr void stand_at(Value inside) { penetration = inside; }
   // A ball that was let go is on its way out: deeper the stop would push it with all that a correction put in.
   constexpr Value no_deeper(Value inside) const {
     return phase == Phase::released && is_positive(inside - penetration) ? penetration : inside;

@@ -208,6 +208,33 @@ TEST(Field, NothingRingsAtTheStartAndUnderCorrectionsOfNothing) {
   rest_under_corrections<SubsteppedMoment<4>, Float64>();
 }
 
+// A contact under weight that damping holds in hundreds of steps, at the longest one in which EnergyConsistent takes
+// its force once: put a hundredth deeper it settles, and does not answer each step by its opposite, which it would from
+// h c/mu = 1/4 on (stepper/energy/power.hpp).
+TEST(Field, StronglyDampedContactSettles) {
+  using Absorber = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Float64, Gravity>;
+  constexpr Bounds bounds{0.0145, 0.003};  // hardly more than the equilibrium
+  for (const double ratio : {1e1, 1e2, 1e3, 1e4}) {
+    Scene scene = narrow_and_damped();
+    scene.contact_stiffness = 3e6;
+    scene.contact_damping = ratio * scene.contact_stiffness;
+    const double penetration = std::pow(scene.ball_mass * weight / scene.contact_stiffness, 2.0 / 3);
+    put_to_rest(scene, 1.01 * penetration);
+    double step = 1e-3;
+    auto plan = Absorber::PlanType::make(scene, bounds, step);
+    while (plan.status != PlanStatus::ok || !plan.contact.is_resolved)
+      plan = Absorber::PlanType::make(scene, bounds, step *= 0.98);
+    Absorber absorber(plan);
+    const auto depth = [&] { return absorber.reading().x2 - absorber.reading().x1 - scene.clearance / 2; };
+    for (int n = 0; n < 20000; ++n) absorber.step();
+    for (int n = 0; n < 100; ++n) {
+      const double before = depth();
+      absorber.step();
+      ASSERT_LE(std::abs(depth() - before), 1e-4 * penetration) << ratio << ", step " << step;
+    }
+  }
+}
+
 // In a contact that the step does not resolve as well: EnergyConsistent by its closed form, h omega from 0.3 to 3
 // there. Its penetration is a power 4/5, right within 4.4e-5, and a position correction that it pays for.
 template <class Law, class Format>

@@ -160,6 +160,33 @@ TYPED_TEST(NamedLaw, HasOneRestitutionAtAnySpeed) {
   expect_one_restitution<TypeParam, Impulsive, Fixed32>(1e-3, 1e-5);
 }
 
+// A light impact that nothing presses keeps its own damping, at 14 steps a contact and within bounds that would let the
+// main spring press 30 times as hard as this impact does: it rebounds as at a hundredth of the step.
+template <class Stepper>
+void expect_light_impacts_damped(double tolerance) {
+  for (const double speed : {0.1, 0.02, 0.004}) {
+    Scene scene;
+    scene.drive_amplitude = 0;
+    scene.ball_mass = 0.03;
+    scene.restitution = 0.2;
+    scene.v2 = speed;
+    scene.x2 = scene.clearance / 2 - 1.37e-3 * speed;
+    const auto ratio = [&](double step) {
+      Kernel<Exact, Stepper, Float64> absorber(Kernel<Exact, Stepper, Float64>::PlanType::make(scene, Bounds{}, step));
+      while (!absorber.is_touching()) absorber.step();
+      while (absorber.is_touching()) absorber.step();
+      EXPECT_EQ(absorber.fault(), Fault::none);
+      return -absorber.reading().v2 / speed;
+    };
+    EXPECT_NEAR(ratio(1e-3), ratio(1e-5), tolerance) << speed;
+  }
+}
+TEST(Laws, DampLightImpactsAsTheirOwn) {
+  expect_light_impacts_damped<Moment>(1e-3);
+  expect_light_impacts_damped<SubsteppedMoment<4>>(1e-3);
+  expect_light_impacts_damped<EnergyConsistent>(1e-2);
+}
+
 TEST(Laws, TakeTheRestitutionsOfTheirRangeAndRefuseOthersByName) {
   for (const Stated& law : laws) {
     FreePair free;

@@ -17,29 +17,28 @@ constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const Un
   return Format::gain(terms.damping_time / terms.step, unit.penetration, terms.damping_exponent);
 }
 
-// The rate below which an impact is damped as one at this rate, in penetrations per step. A slow impact of the speed v
-// that is then pressed in by an acceleration A (depth.hpp) has at its deepest the damping h c/mu = (5/2) a h A/v: where
-// this would pass what the treatment bears (`largest`), the press has long outweighed the impact's own speed.
+// What a step bears of a damping: an impact at the rate V is damped by a/V, and reaches the damping z = h c/mu at the
+// penetration d; one that is slow and is then pressed in far beyond its own speed would reach any. Wherever z would
+// pass what the treatment bears (`largest`), the contact goes on as one whose z there is `largest`. An impact that
+// nothing presses stays below that, as the plan has judged: of slower ones z is less, as V^(1/5).
 //
 // A contact that a correction has put to the penetration d and the rate V is damped as an impact no slower than V, nor
-// than one whose damping at d is z = h c/mu = `largest`/4 (`rate_by_shape`, over d^(3/2)). From d on the damper alone
-// stops it where z^(5/3) has grown by what an impact at V from the stop's face would reach, which the plan has judged:
-// by (1 + 4^(-5/3))^(3/5) = 1.06 times `largest` at most.
+// than one whose damping at d is z = `largest`/4. From d on the damper alone stops it where z^(5/3) has grown by what
+// an impact at V from the stop's face would reach, which the plan has judged: by (1 + 4^(-5/3))^(3/5) = 1.06 times
+// `largest` at most.
 template <class Format, bool is_per_impact>
-struct SlowestImpact {
-  static constexpr SlowestImpact make(const ContactTerms&, const UnitExponents&, double) { return {}; }
+struct DampingLimit {
+  static constexpr DampingLimit make(const ContactTerms&, const UnitExponents&, double) { return {}; }
 };
 template <class Format>
-struct SlowestImpact<Format, true> {
-  typename Format::Value rate;
-  typename Format::HeldGain rate_by_shape;
+struct DampingLimit<Format, true> {
+  typename Format::HeldGain rate,
+      corrected_rate;  // of the impact whose z is `largest`, or a quarter of it, over d^(3/2)
 
-  static constexpr SlowestImpact make(const ContactTerms& terms, const UnitExponents& unit, double largest) {
-    const double impact = terms.damping_ratio * terms.step * terms.step / largest,
-                 shape = 4 * impact * terms.stiffness / terms.reduced_mass(),
-                 penetration = constant::power_of_two(unit.penetration);
-    return {Format::sample(2.5 * impact * terms.pressing / penetration),
-            {Format::gain(shape * constant::square_root(penetration), 0, 0)}};
+  static constexpr DampingLimit make(const ContactTerms& terms, const UnitExponents& unit, double largest) {
+    const double by_shape = terms.damping_ratio * terms.step * terms.step * terms.stiffness / terms.reduced_mass(),
+                 rate = by_shape / largest * constant::square_root(constant::power_of_two(unit.penetration));
+    return {{Format::gain(rate, 0, 0)}, {Format::gain(4 * rate, 0, 0)}};
   }
 };
 
@@ -74,18 +73,25 @@ struct ImpactDamping<Format, true> {
     return own_damping;
   }
   // An impact without speed is one without damping, and so is a contact under way at the start.
-  constexpr void begin(const SlowestImpact<Format, true>& slowest, typename Format::Gain share,
-                       typename Format::Value rate) {
-    const auto held = is_positive(rate - slowest.rate) ? rate : slowest.rate;
-    own_damping = {is_positive(rate) ? Format::gain_over(share, held) : typename Format::Gain{}};
+  constexpr void begin(typename Format::Gain share, typename Format::Value rate) {
+    own_damping = {is_positive(rate) ? Format::gain_over(share, rate) : typename Format::Gain{}};
   }
-  // What a step bears of it at the penetration `at` and this rate.
+  // What a step bears of it, at d^(3/2).
+  template <class Limit, class Shape>
+  constexpr void limit(const Limit& limit, typename Format::Gain share, Shape shape) {
+    hold_above(share, limit.rate * Format::value(shape));
+  }
+  // And where a correction has put it.
   template <class Plan>
   constexpr void hold_damping(const Plan& plan, typename Format::Value at, typename Format::Value rate) {
-    const typename Format::Gain share = plan.damping;
-    auto least = plan.slowest.rate_by_shape * Format::value(Format::root(at) * without_sign(at));
+    auto least = plan.limit.corrected_rate * Format::value(Format::root(at) * without_sign(at));
     if (is_positive(rate) && is_positive(rate - least)) least = rate;
-    // c1 V/k1 of an impact at that rate, which is a where it is its own
+    hold_above(plan.damping, least);
+  }
+
+ private:
+  // As an impact at this rate at least: c1 V/k1 of that is a where it is its own.
+  constexpr void hold_above(typename Format::Gain share, typename Format::Value least) {
     if (is_positive(least) && !is_positive(share * Format::sample(1) - own_damping * least))
       own_damping = {Format::gain_over(share, least)};
   }

@@ -8,6 +8,10 @@
 //     pulsation, damping                   the contact linearised at the deepest penetration (depth.hpp) in the
 //                                          coupled machine: omega^2 = (3/2) k1 d^(1/2)/mu and c/mu = c1 d^(3/2)/mu,
 //                                          or k1/mu and c1/mu
+//     lasting_damping                      c/mu at the penetration at which the stop alone bears what the main spring,
+//                                          its damper and the drive press: k1 d^(3/2) = mu A, or at the deepest. Of a
+//                                          damping set per impact the largest, which it may have anywhere
+//                                          (law/impact_damping.hpp)
 //     crossing                             the least time from one stop to the other
 //     field_share                          what weight and a base add to the fastest impact's rate while it lasts, of
 //                                          that rate: (1 + m/M) a tc/V
@@ -34,6 +38,7 @@ struct Resolution {
   double main_phase;          // radians of the main mass's own vibration during the contact
   double main_pulsation;      // w0, rad/s
   double pulsation, damping;  // omega, rad/s, and c/mu, 1/s, at the deepest penetration
+  double lasting_damping;     // 1/s
   double crossing;            // s; for one stop never
   double field_share;
 
@@ -56,6 +61,8 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   const double mu = terms.reduced_mass(), d = terms.deepest, k1 = terms.stiffness;
   const double w0 = constant::square_root(scene.main_stiffness / scene.main_mass);
   const double field = constant::magnitude(scene.gravity) + bounds.base_acceleration;
+  const double press = largest_acceleration(scene, bounds, constant::larger(scene.drive_amplitude, bounds.force));
+  const double damping = terms.damping_time * k1 * (terms.is_linear ? 1 : terms.to_the_power(d)) / mu;
   const double slope = terms.is_linear ? k1 : 1.5 * k1 * constant::square_root(d);
   return {ContactLaw::is_linear,
           time,
@@ -64,7 +71,9 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
           w0 * time,
           w0,
           constant::square_root(slope / mu),
-          terms.damping_time * k1 * (terms.is_linear ? 1 : terms.to_the_power(d)) / mu,
+          damping,
+          terms.is_linear || ContactLaw::is_damped_per_impact ? damping
+                                                              : constant::smaller(damping, terms.damping_time * press),
           scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never,
           (1 + scene.ball_mass / scene.main_mass) * field * time / terms.largest_rate};
 }

@@ -126,7 +126,7 @@ struct Pointwise {
       const Value trial = step.penetration, trial_rate = step.rate;
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)
-        if (touches && phase == Phase::apart) this->begin({}, plan.damping, trial_rate);
+        if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);
       phase = touches ? Phase::touching : Phase::apart;
       force = touches ? found(plan, units, trial, trial_rate) : Value{};
       return {force, force};

@@ -28,6 +28,9 @@
 // order in 1/N. What u/3 leaves out of the correction is of fourth. Restitution is right within 100/N^4
 // (tests/host/energy_test.cpp).
 //
+// The damping counts with the way to the predicted end, and that with the steps before: at rest, with y = u w for the
+// way w, a step answers the one before by its opposite where 8 u = 1, and chatters on beyond.
+//
 // Any other contact goes to stiff.hpp, which an image whose contact is resolved does not hold.
 
 #include <impact/law/impact_damping.hpp>
@@ -56,19 +59,24 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     bool is_resolved;
     typename Stiff::Plan stiff;
     typename Format::HeldGain field;  // g over the increment that the field gives the ball
-    SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
+    DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
 
   static constexpr bool is_sudden(const Plan& plan) { return !plan.is_resolved; }
   // Whether a contact lasts 20 steps and u stays below 1/2, at the deepest penetration and at the peak of an elastic
   // impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d), and u = h c/(2 mu).
-  static constexpr double largest_ratio = 0.5;  // of u
+  // And a contact that lasts has u of at most 1/10: where it bears what presses, k1 d^(3/2) = mu A and u = C A h/2, but
+  // no deeper than the deepest; with a damping set per impact, anywhere.
+  static constexpr double largest_ratio = 0.5, largest_lasting_ratio = 0.1;  // of u
   static constexpr bool is_resolved(const ContactTerms& terms) {
     const double mu = terms.reduced_mass(), compliance = terms.step * terms.step / (2 * mu), v = terms.largest_rate;
     const double peak = constant::power(1.25 * mu * v * v / terms.stiffness, 0.4);
     const double d = constant::larger(terms.deepest, peak);
     const double slope = terms.stiffness * compliance * constant::square_root(d);
-    return 1.5 * slope <= 0.02 && slope * d * terms.damping_time / terms.step <= largest_ratio;
+    const double ratio = slope * d * terms.damping_time / terms.step,
+                 press = constant::smaller(terms.pressing, terms.stiffness * terms.to_the_power(terms.deepest) / mu),
+                 lasting_ratio = is_per_impact ? ratio : terms.damping_time * press * terms.step / 2;
+    return 1.5 * slope <= 0.02 && ratio <= largest_ratio && lasting_ratio <= largest_lasting_ratio;
   }
   // A ball whose stored energy has no place is put out of a stiff contact, in a field a against its weight. From the
   // depth d at which V is a place that gains up to this share of the fastest impact's energy: with g of stiff.hpp,
@@ -106,7 +114,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             true,
             {},
             {},
-            decltype(Plan::slowest)::make(terms, unit, 2 * largest_ratio)};
+            decltype(Plan::limit)::make(terms, unit, 2 * largest_lasting_ratio)};
   }
   static constexpr Plan make_stiff_plan(ContactTerms terms, const ConstantForceResponse& answer,
                                         const UnitExponents& unit) {
@@ -178,7 +186,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units&, const Seen& step) {
     const bool enters = phase == Phase::apart;
     if constexpr (is_per_impact)
-      if (enters) this->begin(plan.slowest, plan.damping, step.rate);
+      if (enters) this->begin(plan.damping, step.rate);
     if (!plan.is_resolved) return resolve_stiff(plan, step);
 
     const Value before = enters ? step.before : penetration;
@@ -194,6 +202,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       penetration = step.penetration - plan.response.travel(predicted);
       n = is_positive(penetration) ? stay() : leave(before);
     }
+    if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, n);
     Impulse<Value> push = pushed(plan, n, penetration - before);  // not const: GCC would keep it in memory
     taken(1) = push.j1, taken(2) = last, taken(3) = last_but_one;
     return {push.j0, predicted};

@@ -48,7 +48,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Gain force;                        // 1/K: from an impulse to the force's own impulse
     int travel_places, change_places;  // from impulses to penetrations, from increments to impulses
     int ahead_places;  // by which K goes to the left before an impulse that counts coarser multiplies it
-    SlowestImpact<Format, ContactLaw::is_damped_per_impact> slowest;
+    DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const MomentResponse response(terms);
@@ -69,7 +69,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             coarser < 0 || room < 0 ? 0
             : coarser < room        ? coarser
                                     : room,
-            decltype(Plan::slowest)::make(terms, unit, largest_damping_of_moment)};
+            decltype(Plan::limit)::make(terms, unit, largest_damping_of_moment)};
   }
 
   static constexpr bool meets_both_stops = true;
@@ -124,6 +124,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
     const auto s = Format::root(d);
+    if constexpr (ContactLaw::is_damped_per_impact) this->limit(plan.limit, plan.damping, s * without_sign(d));
     const auto p = half(s + root);
     const auto z = half(difference(s, root));
     const auto zz = square(z);
@@ -146,10 +147,12 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
   [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
-    if constexpr (ContactLaw::is_damped_per_impact)
-      this->begin(plan.slowest, plan.damping, trial - before - Format::value(half(travel(plan, g))));
     const auto d = without_sign(trial);
     const auto s = Format::root(trial);
+    if constexpr (ContactLaw::is_damped_per_impact) {
+      this->begin(plan.damping, trial - before - Format::value(half(travel(plan, g))));
+      this->limit(plan.limit, plan.damping, s * d);
+    }
     const auto u = Format::quotient(d, without_sign(trial - before));
     const auto later = u * Format::short_constant(2.0 / 7);
     const auto su = plan.part_stiffness * s * u;

@@ -252,7 +252,8 @@ struct RealFormat {
   using Balance = Real;
   static constexpr Balance balance(double a) { return static_cast<Real>(constant::larger(a, 1e-30)); }
   static constexpr Real share(Real x, Balance a) { return x / (x + a); }
-  static constexpr Real root_of_product(Real x) { return root(x); }
+  // Of what a rounding may leave below 0.
+  static constexpr Real root_of_product(Real x) { return root(positive_part(x)); }
   static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
   template <bool is_precise = false>
   static constexpr Real power_four_fifths(Real x) {
@@ -293,9 +294,9 @@ struct DoubleRoot {
   static double square_root(double x) { return __builtin_sqrt(x); }
 };
 
-template <class RootPolicy = LookupRoot>
+template <class RootPolicy = CorrectRoot>
 using BasicFloat32 = RealFormat<float, CompensatedState, IntegerOscillator, RootPolicy>;
-template <class RootPolicy = LookupRoot>
+template <class RootPolicy = CorrectRoot>
 using BasicFloat32Plain = RealFormat<float, PlainState, RealOscillator<float>, RootPolicy>;
 using Float32 = BasicFloat32<>;
 using Float32Plain = BasicFloat32Plain<>;

@@ -23,6 +23,7 @@ struct Fixed32 : Fixed32Numbers {
   using Oscillator = IntegerOscillator;
   // A call of the contact costs less than the registers that a free step would have to save for it.
   static constexpr bool calls_contact = true;
+  static constexpr bool judges_together = false;
 
   // weight x y, with the weight's shift after both.
   template <int bits>

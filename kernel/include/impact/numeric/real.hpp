@@ -61,6 +61,9 @@ struct CompensatedState {
   constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
 };
 
+constexpr float size(float x) { return __builtin_fabsf(x); }
+constexpr double size(double x) { return __builtin_fabs(x); }
+
 // The bits of a number's magnitude, which are in the order of the magnitudes, with infinity and then NaN above all.
 inline uint32_t magnitude_bits(float x) { return bits_of(x) << 1; }
 inline uint64_t magnitude_bits(double x) {
@@ -82,6 +85,11 @@ struct RealFormat {
   using Tally = CompensatedState<Real>;
   using Oscillator = OscillatorType;
   static constexpr bool calls_contact = false;
+#if defined(IMPACT_HAS_FPU)
+  static constexpr bool judges_together = true;  // what a state holds, for less than one by one
+#else
+  static constexpr bool judges_together = false;
+#endif
 
   struct Units {
     static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
@@ -161,6 +169,10 @@ struct RealFormat {
     }
     static constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) {
       return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(dx1.sum) && is_below_limit(dx2.sum);
+    }
+    // By the sum, which passes infinity on, and what is no number.
+    static constexpr bool is_well_in_range(Long x1, Long x2, Long dx1, Long dx2) {
+      return is_below_limit(size(x1.sum) + size(x2.sum) + size(dx1.sum) + size(dx2.sum));
     }
     static constexpr bool is_below_limit(Real x) {
       return magnitude_bits(x) < magnitude_bits(static_cast<Real>(1048576));

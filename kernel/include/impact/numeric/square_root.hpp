@@ -108,7 +108,7 @@ inline float float_of(uint32_t bits) {
 
 #if (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__aarch64__) || defined(__SSE2__) || \
     defined(__riscv_flen)
-#define IMPACT_HAS_ROOT_INSTRUCTION
+#define IMPACT_HAS_FPU
 #endif
 
 // Correctly rounded, for every float >= 0, subnormal ones too. 0 for 0 and for what has no root (y < 0, NaN); infinity
@@ -132,7 +132,7 @@ inline float square_root(float y) {
   return float_of((static_cast<uint32_t>((exponent + 125) >> 1) << 23) + root);
 }
 
-#if defined(IMPACT_HAS_ROOT_INSTRUCTION)
+#if defined(IMPACT_HAS_FPU)
 // The same in one instruction, written out because for the sake of errno a compiler adds a call to sqrtf. NaN for y <
 // 0.
 inline float root_by_instruction(float y) {
@@ -155,7 +155,7 @@ inline float root_by_instruction(float y) {
 struct CorrectRoot {
   static constexpr uint32_t kind = 0;  // of a saved state
   static float square_root(float y) {
-#if defined(IMPACT_HAS_ROOT_INSTRUCTION)
+#if defined(IMPACT_HAS_FPU)
     return root_by_instruction(y);
 #else
     return impact::square_root(y);
@@ -164,7 +164,7 @@ struct CorrectRoot {
 };
 struct HardwareRoot {
   static constexpr uint32_t kind = 1;  // of a saved state
-#if defined(IMPACT_HAS_ROOT_INSTRUCTION)
+#if defined(IMPACT_HAS_FPU)
   static float square_root(float y) { return root_by_instruction(y); }
 #else
   template <class Float>

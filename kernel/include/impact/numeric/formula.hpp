@@ -72,13 +72,17 @@ constexpr Real positive_part(Real x) {
   if (__builtin_is_constant_evaluated()) return x > 0 ? x : 0;
   typename BitsOf<sizeof(Real)>::Type bits{};
   __builtin_memcpy(&bits, &x, sizeof bits);
-  bits &= ~(bits >> (8 * sizeof bits - 1));
+  bits = bits > 0 ? bits : 0;
   __builtin_memcpy(&x, &bits, sizeof bits);
   return x;
 }
 template <class Real>
 constexpr Real mirrored(Real x, bool left) {
   return left ? -x : x;
+}
+template <class Real>
+constexpr Real minus_mirrored(Real x, bool left) {
+  return left ? x : -x;
 }
 
 }  // namespace impact

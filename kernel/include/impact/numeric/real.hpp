@@ -64,17 +64,21 @@ struct CompensatedState {
 constexpr float size(float x) { return __builtin_fabsf(x); }
 constexpr double size(double x) { return __builtin_fabs(x); }
 
-// The bits of a number's magnitude, which are in the order of the magnitudes, with infinity and then NaN above all.
-inline uint32_t magnitude_bits(float x) { return bits_of(x) << 1; }
-inline uint64_t magnitude_bits(double x) {
+inline uint64_t bits_of(double x) {
   uint64_t bits;
   __builtin_memcpy(&bits, &x, sizeof bits);
-  return bits << 1;
+  return bits;
+}
+// The bits of a number's magnitude, which are in the order of the magnitudes, with infinity and then NaN above all.
+template <class Real>
+inline auto magnitude_bits(Real x) {
+  return bits_of(x) << 1;
 }
 
 template <class RealType, template <class> class State, class OscillatorType, class RootPolicy>
 struct RealFormat {
   static constexpr uint32_t kind = RootPolicy::kind;  // a saved state is of one kind of format
+  static constexpr bool is_real = true;
   using Real = RealType;
   using Value = Real;
   using Energy = Real;
@@ -172,7 +176,8 @@ struct RealFormat {
     }
     // By the sum, which passes infinity on, and what is no number.
     static constexpr bool is_well_in_range(Long x1, Long x2, Long dx1, Long dx2) {
-      return is_below_limit(size(x1.sum) + size(x2.sum) + size(dx1.sum) + size(dx2.sum));
+      const Real sum = size(x1.sum) + size(x2.sum) + size(dx1.sum) + size(dx2.sum);
+      return bits_of(sum) < bits_of(static_cast<Real>(1048576));
     }
     static constexpr bool is_below_limit(Real x) {
       return magnitude_bits(x) < magnitude_bits(static_cast<Real>(1048576));

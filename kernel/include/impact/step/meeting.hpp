@@ -126,9 +126,9 @@ class Meeting : protected Machine<Source, Features...> {
     if constexpr (Field::is_field) {
       const Value ball = Field::ball_increment(plan, state_);
       approach.ball_increment = left ? -ball : ball;
-      approach.increment = -mirrored(increment - ball, left);
+      approach.increment = minus_mirrored(increment - ball, left);
     } else {
-      approach.increment = -mirrored(increment, left);
+      approach.increment = minus_mirrored(increment, left);
     }
     approach.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
     // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.

@@ -66,7 +66,7 @@ struct SquareRootTable {
   }
 
   // sqrt(u / 2^32) 2^32 for u in [2^30, 2^32).
-  constexpr uint32_t root(uint32_t u) const {
+  [[gnu::always_inline]] constexpr uint32_t root(uint32_t u) const {
     const Segment& segment = *opaque(&segments[(u >> (32 - index_bits)) - (1u << (index_bits - 2))]);
     const auto t = static_cast<int32_t>((u << index_bits) ^ 0x80000000u);
     int32_t slope = 0;

@@ -21,6 +21,9 @@
 
 namespace impact {
 
+constexpr float size(float x) { return __builtin_fabsf(x); }
+constexpr double size(double x) { return __builtin_fabs(x); }
+
 // A state in one machine number.
 template <class Real>
 struct PlainState {
@@ -28,9 +31,10 @@ struct PlainState {
 
   constexpr void advance(PlainState other) { sum += other.sum; }
   constexpr void add(Real increment) { sum += increment; }
+  constexpr Real value_beyond(PlainState least) const { return sum - least.sum; }
   friend constexpr PlainState operator-(PlainState a, PlainState b) { return {a.sum - b.sum}; }
   friend constexpr PlainState mirrored(PlainState x, bool left) { return {left ? -x.sum : x.sum}; }
-  constexpr bool is_negative() const { return sum < 0; }
+  constexpr bool is_negative() const { return __builtin_signbit(sum) != 0; }
   constexpr Real value() const { return sum; }
   constexpr double total() const { return static_cast<double>(sum); }
 };
@@ -48,6 +52,8 @@ struct CompensatedState {
     rest = term - (next - sum);
     sum = next;
   }
+  // The difference of the sums is exact between half of `least` and twice of it, and rounded to its own places beyond.
+  constexpr Real value_beyond(CompensatedState least) const { return (sum - least.sum) + (rest - least.rest); }
   // With what the difference of the sums rounds off (Knuth's two-sum): the ball's is a penetration small beside it.
   friend constexpr CompensatedState operator-(CompensatedState a, CompensatedState b) {
     const Real difference = a.sum - b.sum, taken = a.sum - difference, left = difference + taken;
@@ -56,13 +62,10 @@ struct CompensatedState {
   friend constexpr CompensatedState mirrored(CompensatedState x, bool left) {
     return {left ? -x.sum : x.sum, left ? -x.rest : x.rest};
   }
-  constexpr bool is_negative() const { return sum < 0; }
+  constexpr bool is_negative() const { return __builtin_signbit(sum) != 0; }
   constexpr Real value() const { return sum + rest; }
   constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
 };
-
-constexpr float size(float x) { return __builtin_fabsf(x); }
-constexpr double size(double x) { return __builtin_fabs(x); }
 
 inline uint64_t bits_of(double x) {
   uint64_t bits;
@@ -151,16 +154,13 @@ struct RealFormat {
     static constexpr void push(Long& x, Value increment) { x.add(increment); }
     static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
-    constexpr Value penetration(Long relative_displacement) const { return (relative_displacement - gap).value(); }
+    constexpr Value penetration(Long relative_displacement) const { return relative_displacement.value_beyond(gap); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
     static constexpr bool is_beyond(Long w, Long other, Long sign, Value least) {
       return impact::mirrored(w.sum - other.sum, sign.is_negative()) > least;
     }
     static constexpr bool fits(Long) { return true; }
-    constexpr bool beyond_stops(Long x2, Long x1) const {
-      const Real apart = x2.sum - x1.sum;
-      return (apart < 0 ? -apart : apart) >= gap.sum;
-    }
+    constexpr bool beyond_stops(Long x2, Long x1) const { return size(x2.sum - x1.sum) >= gap.sum; }
     static constexpr Value held(Value x, Value) { return x; }
     static constexpr Value held_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }

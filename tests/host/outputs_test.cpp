@@ -398,7 +398,7 @@ TEST(Restoring, RefusesAnotherBetaOrRoot) {
   const auto average = run<Saver<Fixed32, Pointwise<1, 4>>>();
   EXPECT_TRUE(takes_over(average, average));
   EXPECT_FALSE(takes_over(average, run<Saver<Fixed32, Pointwise<1, 3>>>()));
-  const auto lookup = run<Saver<BasicFloat32<LookupRoot>, Moment>>();
+  const auto lookup = run<Saver<BasicFloat32<CorrectRoot>, Moment>>();
   EXPECT_TRUE(takes_over(lookup, lookup));
   EXPECT_FALSE(takes_over(lookup, run<Saver<BasicFloat32<HardwareRoot>, Moment>>()));
 }

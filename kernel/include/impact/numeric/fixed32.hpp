@@ -23,6 +23,8 @@ struct Fixed32 : Fixed32Numbers {
   using Oscillator = IntegerOscillator;
   // A call of the contact costs less than the registers that a free step would have to save for it.
   static constexpr bool calls_contact = true;
+  static constexpr bool judges_together = false;
+  static constexpr bool is_real = false;
 
   // weight x y, with the weight's shift after both.
   template <int bits>
@@ -232,6 +234,10 @@ template <int bits>
 constexpr Signed<bits> mirrored(Signed<bits> x, bool left) {
   const uint32_t sign = 0u - static_cast<uint32_t>(left);
   return {static_cast<int32_t>((static_cast<uint32_t>(x.raw) ^ sign) - sign)};
+}
+template <int bits>
+constexpr Signed<bits> minus_mirrored(Signed<bits> x, bool left) {
+  return -mirrored(x, left);
 }
 
 }  // namespace impact

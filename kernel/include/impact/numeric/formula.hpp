@@ -3,7 +3,20 @@
 // The words that the step's formulas use besides + - and *, for real numbers. fraction.hpp has the same words for fixed
 // point, where most of them only move the point.
 
+#include <stddef.h>
+#include <stdint.h>
+
 namespace impact {
+
+// Of a number of so many bytes.
+template <size_t>
+struct BitsOf {
+  using Type = int64_t;
+};
+template <>
+struct BitsOf<4> {
+  using Type = int32_t;
+};
 
 template <class Real>
 constexpr Real without_sign(Real x) {
@@ -53,13 +66,23 @@ template <class Real>
 constexpr bool is_negative(Real x) {
   return x < 0;
 }
+// By the sign's bit, without a comparison. No number stays none.
 template <class Real>
 constexpr Real positive_part(Real x) {
-  return x > 0 ? x : 0;
+  if (__builtin_is_constant_evaluated()) return x > 0 ? x : 0;
+  typename BitsOf<sizeof(Real)>::Type bits{};
+  __builtin_memcpy(&bits, &x, sizeof bits);
+  bits = bits > 0 ? bits : 0;
+  __builtin_memcpy(&x, &bits, sizeof bits);
+  return x;
 }
 template <class Real>
 constexpr Real mirrored(Real x, bool left) {
   return left ? -x : x;
+}
+template <class Real>
+constexpr Real minus_mirrored(Real x, bool left) {
+  return left ? x : -x;
 }
 
 }  // namespace impact

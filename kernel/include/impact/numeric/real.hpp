@@ -21,6 +21,9 @@
 
 namespace impact {
 
+constexpr float size(float x) { return __builtin_fabsf(x); }
+constexpr double size(double x) { return __builtin_fabs(x); }
+
 // A state in one machine number.
 template <class Real>
 struct PlainState {
@@ -28,9 +31,10 @@ struct PlainState {
 
   constexpr void advance(PlainState other) { sum += other.sum; }
   constexpr void add(Real increment) { sum += increment; }
+  constexpr Real value_beyond(PlainState least) const { return sum - least.sum; }
   friend constexpr PlainState operator-(PlainState a, PlainState b) { return {a.sum - b.sum}; }
   friend constexpr PlainState mirrored(PlainState x, bool left) { return {left ? -x.sum : x.sum}; }
-  constexpr bool is_negative() const { return sum < 0; }
+  constexpr bool is_negative() const { return __builtin_signbit(sum) != 0; }
   constexpr Real value() const { return sum; }
   constexpr double total() const { return static_cast<double>(sum); }
 };
@@ -48,6 +52,8 @@ struct CompensatedState {
     rest = term - (next - sum);
     sum = next;
   }
+  // The difference of the sums is exact between half of `least` and twice of it, and rounded to its own places beyond.
+  constexpr Real value_beyond(CompensatedState least) const { return (sum - least.sum) + (rest - least.rest); }
   // With what the difference of the sums rounds off (Knuth's two-sum): the ball's is a penetration small beside it.
   friend constexpr CompensatedState operator-(CompensatedState a, CompensatedState b) {
     const Real difference = a.sum - b.sum, taken = a.sum - difference, left = difference + taken;
@@ -56,22 +62,26 @@ struct CompensatedState {
   friend constexpr CompensatedState mirrored(CompensatedState x, bool left) {
     return {left ? -x.sum : x.sum, left ? -x.rest : x.rest};
   }
-  constexpr bool is_negative() const { return sum < 0; }
+  constexpr bool is_negative() const { return __builtin_signbit(sum) != 0; }
   constexpr Real value() const { return sum + rest; }
   constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
 };
 
-// The bits of a number's magnitude, which are in the order of the magnitudes, with infinity and then NaN above all.
-inline uint32_t magnitude_bits(float x) { return bits_of(x) << 1; }
-inline uint64_t magnitude_bits(double x) {
+inline uint64_t bits_of(double x) {
   uint64_t bits;
   __builtin_memcpy(&bits, &x, sizeof bits);
-  return bits << 1;
+  return bits;
+}
+// The bits of a number's magnitude, which are in the order of the magnitudes, with infinity and then NaN above all.
+template <class Real>
+inline auto magnitude_bits(Real x) {
+  return bits_of(x) << 1;
 }
 
 template <class RealType, template <class> class State, class OscillatorType, class RootPolicy>
 struct RealFormat {
   static constexpr uint32_t kind = RootPolicy::kind;  // a saved state is of one kind of format
+  static constexpr bool is_real = true;
   using Real = RealType;
   using Value = Real;
   using Energy = Real;
@@ -82,6 +92,11 @@ struct RealFormat {
   using Tally = CompensatedState<Real>;
   using Oscillator = OscillatorType;
   static constexpr bool calls_contact = false;
+#if defined(IMPACT_HAS_FPU)
+  static constexpr bool judges_together = true;  // what a state holds, for less than one by one
+#else
+  static constexpr bool judges_together = false;
+#endif
 
   struct Units {
     static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
@@ -139,16 +154,13 @@ struct RealFormat {
     static constexpr void push(Long& x, Value increment) { x.add(increment); }
     static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
-    constexpr Value penetration(Long relative_displacement) const { return (relative_displacement - gap).value(); }
+    constexpr Value penetration(Long relative_displacement) const { return relative_displacement.value_beyond(gap); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
     static constexpr bool is_beyond(Long w, Long other, Long sign, Value least) {
       return impact::mirrored(w.sum - other.sum, sign.is_negative()) > least;
     }
     static constexpr bool fits(Long) { return true; }
-    constexpr bool beyond_stops(Long x2, Long x1) const {
-      const Real apart = x2.sum - x1.sum;
-      return (apart < 0 ? -apart : apart) >= gap.sum;
-    }
+    constexpr bool beyond_stops(Long x2, Long x1) const { return size(x2.sum - x1.sum) >= gap.sum; }
     static constexpr Value held(Value x, Value) { return x; }
     static constexpr Value held_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }
@@ -161,6 +173,11 @@ struct RealFormat {
     }
     static constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) {
       return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(dx1.sum) && is_below_limit(dx2.sum);
+    }
+    // By the sum, which passes infinity on, and what is no number.
+    static constexpr bool is_well_in_range(Long x1, Long x2, Long dx1, Long dx2) {
+      const Real sum = size(x1.sum) + size(x2.sum) + size(dx1.sum) + size(dx2.sum);
+      return bits_of(sum) < bits_of(static_cast<Real>(1048576));
     }
     static constexpr bool is_below_limit(Real x) {
       return magnitude_bits(x) < magnitude_bits(static_cast<Real>(1048576));
@@ -252,7 +269,8 @@ struct RealFormat {
   using Balance = Real;
   static constexpr Balance balance(double a) { return static_cast<Real>(constant::larger(a, 1e-30)); }
   static constexpr Real share(Real x, Balance a) { return x / (x + a); }
-  static constexpr Real root_of_product(Real x) { return root(x); }
+  // Of what a rounding may leave below 0.
+  static constexpr Real root_of_product(Real x) { return root(positive_part(x)); }
   static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
   template <bool is_precise = false>
   static constexpr Real power_four_fifths(Real x) {
@@ -293,9 +311,9 @@ struct DoubleRoot {
   static double square_root(double x) { return __builtin_sqrt(x); }
 };
 
-template <class RootPolicy = LookupRoot>
+template <class RootPolicy = CorrectRoot>
 using BasicFloat32 = RealFormat<float, CompensatedState, IntegerOscillator, RootPolicy>;
-template <class RootPolicy = LookupRoot>
+template <class RootPolicy = CorrectRoot>
 using BasicFloat32Plain = RealFormat<float, PlainState, RealOscillator<float>, RootPolicy>;
 using Float32 = BasicFloat32<>;
 using Float32Plain = BasicFloat32Plain<>;

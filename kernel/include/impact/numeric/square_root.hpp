@@ -16,7 +16,7 @@
 //     table, bytes              768        384        576        384
 //     bound                   2^-27    1.04e-7    7.36e-7    1.23e-4
 //
-// A float's result adds 2^-24 for its own rounding.
+// A float's root is rounded correctly.
 
 #include <stddef.h>
 #include <stdint.h>
@@ -66,7 +66,7 @@ struct SquareRootTable {
   }
 
   // sqrt(u / 2^32) 2^32 for u in [2^30, 2^32).
-  constexpr uint32_t root(uint32_t u) const {
+  [[gnu::always_inline]] constexpr uint32_t root(uint32_t u) const {
     const Segment& segment = *opaque(&segments[(u >> (32 - index_bits)) - (1u << (index_bits - 2))]);
     const auto t = static_cast<int32_t>((u << index_bits) ^ 0x80000000u);
     int32_t slope = 0;
@@ -106,9 +106,14 @@ inline float float_of(uint32_t bits) {
   return y;
 }
 
-// |relative error| <= bound + 2^-24 for every float >= 0, subnormal ones too; never falls. 0 for 0 and for what has no
-// root (y < 0, NaN); infinity for infinity.
-template <int index_bits = 6, int order = 3>
+#if (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__aarch64__) || defined(__SSE2__) || \
+    defined(__riscv_flen)
+#define IMPACT_HAS_FPU
+#endif
+
+// Correctly rounded, for every float >= 0, subnormal ones too. 0 for 0 and for what has no root (y < 0, NaN); infinity
+// for infinity. The table's root, cut to the 24 bits q of a float, is the nearest one or the one below it: q + 1 is
+// nearer where y > (q + 1/2)^2, that is y - q^2 > q.
 inline float square_root(float y) {
   constexpr uint32_t smallest_normal = 0x00800000, infinity = 0x7f800000;
   const uint32_t bits = bits_of(y);
@@ -120,40 +125,51 @@ inline float square_root(float y) {
     u = bits;
     exponent = 9 - normalise<1>(u);
   }
-  const uint32_t root = square_root_table<index_bits, order>.root(u >> (exponent & 1));
-  const auto root_exponent = static_cast<uint32_t>(((exponent + 1) >> 1) + 62);
-  return float_of((root_exponent << 23) + (((root >> 7) + 1) >> 1));
+  u >>= exponent & 1;
+  const uint32_t q = square_root_table<6, 3>.root(u) >> 8;
+  const auto left = static_cast<int32_t>((u << 16) - q * q);  // modulo 2^32
+  const uint32_t root = left > static_cast<int32_t>(q) ? q + 1 : q;
+  return float_of((static_cast<uint32_t>((exponent + 125) >> 1) << 23) + root);
 }
 
-// The square root of a float as a policy: by table, or by the processor's own instruction.
-struct LookupRoot {
-  static constexpr uint32_t kind = 0;  // of a saved state
-  static float square_root(float y) { return impact::square_root<>(y); }
-};
+#if defined(IMPACT_HAS_FPU)
+// The same in one instruction, written out because for the sake of errno a compiler adds a call to sqrtf. NaN for y <
+// 0.
+inline float root_by_instruction(float y) {
+  float root;
+#if defined(__arm__)
+  __asm__("vsqrt.f32 %0, %1" : "=t"(root) : "t"(y));
+#elif defined(__aarch64__)
+  __asm__("fsqrt %s0, %s1" : "=w"(root) : "w"(y));
+#elif defined(__SSE2__)
+  __asm__("sqrtss %1, %0" : "=x"(root) : "x"(y));
+#else
+  __asm__("fsqrt.s %0, %1" : "=f"(root) : "f"(y));
+#endif
+  return root;
+}
+#endif
 
-// One correctly rounded instruction, written out because for the sake of errno a compiler adds a call to sqrtf. NaN for
-// y < 0.
+// The square root of a float as a policy, for y >= 0: by the processor's instruction where it has one and by table
+// elsewhere, with the same bits; or by the instruction, and no program where there is none.
+struct CorrectRoot {
+  static constexpr uint32_t kind = 0;  // of a saved state
+  static float square_root(float y) {
+#if defined(IMPACT_HAS_FPU)
+    return root_by_instruction(y);
+#else
+    return impact::square_root(y);
+#endif
+  }
+};
 struct HardwareRoot {
   static constexpr uint32_t kind = 1;  // of a saved state
-#if (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__aarch64__) || defined(__SSE2__) || \
-    defined(__riscv_flen)
-  static float square_root(float y) {
-    float root;
-#if defined(__arm__)
-    __asm__("vsqrt.f32 %0, %1" : "=t"(root) : "t"(y));
-#elif defined(__aarch64__)
-    __asm__("fsqrt %s0, %s1" : "=w"(root) : "w"(y));
-#elif defined(__SSE2__)
-    __asm__("sqrtss %1, %0" : "=x"(root) : "x"(y));
-#else
-    __asm__("fsqrt.s %0, %1" : "=f"(root) : "f"(y));
-#endif
-    return root;
-  }
+#if defined(IMPACT_HAS_FPU)
+  static float square_root(float y) { return root_by_instruction(y); }
 #else
   template <class Float>
   static float square_root(Float) {
-    static_assert(sizeof(Float) == 0, "this processor has no square root instruction: use LookupRoot");
+    static_assert(sizeof(Float) == 0, "this processor has no square root instruction: use CorrectRoot");
     return 0;
   }
 #endif

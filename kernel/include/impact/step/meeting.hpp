@@ -18,7 +18,7 @@ class Meeting : protected Machine<Source, Features...> {
  protected:
   using Base::at_left, Base::flown, Base::depth_inside, Base::is_at_left, Base::rate_ahead, Base::relative_rate;
   using Base::Base, Base::plan, Base::state_;
-  using Base::hold, Base::hold_in_range, Base::raise;
+  using Base::hold, Base::hold_in_range, Base::is_well_in_range, Base::raise;
   using typename Base::Contact, typename Base::Field, typename Base::Format, typename Base::Friction;
   using typename Base::Long, typename Base::PlanType, typename Base::Value;
 
@@ -126,9 +126,9 @@ class Meeting : protected Machine<Source, Features...> {
     if constexpr (Field::is_field) {
       const Value ball = Field::ball_increment(plan, state_);
       approach.ball_increment = left ? -ball : ball;
-      approach.increment = -mirrored(increment - ball, left);
+      approach.increment = minus_mirrored(increment - ball, left);
     } else {
-      approach.increment = -mirrored(increment, left);
+      approach.increment = minus_mirrored(increment, left);
     }
     approach.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
     // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
@@ -141,7 +141,7 @@ class Meeting : protected Machine<Source, Features...> {
     reload(state_);
     plan.contact.response.answer(units, state_, mirrored(impulse, left));
     contact.place_ball(plan.contact, units, state_, left);
-    if (hold_in_range()) return false;
+    if (!is_well_in_range() && hold_in_range()) return false;
     if constexpr (sizeof...(Features) > 0) {
       approach.rate = rate;
       const auto seen = contact.record(plan.contact, units, approach, contact_before, impulse);

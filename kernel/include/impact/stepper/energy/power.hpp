@@ -10,6 +10,7 @@
 //     f = n (1 + C (d1 - d0 + correction))        correction = G n u/3        u = C G n
 //     d1 = trial - G f - correction
 //
+// (Floating point counts n in units of 2/5, and staying has q = r s, D = d0 + d1: (D (D + q) - q^2)/(s + r).)
 // (Hertz: C = 0, no correction.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the
 // correction, which moves the ball without changing its velocity, this step keeps it (stiff.hpp; u/3 is the first term
 // of its k).
@@ -50,6 +51,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   using Stiff = StiffContact<Format, ContactLaw>;
   using Damping = typename Stiff::Damping;
   using Factor = decltype(Format::constant(0));
+  static constexpr double unit_of_mean = Format::is_real ? 0.4 : 1;  // of n
 
   struct Plan {
     ConstantForceGains<Format> response;
@@ -104,7 +106,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const ConstantForceResponse answer(terms, flow);
     if (!is_resolved(terms)) return make_stiff_plan(terms, answer, unit);
-    const double of_force = answer.impulse() * terms.force_unit,
+    const double of_force = answer.impulse() * terms.force_unit * unit_of_mean,
                  stiffness = of_force * constant::power_of_two(-terms.damping_exponent - unit.push);
     const double damping = is_per_impact ? terms.damping_ratio : terms.damping_time / terms.step;
     return {answer.gains<Format>(terms.force_unit, unit),
@@ -153,7 +155,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     // The step before and the one ahead as the law in their middle.
     const auto y = [&](Value d, Value way) {
       const auto held = positive_part(d);
-      return pushed(plan, Format::factor(Format::root(Format::value(held)) * held), way).j1;
+      return pushed(plan, mean_at(Format::root(Format::value(held)) * held), way).j1;
     };
     const Value now = plan.response.travel(y(at, rate)), half_way = Format::value(half(rate));
     taken(1) = y(at - half_way, rate + now);
@@ -200,7 +202,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       const Value rise = last - last_but_one;
       predicted = rise + rise + rise + taken(3);
       penetration = step.penetration - plan.response.travel(predicted);
-      n = is_positive(penetration) ? stay() : leave(before);
+      n = is_positive(penetration) ? stay(before) : leave(before);
     }
     if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, n);
     Impulse<Value> push = pushed(plan, n, penetration - before);  // not const: GCC would keep it in memory
@@ -274,10 +276,15 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     root = Format::root(penetration);
     return mean_of_part(root, penetration, penetration - before);
   }
-  [[gnu::always_inline]] constexpr Factor stay() {
+  [[gnu::always_inline]] constexpr Factor stay([[maybe_unused]] Value before) {
     const Root r = root;
     root = Format::root(penetration);
-    return mean_between(r, root);
+    if constexpr (Format::is_real) {
+      const Value q = r * root, sum = before + penetration;
+      return (sum * (sum + q) - q * q) / (r + root);
+    } else {
+      return mean_between(r, root);
+    }
   }
   [[gnu::always_inline]] constexpr Factor leave(Value before) {
     phase = Phase::apart;
@@ -295,7 +302,17 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   static constexpr Factor mean_of_part(Root root, Value depth, Value way) {
     const auto d = without_sign(depth);
     const auto share = Format::short_quotient(d, without_sign(way));
-    return Format::factor(afresh(root * d) * share * Format::short_constant(2.0 / 5));
+    if constexpr (Format::is_real)
+      return root * d * share;
+    else
+      return Format::factor(afresh(root * d) * share * Format::short_constant(2.0 / 5));
+  }
+  template <class Shape>
+  static constexpr Factor mean_at(Shape shape) {
+    if constexpr (Format::is_real)
+      return shape * Format::constant(1 / unit_of_mean);
+    else
+      return Format::factor(shape);
   }
 };
 

@@ -117,9 +117,13 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Value third_rise = Format::value(quarter(steepness * rate));  // f'/6
     if constexpr (ContactLaw::is_damped)
       third_rise = third_rise + damped_sixth(plan, g - force, root * without_sign(penetration));
-    const Value d = trial - travel(plan, Format::value(half(force)) + third_rise);
+    const Value moment = Format::value(half(force)) + third_rise;
+    const Value d = trial - travel(plan, moment);
     if (!is_positive(d)) return leave(plan, trial, g, d);
-    return stay(plan, trial, g, d, g - force - third_rise - third_rise - third_rise);
+    if constexpr (Format::is_real)
+      return stay_in_reals(plan, trial, g, d, twice(moment) + third_rise);
+    else
+      return stay(plan, trial, g, d, g - force - third_rise - third_rise - third_rise);
   }
 
   [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
@@ -144,6 +148,34 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const Value correction =
         by_missed(plan, slope * factor, n, missed) - behind(plan, Format::value(by_change * (g - j0 - dv)));
     return {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))};
+  }
+
+  // The same in floating point, where a power of two costs nothing only in a constant: P = 2 p, Z = 2 z, Q = Z^2/(5P),
+  //
+  //     8 n = P (2 (d0 + d1) + Z^2) + Z^2 Q        16 w = P + 2 Q        4 (p - r/4 + z^2/(5p)) = 16 w + s
+  //
+  // `taken` is what contact takes of the rate in the predicted step, g - (v1 - v0).
+  [[gnu::always_inline]] constexpr Impulse<Value> stay_in_reals(const Plan& plan, Value trial, Value g, Value d,
+                                                                Value taken) {
+    const Value s = Format::root(d), p = s + root, z = s - root, zz = square(z), q = zz / (5 * p);
+    const Value n = p * (twice(d + penetration) + zz) + zz * q, w = p + twice(q);
+    const Value dd = d - penetration, dv = g - taken;
+    Value factor = eighth(plan.stiffness), damped{};
+    if constexpr (ContactLaw::is_damped) {
+      const Value damping = eighth(this->damping(plan));
+      factor = positive_part(impact::strength<ContactLaw::is_damped_per_impact, Units>(factor, damping * dd));
+      damped = damping * n;
+    }
+    const Value by_change = half(eighth(plan.stiffness)) * w;
+    const Value j0 = n * factor - by_change * dv;
+    Value twice_j1 = j0 - w * factor * dd, slope = twice(s + w) * factor;
+    if constexpr (ContactLaw::is_damped) {
+      twice_j1 = twice_j1 - Format::constant(1.0 / 6) * damped * dv;
+      slope = slope + damped;
+    }
+    const Value j1 = half(twice_j1);
+    const Value correction = slope * (trial - j1 - d) - by_change * (taken - j0);
+    return {j0 + correction, j1 + correction * Format::constant(1.0 / 3)};
   }
 
   [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, Value trial, Value before, Value g) {

@@ -204,7 +204,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       penetration = step.penetration - plan.response.travel(predicted);
       n = is_positive(penetration) ? stay(before) : leave(before);
     }
-    if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, n);
+    if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, shape_of(n));
     Impulse<Value> push = pushed(plan, n, penetration - before);  // not const: GCC would keep it in memory
     taken(1) = push.j1, taken(2) = last, taken(3) = last_but_one;
     return {push.j0, predicted};
@@ -306,6 +306,13 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       return root * d * share;
     else
       return Format::factor(afresh(root * d) * share * Format::short_constant(2.0 / 5));
+  }
+  // n as d^(3/2), and d^(3/2) as n.
+  static constexpr Factor shape_of(Factor n) {
+    if constexpr (Format::is_real)
+      return n * Format::constant(unit_of_mean);
+    else
+      return n;
   }
   template <class Shape>
   static constexpr Factor mean_at(Shape shape) {

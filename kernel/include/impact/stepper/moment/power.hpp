@@ -158,6 +158,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr Impulse<Value> stay_in_reals(const Plan& plan, Value trial, Value g, Value d,
                                                                 Value taken) {
     const Value s = Format::root(d), p = s + root, z = s - root, zz = square(z), q = zz / (5 * p);
+    if constexpr (ContactLaw::is_damped_per_impact) this->limit(plan.limit, plan.damping, s * d);
     const Value n = p * (twice(d + penetration) + zz) + zz * q, w = p + twice(q);
     const Value dd = d - penetration, dv = g - taken;
     Value factor = eighth(plan.stiffness), damped{};

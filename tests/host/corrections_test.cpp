@@ -75,6 +75,23 @@ struct Case {
   using ContactLaw = ContactLaw_;
   using Kernel = Absorber<AtRunTime, ContactLaw_, Stepper_, NoDrive, Format_>;
 };
+// What Fixed32 may do to the energy of a step in contact, J: of the products that make an impulse, each rounded down,
+// two places in each sub-step at the rate at which the masses come together. An impulse counts coarser than a
+// penetration beside a stiff main spring whose displacement has a wide bound (travel_places).
+template <class Kernel>
+double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step) {
+  if constexpr (std::is_same_v<typename Kernel::Format, Fixed32> &&
+                !std::is_same_v<typename Kernel::Stepper, EnergyConsistent>) {
+    constexpr int sub_steps = std::is_same_v<typename Kernel::Stepper, Moment> ? 1 : 4;
+    const auto now = kernel.reading();
+    const double place = std::ldexp(kernel.plan.units.si_penetration_unit(), -31 - kernel.plan.contact.travel_places),
+                 mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
+    return 2 * sub_steps * mu * place / step * std::abs(now.v2 - now.v1);
+  } else {
+    return 0;
+  }
+}
+
 template <class Case>
 class Corrections : public testing::Test {};
 TYPED_TEST_SUITE_P(Corrections);
@@ -97,7 +114,7 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
     if (std::is_same_v<Format, Float32Plain> && deepest < 1e-2 * gap) continue;
     ++accepted;
     const double of_bounds = (scene.main_mass + scene.ball_mass) * bounds.speed * bounds.speed / 2;
-    double energy = 1e300;
+    double energy = 1e300, in_contact = 0;
     for (int i = 0; i < 500; ++i) {
       if (chance.is(kernel.is_touching() ? 0.3 : 0.1)) {
         const auto now = kernel.reading();
@@ -110,15 +127,17 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
         kernel.correct(native<Format>(dx, kernel.displacement_unit()), native<Format>(dv, kernel.velocity_unit()));
         const auto then = kernel.reading();
         energy = energy_of(scene, then.x1, then.v1, then.x2, then.v2, kernel.is_touching());
+        in_contact = 0;
         ++corrected;
       }
+      if (kernel.is_touching()) in_contact += rounded_in_contact(kernel, scene, step);
       kernel.step();
       const auto now = kernel.reading();
       EXPECT_FALSE(std::isnan(now.x1 + now.v1 + now.x2 + now.v2)) << index << ", step " << i;
       if (!(std::abs(now.v1) < bounds.speed && std::abs(now.v2) < bounds.speed &&
             std::abs(now.x1) < bounds.displacement && std::abs(now.x2) < bounds.displacement))
         break;
-      const double made = energy_of(scene, now.x1, now.v1, now.x2, now.v2, kernel.is_touching()) - energy;
+      const double made = energy_of(scene, now.x1, now.v1, now.x2, now.v2, kernel.is_touching()) - energy - in_contact;
       const double gain = made / (energy + 100 * rounded * of_bounds);
       worst = host::larger(worst, gain);
       EXPECT_LE(gain, 0.01) << index << ", step " << i;

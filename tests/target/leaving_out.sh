@@ -43,11 +43,15 @@ term() {
 
 : >"$output"
 row target,numeric,feature,flash_bytes,ram_bytes
-root_table=768 noise=-24 least=1
+noise=-24 least=1
 # Without a long multiply a product is 17 instructions, and whether it is left a function hangs on what else is there: of
 # three of them in the image.
 case $target in cortex-m0*) noise=-110 least=$noise ;; esac
-feature "power law instead of linear (average acceleration)" average hooke_newton_average $root_table 0 square_root_table
+# Floating point takes the root by the FPU's instruction, and has no table.
+case $target,$numeric in
+  cortex-m*f,Float*) feature "power law instead of linear (average acceleration)" average hooke_newton_average 1 0 ;;
+  *) feature "power law instead of linear (average acceleration)" average hooke_newton_average 768 0 square_root_table ;;
+esac
 feature "sine drive" paper no_drive 1 1
 feature "sampled drive" sampled no_drive $noise 0
 feature "contact damping c1" paper hertz 1 0

@@ -112,28 +112,7 @@ int beyond(int64_t x, int64_t limit) {
   return static_cast<uint64_t>(x) + static_cast<uint64_t>(limit) > 2 * static_cast<uint64_t>(limit);
 }
 
-// |root^2 - u 2^32| <= 2 bound u 2^32 is |error| <= bound root, to first order in a bound with room for the second.
-template <int index_bits, int order>
-void expect_every_root(double bound) {
-  const auto limit = static_cast<int64_t>(2 * bound * static_cast<double>(two_32));
-  int64_t failures = 0;
-  uint32_t previous = 0;
-  for (uint64_t u = two_32 / 4; u < two_32; ++u) {
-    const uint32_t root = square_root_table<index_bits, order>.root(static_cast<uint32_t>(u));
-    const auto excess = static_cast<int64_t>(uint64_t{root} * root - u * two_32);
-    failures += (root < previous) + beyond(excess, limit * static_cast<int64_t>(u));
-    previous = root;
-  }
-  EXPECT_EQ(failures, 0) << index_bits << ", " << order;
-}
-TEST(Lookup, RootOfEveryMantissa24Cubic) { expect_every_root<5, 3>(1.04e-7); }
-TEST(Lookup, RootOfEveryMantissa48Quadratic) { expect_every_root<6, 2>(7.36e-7); }
-TEST(Lookup, RootOfEveryMantissa48Linear) { expect_every_root<6, 1>(1.23e-4); }
-
-static_assert(sizeof square_root_table<6, 3> == 768, "the table's size as its header states it");
-static_assert(sizeof square_root_table<5, 3> == 384, "the table's size as its header states it");
-static_assert(sizeof square_root_table<6, 2> == 576, "the table's size as its header states it");
-static_assert(sizeof square_root_table<6, 1> == 384, "the table's size as its header states it");
+static_assert(sizeof square_root_table == 768, "the table's size as its header states it");
 static_assert(sizeof reciprocal_table == 128, "the table's size as its header states it");
 
 // All numbers in four parts, so that as many processors share them; a part begins with what the number before it gives.
@@ -155,24 +134,10 @@ TEST_P(LookupOfAQuarter, OfEveryUint32) {
   EXPECT_EQ(failures, 0);
 }
 
-// Where the number of leading zeros changes, the rounding shift does too.
-template <int index_bits, int order>
-void expect_rising_across_normalisations() {
-  for (int k = 1; k < 16; ++k) {
-    const auto last = static_cast<uint32_t>((UINT64_C(1) << (2 * k)) - 1);
-    const uint32_t root = square_root_q32<index_bits, order>(last);
-    EXPECT_LE((square_root_q32<index_bits, order>(last - 1)), root) << k;
-    EXPECT_LE(root, (square_root_q32<index_bits, order>(last + 1))) << k;
-  }
-}
-
 TEST(Lookup, EndsOfUint32) {
   EXPECT_EQ(square_root_q32(0), 0u);
   EXPECT_EQ(square_root_q32(0xffffffffu), 0xfffffffeu);
   for (int k = 0; k < 16; ++k) EXPECT_EQ(square_root_q32(1u << (2 * k)), 1u << (16 + k));
-  expect_rising_across_normalisations<5, 3>();
-  expect_rising_across_normalisations<6, 1>();
-  expect_rising_across_normalisations<6, 2>();
 }
 
 constexpr uint32_t infinity_bits = 0x7f800000;

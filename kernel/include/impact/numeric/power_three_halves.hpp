@@ -8,17 +8,15 @@
 
 namespace impact {
 
-// With the bound of square_root.hpp |relative error| <= bound + 2^-24 + 2^-29 for every float from 2^-84, where the
-// result is FLT_MIN, to 2^(256/3), where it is FLT_MAX; never falls. Above, and for infinity, FLT_MAX; below, and for y
-// < 0 and NaN, 0.
-template <int index_bits = 6, int order = 3>
+// |relative error| <= 2^-27 + 2^-24 + 2^-29 for every float from 2^-84, where the result is FLT_MIN, to 2^(256/3),
+// where it is FLT_MAX; never falls. Above, and for infinity, FLT_MAX; below, and for y < 0 and NaN, 0.
 inline float power_three_halves(float y) {
   constexpr uint32_t lowest = 0x15800000, highest = 0x6a214517, infinity = 0x7f800000, largest = 0x7f7fffff;
   const uint32_t bits = bits_of(y);
   if (bits - lowest > highest - lowest) return bits >= lowest && bits <= infinity ? float_of(largest) : 0;
 
   const uint32_t exponent = bits >> 23, u = bits << 8 | 0x80000000u;  // y = u 2^(exponent - 158)
-  const uint32_t root = square_root_table<index_bits, order>.root(u >> (exponent & 1));
+  const uint32_t root = square_root_table.root(u >> (exponent & 1));
   const uint32_t product = high_product(u, root), carry = product >> 31;  // product in [2^30, 2^32)
   const uint32_t power_exponent = exponent + ((exponent + 1) >> 1) + carry - 65;
   return float_of((power_exponent << 23) + (((product >> (6 + carry)) + 1) >> 1));

@@ -2,19 +2,14 @@
 #pragma once
 // Square root by table, in fixed point and on a float's bits, in integer arithmetic: the same bits on every target.
 //
-// Y = 4^k U with U in [1/4, 1). That interval is cut into 3 2^(index_bits-2) segments of one width; in each, with t in
-// [-1, 1) from its middle, sqrt(U) is replaced by the polynomial of degree `order` that meets it at the Chebyshev nodes
-// stretched to reach both ends,
+// Y = 4^k U with U in [1/4, 1). That interval is cut into 48 segments of one width; in each, with t in [-1, 1) from its
+// middle, sqrt(U) is replaced by the cubic that meets it at the Chebyshev nodes stretched to reach both ends,
 //
-//     t_j = cos((2j+1) pi / (2 order + 2)) / cos(pi / (2 order + 2)),    j = 0..order,
+//     t_j = cos((2j+1) pi/8) / cos(pi/8),    j = 0..3,
 //
 // so that neighbouring segments join and the root never falls. sqrt is hardest at U = 1/4, where the relative error is
-// |binomial(1/2, order+1)| (2 / 2^index_bits)^(order+1) max|(t-t_0)..(t-t_order)|, the maximum being 1, 0.385, 0.172
-// for order 1, 2, 3. Rounding adds less than 2^-30. Bounds of the relative error:
-//
-//     index_bits, order        6, 3       5, 3       6, 2       6, 1
-//     table, bytes              768        384        576        384
-//     bound                   2^-27    1.04e-7    7.36e-7    1.23e-4
+// |binomial(1/2, 4)| (2/64)^4 max|(t-t_0)..(t-t_3)| = 0.039 2^-20 0.172; rounding adds less than 2^-30. The relative
+// error stays within 2^-27, with a table of 768 bytes.
 //
 // A float's root is rounded correctly.
 
@@ -26,10 +21,8 @@
 
 namespace impact {
 
-template <int index_bits, int order>
 struct SquareRootTable {
-  static_assert(index_bits >= 5 && index_bits <= 8 && order >= 1 && order <= 3, "no such table");
-
+  static constexpr int index_bits = 6, order = 3;
   // The coefficient of t^k has 32 + k fraction bits. The third needs only 16 bits of t, and the fraction bits that make
   // it 16 bits wide itself.
   static constexpr int third_bits = 3 * index_bits + 17;
@@ -69,30 +62,26 @@ struct SquareRootTable {
   [[gnu::always_inline]] constexpr uint32_t root(uint32_t u) const {
     const Segment& segment = *opaque(&segments[(u >> (32 - index_bits)) - (1u << (index_bits - 2))]);
     const auto t = static_cast<int32_t>((u << index_bits) ^ 0x80000000u);
-    int32_t slope = 0;
-    if constexpr (order == 3) slope = ((t >> 16) * segment.slope[2]) >> (third_bits - 19);
-    if constexpr (order >= 2) slope = high_product(t, segment.slope[1] + slope);
-    return segment.constant + static_cast<uint32_t>(high_product(t, segment.slope[0] + slope));
+    const int32_t third = ((t >> 16) * segment.slope[2]) >> (third_bits - 19),
+                  second = high_product(t, segment.slope[1] + third);
+    return segment.constant + static_cast<uint32_t>(high_product(t, segment.slope[0] + second));
   }
 };
 
-template <int index_bits, int order>
-inline constexpr SquareRootTable<index_bits, order> square_root_table{};
+inline constexpr SquareRootTable square_root_table{};
 
 // Y = y / 2^32 gives sqrt(Y) 2^32: |error| <= bound result + 1/2 for every y, with the bound above; never falls; 0 for
-// 0. With the default table 2^(16+k) for 4^k and 2^32 - 2 for 2^32 - 1.
-template <int index_bits = 6, int order = 3>
+// 0; 2^(16+k) for 4^k and 2^32 - 2 for 2^32 - 1.
 constexpr uint32_t square_root_q32(uint32_t y) {
   if (y == 0) return 0;
   const int shift = normalise<2>(y);
-  return (square_root_table<index_bits, order>.root(y) + ((1u << shift) >> 1)) >> shift;
+  return (square_root_table.root(y) + ((1u << shift) >> 1)) >> shift;
 }
 
 // Y = y / 2^32 gives sqrt(Y) 2^31, for y > 0: within the bound above, rounded down.
-template <int index_bits = 6, int order = 3>
 constexpr uint32_t square_root_q31(uint32_t y) {
   const int shift = normalise<2>(y);
-  return square_root_table<index_bits, order>.root(y) >> (shift + 1);
+  return square_root_table.root(y) >> (shift + 1);
 }
 
 inline uint32_t bits_of(float y) {
@@ -126,15 +115,15 @@ inline float square_root(float y) {
     exponent = 9 - normalise<1>(u);
   }
   u >>= exponent & 1;
-  const uint32_t q = square_root_table<6, 3>.root(u) >> 8;
+  const uint32_t q = square_root_table.root(u) >> 8;
   const auto left = static_cast<int32_t>((u << 16) - q * q);  // modulo 2^32
   const uint32_t root = left > static_cast<int32_t>(q) ? q + 1 : q;
   return float_of((static_cast<uint32_t>((exponent + 125) >> 1) << 23) + root);
 }
 
 #if defined(IMPACT_HAS_FPU)
-// The same in one instruction, written out because for the sake of errno a compiler adds a call to sqrtf. NaN for y <
-// 0.
+// The same in one instruction, written out because for the sake of errno a compiler adds a call to sqrtf. NaN for
+// y < 0.
 inline float root_by_instruction(float y) {
   float root;
 #if defined(__arm__)

@@ -6,7 +6,7 @@
 
 #include <impact/numeric/formula.hpp>
 #include <impact/silent_feature.hpp>
-#include <impact/stepper/treatment.hpp>
+#include <impact/stepper/contact_step.hpp>
 
 namespace impact {
 

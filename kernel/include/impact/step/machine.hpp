@@ -9,7 +9,7 @@
 #include <impact/features.hpp>
 #include <impact/motion/friction.hpp>
 #include <impact/numeric/formula.hpp>
-#include <impact/stepper/treatment.hpp>
+#include <impact/stepper/contact_step.hpp>
 
 namespace impact {
 

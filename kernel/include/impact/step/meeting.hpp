@@ -6,6 +6,7 @@
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/step/machine.hpp>
+#include <impact/stepper/contact_step.hpp>
 #include <impact/stepper/treatment.hpp>
 #include <impact/types.hpp>
 

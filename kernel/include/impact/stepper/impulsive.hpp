@@ -56,6 +56,7 @@
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/scene.hpp>
+#include <impact/stepper/response.hpp>
 #include <impact/stepper/treatment.hpp>
 
 namespace impact {

@@ -21,6 +21,7 @@
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/scene.hpp>
+#include <impact/stepper/response.hpp>
 #include <impact/stepper/treatment.hpp>
 
 namespace impact {

@@ -8,6 +8,7 @@
 
 #include <impact/law/hooke_newton.hpp>
 #include <impact/stepper/energy/response.hpp>
+#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 

@@ -37,6 +37,7 @@
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/energy/response.hpp>
 #include <impact/stepper/energy/stiff.hpp>
+#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 

@@ -3,9 +3,11 @@
 // The exact response of both masses to a contact force that is constant over the step; and the positive root of the
 // quadratics that such a force leads to.
 
+#include <impact/law/terms.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/formula.hpp>
-#include <impact/stepper/treatment.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/stepper/response.hpp>
 
 namespace impact {
 

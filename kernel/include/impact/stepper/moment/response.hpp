@@ -8,6 +8,7 @@
 //     v1 += g0 J0 + g1 J1         g0 = (1 + k h^2/(12 M)) / M        g1 = -(c/M + k h/(2 M)) / M
 
 #include <impact/motion/linear_flow.hpp>
+#include <impact/stepper/response.hpp>
 #include <impact/stepper/treatment.hpp>
 
 namespace impact {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What an impulse of the contact's force does to the state of both masses.
+
+#include <impact/stepper/contact_step.hpp>
+
+namespace impact {
+
+// What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and dx1
+// are the main mass's displacement and its displacement per step, x2 and dx2 the ball's; the last three act on the
+// penetration and its rate. Signs are those of a push on the right stop: x1 and dx1 grow, the others fall.
+template <class Gain>
+struct Response {
+  static constexpr bool is_shared = false;
+  Gain x1, dx1, dx1_by_moment, x2, dx2;
+  Gain penetration, rate, rate_by_moment;
+
+  template <class Units, class State, class Felt>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& main) const {
+    const auto& ball = felt_by_ball(main);
+    units.push(state.x1, x1 * main.j1);
+    units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
+    units.push(state.x2, x2 * -ball.j1);
+    units.push(state.dx2, dx2 * -ball.j0);
+  }
+};
+
+// A mass's share of an impulse that both answer to, in Fixed32's last place below 1, which would ask for a shift to the
+// left before the product.
+constexpr double largest_share = 1 - 0x1p-31;
+
+// The same to an impulse and a moment that count as what they do to the rate and to the penetration: the ball has its
+// share of them, with its sign, and the main mass the rest, of which dx1 counts what spring and damper do meanwhile.
+template <class Gain>
+struct SharedResponse {
+  static constexpr bool is_shared = true;
+  Gain ball, dx1, dx1_by_moment;
+  Gain penetration, rate, rate_by_moment;
+
+  template <class Units, class State, class Felt>
+  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& impulse) const {
+    const auto ball_j0 = ball * impulse.j0, ball_j1 = ball * impulse.j1;
+    units.recoil(state.x1, impulse.j1 + ball_j1);
+    units.recoil(state.dx1, dx1 * impulse.j0 + dx1_by_moment * impulse.j1);
+    units.recoil(state.x2, ball_j1);
+    units.recoil(state.dx2, ball_j0);
+  }
+};
+
+}  // namespace impact

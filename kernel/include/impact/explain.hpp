@@ -101,7 +101,9 @@ constexpr double* Values::find(Parameter parameter) {
   return entry.in_scene ? &(scene.*entry.in_scene) : entry.in_bounds ? &(bounds.*entry.in_bounds) : &step;
 }
 
-// The value that a plan was refused for, and what it may be beside the others (drive_pulsation also 0).
+// The value that a plan was refused for, and what it may be beside the others (drive_pulsation also 0). Where no single
+// value would do, as where 32 bits have no room for any, it is the first at fault with its range in any scene, which
+// may hold it.
 struct Explanation {
   Parameter parameter;
   double value;

@@ -25,6 +25,9 @@ namespace impact {
 // An entry keeps all places of its products, so that Fixed32 rounds none, however slow the contact is beside its
 // bounds; in Float32 each is rounded by 2^-24 of itself.
 //
+// What the step itself takes of the energy is in neither: with Impulsive (w0 t h)^4/12 of the main mass's share in each
+// impact (stepper/impulsive.hpp), with EnergyConsistent in a field what a stiff contact's position correction does.
+//
 // What is dissipated never falls
 //
 //     Impulsive           exactly, in every format: an entry is J (V - J), 0 <= J <= V. What lifts a ball out of its

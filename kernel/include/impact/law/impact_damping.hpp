@@ -32,8 +32,8 @@ struct DampingLimit {
 };
 template <class Format>
 struct DampingLimit<Format, true> {
-  typename Format::HeldGain rate,
-      corrected_rate;  // of the impact whose z is `largest`, or a quarter of it, over d^(3/2)
+  // Of the impact whose z is `largest`, and of one that a correction has put there, over d^(3/2).
+  typename Format::HeldGain rate, corrected_rate;
 
   static constexpr DampingLimit make(const ContactTerms& terms, const UnitExponents& unit, double largest) {
     const double by_shape = terms.damping_ratio * terms.step * terms.step * terms.stiffness / terms.reduced_mass(),

@@ -1,8 +1,7 @@
 // accuracy OUTPUT.csv: the error over 1 s of the paper's scene, |x1| every 10 ms, of every stepper and number format of
 // the kernel and, in float and in double, of the baselines, parted into the method's (the same run in double) and
 // rounding's (error_measures.hpp). Time is the fastest of five runs; the kernel's is taken through its run-time
-// interface, all steps at once, contact's energy ledger and impact log included. -vsqrt: with the processor's own
-// square root. contact_share is the share of steps with contact at either end, from the reference.
+// interface, all steps at once, contact's energy ledger and impact log included. contact_share is the share of steps with contact at either end, from the reference.
 
 #include <algorithm>
 #include <chrono>
@@ -95,9 +94,6 @@ class StepLength {
     for (const Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
       write_run(name_of(stepper), name_of(numeric), exact, kernel_run(stepper, numeric));
     write_run(name_of(stepper), name_of(Numeric::float64), exact, exact);
-    if (stepper != Stepper::moment || request_.law == Law::hooke_newton) return;
-    write_run(name_of(stepper), "float32-vsqrt", exact, hardware_root_run<BasicFloat32<HardwareRoot>>());
-    write_run(name_of(stepper), "float32-plain-vsqrt", exact, hardware_root_run<BasicFloat32Plain<HardwareRoot>>());
   }
 
   // In float and in double.
@@ -116,34 +112,18 @@ class StepLength {
               reference_.contact_share(request_.step));
   }
 
+  // Without samples where the request is refused or the run raises a fault.
   Run kernel_run(Stepper stepper, Numeric numeric) const {
     Request request = request_;
     request.stepper = stepper;
     request.numeric = numeric;
-    return kernel_run(request, [](const Request& of) { return make_simulation(of).simulation; });
-  }
-  template <class Format>
-  Run hardware_root_run() const {
-    Request request = request_;
-    request.stepper = Stepper::moment;
-    request.numeric = Numeric::float32;
-    const Outcome planned = make_simulation(request);
-    if (!planned.simulation) return {};
-    return kernel_run(planned.made, [](const Request& of) {
-      return of.law == Law::hertz ? plan_for<Format, Hertz, Moment, Sine>(of, *of.bounds).simulation
-                                  : plan_for<Format, HuntCrossley, Moment, Sine>(of, *of.bounds).simulation;
-    });
-  }
-  // Without samples where `make` refuses the request or the run raises a fault.
-  template <class Make>
-  Run kernel_run(const Request& request, Make make) const {
-    if (!make(request)) return {};
+    if (!make_simulation(request).simulation) return {};
     const auto per_interval = static_cast<size_t>(steps_per_interval_);
     std::vector<double> all(per_interval * intervals);
     const long steps = steps_per_interval_ * intervals;
     bool is_sound = true;
     const Run run = timed_run(
-        request.scene.x1, steps_per_interval_, [&] { return make(request); },
+        request.scene.x1, steps_per_interval_, [&] { return make_simulation(request).simulation; },
         [&](const auto& simulation, std::vector<double>& x1) {
           is_sound = is_sound && simulation->run(steps, nullptr, all.data()) == steps;
           for (size_t i = 0; i < intervals; ++i) x1[i] = all[(i + 1) * per_interval - 1];

@@ -394,13 +394,10 @@ TEST(Restoring, RefusesAnotherListOfFeatures) {
   EXPECT_FALSE(takes_over(both, other_order) || takes_over(both, logged));
 }
 
-TEST(Restoring, RefusesAnotherBetaOrRoot) {
+TEST(Restoring, RefusesAnotherBeta) {
   const auto average = run<Saver<Fixed32, Pointwise<1, 4>>>();
   EXPECT_TRUE(takes_over(average, average));
   EXPECT_FALSE(takes_over(average, run<Saver<Fixed32, Pointwise<1, 3>>>()));
-  const auto lookup = run<Saver<BasicFloat32<CorrectRoot>, Moment>>();
-  EXPECT_TRUE(takes_over(lookup, lookup));
-  EXPECT_FALSE(takes_over(lookup, run<Saver<BasicFloat32<HardwareRoot>, Moment>>()));
 }
 
 // At every step of a run with corrections, and not with a contact whose numbers are not each other's.

@@ -48,10 +48,6 @@ constexpr const char* name<Float32> = "float32";
 template <>
 constexpr const char* name<Float32Plain> = "float32-plain";
 template <>
-constexpr const char* name<BasicFloat32<HardwareRoot>> = "float32-vsqrt";
-template <>
-constexpr const char* name<BasicFloat32Plain<HardwareRoot>> = "float32-plain-vsqrt";
-template <>
 constexpr const char* name<NoDrive> = "none";
 template <>
 constexpr const char* name<Sine> = "sine";
@@ -261,23 +257,15 @@ constexpr auto golden_configurations() {
 }
 
 // Those whose cost is measured and has a budget.
-#if defined(__ARM_FP)
-using WithHardwareRoot = List<Configuration<HuntCrossley, Moment, BasicFloat32<HardwareRoot>, Sine>,
-                              Configuration<HuntCrossley, Moment, BasicFloat32Plain<HardwareRoot>, Sine>>;
-#else
-using WithHardwareRoot = List<>;
-#endif
 using Budgeted =
-    decltype(WithHardwareRoot{} +
-             List<  //
-                 Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
-                 Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
-                 Configuration<HookeNewton, Moment, Fixed32, Sine>,
-                 Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine>,
-                 Configuration<HuntCrossley, Impulsive, Fixed32, Sine>,
-                 Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
-                 Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
-                 Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>{});
+    List<Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
+         Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
+         Configuration<HookeNewton, Moment, Fixed32, Sine>,
+         Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine>,
+         Configuration<HuntCrossley, Impulsive, Fixed32, Sine>,
+         Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
+         Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
+         Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>;
 // In images of their own: what a compiler inlines depends on what else is there.
 using BudgetedWithParts =
     List<Configuration<HuntCrossley, Moment, Fixed32, Sine, Gravity>,

@@ -13,6 +13,6 @@ set grid linecolor rgb 'gray' linetype 1 linewidth 0.4
 methods = 'moment moment-4 energy impulsive average linear fox-goodwin central textbook-newmark textbook-newmark-sqrt textbook-rk4 textbook-rk4-sqrt textbook-rk4-lookup tuned-rk4'
 colours = '#0072B2 #56B4E9 #D55E00 #009E73 #E69F00 #CC79A7 #009E73 #56B4E9 black black #808080 #808080 #808080 #D55E00'
 dashes = '1 1 1 1 2 3 4 5 1 2 1 2 3 2'
-numerics = 'fixed32 float32 float32-plain float64 float32-vsqrt float32-plain-vsqrt'
-markers = '5 6 8 1 7 9'
+numerics = 'fixed32 float32 float32-plain float64'
+markers = '5 6 8 1'
 laws = 'hooke-newton hertz hunt-crossley'

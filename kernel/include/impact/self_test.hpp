@@ -43,10 +43,10 @@ template <class Format>
 inline constexpr uint32_t proved_bits = 0;
 template <>
 inline constexpr uint32_t proved_bits<Fixed32> = 0x591a72b5;
-template <class RootPolicy>
-inline constexpr uint32_t proved_bits<BasicFloat32<RootPolicy>> = 0x9d6b4a56;
-template <class RootPolicy>
-inline constexpr uint32_t proved_bits<BasicFloat32Plain<RootPolicy>> = 0xef84eed3;
+template <>
+inline constexpr uint32_t proved_bits<Float32> = 0x9d6b4a56;
+template <>
+inline constexpr uint32_t proved_bits<Float32Plain> = 0xef84eed3;
 
 }  // namespace detail
 

@@ -78,9 +78,9 @@ inline auto magnitude_bits(Real x) {
   return bits_of(x) << 1;
 }
 
-template <class RealType, template <class> class State, class OscillatorType, class RootPolicy>
+template <class RealType, template <class> class State, class OscillatorType>
 struct RealFormat {
-  static constexpr uint32_t kind = RootPolicy::kind;  // a saved state is of one kind of format
+  static constexpr uint32_t kind = sizeof(RealType) / sizeof(float) - 1;  // a saved state is of one kind of format
   static constexpr bool is_real = true;
   using Real = RealType;
   using Value = Real;
@@ -92,11 +92,6 @@ struct RealFormat {
   using Tally = CompensatedState<Real>;
   using Oscillator = OscillatorType;
   static constexpr bool calls_contact = false;
-#if defined(IMPACT_HAS_FPU)
-  static constexpr bool judges_together = true;  // what a state holds, for less than one by one
-#else
-  static constexpr bool judges_together = false;
-#endif
 
   struct Units {
     static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
@@ -171,13 +166,13 @@ struct RealFormat {
     static constexpr bool in_range_in_field(Long x1, Long x2, Long, Long) {
       return is_below_limit(x1.sum) && is_below_limit(x2.sum);
     }
+    // For an FPU by their sum first, which passes infinity on, and what is no number.
     static constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) {
-      return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(dx1.sum) && is_below_limit(dx2.sum);
-    }
-    // By the sum, which passes infinity on, and what is no number.
-    static constexpr bool is_well_in_range(Long x1, Long x2, Long dx1, Long dx2) {
+#if defined(IMPACT_HAS_FPU)
       const Real sum = size(x1.sum) + size(x2.sum) + size(dx1.sum) + size(dx2.sum);
-      return bits_of(sum) < bits_of(static_cast<Real>(1048576));
+      if (bits_of(sum) < bits_of(static_cast<Real>(1048576))) return true;
+#endif
+      return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(dx1.sum) && is_below_limit(dx2.sum);
     }
     static constexpr bool is_below_limit(Real x) {
       return magnitude_bits(x) < magnitude_bits(static_cast<Real>(1048576));
@@ -271,7 +266,7 @@ struct RealFormat {
   static constexpr Real share(Real x, Balance a) { return x / (x + a); }
   // Of what a rounding may leave below 0.
   static constexpr Real root_of_product(Real x) { return root(positive_part(x)); }
-  static constexpr Real root(Real x) { return RootPolicy::square_root(x); }
+  static constexpr Real root(Real x) { return correct_root(x); }
   template <bool is_precise = false>
   static constexpr Real power_four_fifths(Real x) {
     return static_cast<Real>(impact::power_four_fifths<is_precise>(static_cast<float>(x)));
@@ -305,18 +300,8 @@ struct RealFormat {
   }
 };
 
-// Host only.
-struct DoubleRoot {
-  static constexpr uint32_t kind = 2;
-  static double square_root(double x) { return __builtin_sqrt(x); }
-};
-
-template <class RootPolicy = CorrectRoot>
-using BasicFloat32 = RealFormat<float, CompensatedState, IntegerOscillator, RootPolicy>;
-template <class RootPolicy = CorrectRoot>
-using BasicFloat32Plain = RealFormat<float, PlainState, RealOscillator<float>, RootPolicy>;
-using Float32 = BasicFloat32<>;
-using Float32Plain = BasicFloat32Plain<>;
-using Float64 = RealFormat<double, PlainState, RealOscillator<double>, DoubleRoot>;
+using Float32 = RealFormat<float, CompensatedState, IntegerOscillator>;
+using Float32Plain = RealFormat<float, PlainState, RealOscillator<float>>;
+using Float64 = RealFormat<double, PlainState, RealOscillator<double>>;
 
 }  // namespace impact

@@ -139,29 +139,15 @@ inline float root_by_instruction(float y) {
 }
 #endif
 
-// The square root of a float as a policy, for y >= 0: by the processor's instruction where it has one and by table
-// elsewhere, with the same bits; or by the instruction, and no program where there is none.
-struct CorrectRoot {
-  static constexpr uint32_t kind = 0;  // of a saved state
-  static float square_root(float y) {
+// The square root for y >= 0, rounded correctly: by the processor's instruction where it has one and by table elsewhere,
+// with the same bits; of a double on a host.
+inline float correct_root(float y) {
 #if defined(IMPACT_HAS_FPU)
-    return root_by_instruction(y);
+  return root_by_instruction(y);
 #else
-    return impact::square_root(y);
+  return square_root(y);
 #endif
-  }
-};
-struct HardwareRoot {
-  static constexpr uint32_t kind = 1;  // of a saved state
-#if defined(IMPACT_HAS_FPU)
-  static float square_root(float y) { return root_by_instruction(y); }
-#else
-  template <class Float>
-  static float square_root(Float) {
-    static_assert(sizeof(Float) == 0, "this processor has no square root instruction: use CorrectRoot");
-    return 0;
-  }
-#endif
-};
+}
+inline double correct_root(double y) { return __builtin_sqrt(y); }
 
 }  // namespace impact

@@ -93,13 +93,6 @@ class Machine : protected Source {
     return plan.units.relative(Field::ball_travel(plan, state_) - main_travel);
   }
 
-  // What hold_in_range() need not look at. A state that is not may still be in range.
-  constexpr bool is_well_in_range() const {
-    if constexpr (Format::judges_together)
-      return plan.units.is_well_in_range(state_.x1, state_.x2, state_.dx1, state_.dx2);
-    else
-      return false;
-  }
   // Holds a state that is beyond its range, with a fault. Whether it was.
   constexpr bool hold_in_range() {
     if (plan.units.in_range(state_.x1, state_.x2, state_.dx1, state_.dx2)) return false;

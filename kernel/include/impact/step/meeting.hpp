@@ -19,7 +19,7 @@ class Meeting : protected Machine<Source, Features...> {
  protected:
   using Base::at_left, Base::flown, Base::depth_inside, Base::is_at_left, Base::rate_ahead, Base::relative_rate;
   using Base::Base, Base::plan, Base::state_;
-  using Base::hold, Base::hold_in_range, Base::is_well_in_range, Base::raise;
+  using Base::hold, Base::hold_in_range, Base::raise;
   using typename Base::Contact, typename Base::Field, typename Base::Format, typename Base::Friction;
   using typename Base::Long, typename Base::PlanType, typename Base::Value;
 
@@ -142,7 +142,7 @@ class Meeting : protected Machine<Source, Features...> {
     reload(state_);
     plan.contact.response.answer(units, state_, mirrored(impulse, left));
     contact.place_ball(plan.contact, units, state_, left);
-    if (!is_well_in_range() && hold_in_range()) return false;
+    if (hold_in_range()) return false;
     if constexpr (sizeof...(Features) > 0) {
       approach.rate = rate;
       const auto seen = contact.record(plan.contact, units, approach, contact_before, impulse);

@@ -45,11 +45,14 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
+bool names_samples(const std::string& option) {
+  return option == "drive-file" || option == "base-file" || option == "base-acceleration-file";
+}
+
 // A scene's samples are read to check it, and again to run it.
 void expect_readable_again(const std::vector<Argument>& arguments) {
   for (const auto& [name, file] : arguments) {
-    const bool is_read = name == "drive-file" || name == "base-file" || name == "base-acceleration-file";
-    if (is_read && std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    if (names_samples(name) && std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
       throw BadInput("--" + name, file, "a file that can be read twice, in a sweep");
   }
 }
@@ -94,7 +97,11 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
   }
   const std::vector<std::string> columns = cells_of(line);
   Sweep sweep{"scene,", {}, {}};
-  for (const Argument& argument : common) sweep.header += argument.name + ",";
+  bool has_samples = std::any_of(columns.begin(), columns.end(), names_samples);
+  for (const Argument& argument : common) {
+    sweep.header += argument.name + ",";
+    has_samples = has_samples || names_samples(argument.name);
+  }
   for (const std::string& column : columns) {
     try {
       if (column.empty()) throw BadInput("a column", "without a name", "the options that describe a scene");
@@ -104,10 +111,7 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
     }
     sweep.header += column + ",";
   }
-  bool has_drive_file = false;
-  for (const char* file : {",drive-file,", ",base-file,", ",base-acceleration-file,"})
-    has_drive_file = has_drive_file || sweep.header.find(file) != std::string::npos;
-  if (has_drive_file) sweep.header += "drive_samples,";
+  if (has_samples) sweep.header += "drive_samples,";
   sweep.header += "max_x1,rms_x1,attenuation,energy_dissipated,impacts,fault\n";
 
   long scene = 0;
@@ -130,7 +134,7 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
       }
       swept.settings = checked(swept.arguments);
       Request& request = swept.settings.request;
-      if (has_drive_file) swept.key += fingerprint_of(request.samples, request.base_samples) + ",";
+      if (has_samples) swept.key += fingerprint_of(request.samples, request.base_samples) + ",";
       request.samples = request.base_samples = {};
       sweep.keys.emplace(scene, swept.key);
       if ((scene - settings.shard.index) % settings.shard.count == 0) sweep.scenes.push_back(std::move(swept));

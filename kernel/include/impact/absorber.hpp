@@ -270,7 +270,7 @@ class Absorber
     units.add(state_.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
     begin_to_rub();
     if (!hold_in_range()) {
-      if (state_.contact.phase != Phase::apart) touch_anew();
+      if (state_.contact.phase != Phase::apart) touch_anew(depth_in(at_left()));
       if (state_.contact.phase == Phase::apart) push_out();
     }
     (Features::after_correction(plan, state_), ...);
@@ -319,8 +319,9 @@ class Absorber
     if constexpr (counts_slid_way) state_.slid = {};
     begin_to_rub();
     if (is_other_contact && state_.contact.phase != Phase::apart) {
-      state_.contact.stand_at(plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left())));
-      touch_anew();
+      const Value depth = depth_in(at_left());
+      state_.contact.stand_at(depth);
+      touch_anew(depth);
       load_contact();
     }
     publish();
@@ -362,7 +363,7 @@ class Absorber
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   using Steps::advance, Steps::begin_to_rub, Steps::hold_in_range, Steps::leave_rubbing, Steps::load_contact;
-  using Steps::at_left, Steps::place, Steps::rate_ahead;
+  using Steps::at_left, Steps::depth_in, Steps::place, Steps::rate_ahead;
   using Steps::counts_slid_way, Steps::has_own_damping, Steps::state_;
   using Steps::push_out, Steps::raise, Steps::rubs, Steps::start, Steps::still_to_rub, Steps::touch_anew;
 

@@ -62,7 +62,6 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   const double w0 = constant::square_root(scene.main_stiffness / scene.main_mass);
   const double field = constant::magnitude(scene.gravity) + bounds.base_acceleration;
   const double press = largest_acceleration(scene, bounds, constant::larger(scene.drive_amplitude, bounds.force));
-  const double damping = terms.damping_time * k1 * (terms.is_linear ? 1 : terms.to_the_power(d)) / mu;
   const double slope = terms.is_linear ? k1 : 1.5 * k1 * constant::square_root(d);
   return {ContactLaw::is_linear,
           time,
@@ -71,9 +70,8 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
           w0 * time,
           w0,
           constant::square_root(slope / mu),
-          damping,
-          terms.is_linear || ContactLaw::is_damped_per_impact ? damping
-                                                              : constant::smaller(damping, terms.damping_time * press),
+          terms.damping_at(d),
+          terms.is_linear || ContactLaw::is_damped_per_impact ? terms.damping_at(d) : terms.damping_under(press),
           scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never,
           (1 + scene.ball_mass / scene.main_mass) * field * time / terms.largest_rate};
 }

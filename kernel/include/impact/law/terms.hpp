@@ -35,6 +35,14 @@ struct ContactTerms {
 
   constexpr double reduced_mass() const { return 1 / (1 / ball_mass + 1 / main_mass); }
   constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }
+  // c/mu at the penetration d, 1/s.
+  constexpr double damping_at(double d) const {
+    return damping_time * stiffness * (is_linear ? 1 : to_the_power(d)) / reduced_mass();
+  }
+  // And where a power law's stop alone bears an acceleration: k1 d^(3/2) = mu press, or at the deepest.
+  constexpr double damping_under(double press) const {
+    return constant::smaller(damping_at(deepest), damping_time * press);
+  }
 };
 
 template <class ContactLaw>

@@ -68,11 +68,13 @@ class Machine : protected Source {
     return plan.left_stop && (!plan.right_stop || (state_.x2 - state_.x1).is_negative());
   }
 
-  // How far a ball without a contact is inside the stop. (The difference of both positions counts modulo 2^64 in
-  // Fixed32: a ball far from the only stop may seem deep inside it.)
+  // How deep the ball is in this stop.
+  constexpr Value depth_in(bool left) const { return plan.units.penetration(mirrored(state_.x2 - state_.x1, left)); }
+  // And without a contact in any. (The difference of both positions counts modulo 2^64 in Fixed32: a ball far from the
+  // only stop may seem deep inside it.)
   constexpr Value depth_inside() const {
     if (!is_beyond_stop()) return {};
-    return plan.units.penetration(mirrored(state_.x2 - state_.x1, is_at_left()));
+    return depth_in(is_at_left());
   }
 
   // Rate of penetration, for the state as it stands.

@@ -17,7 +17,8 @@ class Meeting : protected Machine<Source, Features...> {
   using Base = Machine<Source, Features...>;
 
  protected:
-  using Base::at_left, Base::flown, Base::depth_inside, Base::is_at_left, Base::rate_ahead, Base::relative_rate;
+  using Base::at_left, Base::flown, Base::depth_in, Base::depth_inside, Base::is_at_left, Base::rate_ahead,
+      Base::relative_rate;
   using Base::Base, Base::plan, Base::state_;
   using Base::hold, Base::hold_in_range, Base::raise;
   using typename Base::Contact, typename Base::Field, typename Base::Format, typename Base::Friction;
@@ -59,14 +60,13 @@ class Meeting : protected Machine<Source, Features...> {
     state_.contact.bear(plan.contact, in_half_a_step + in_half_a_step);
   }
 
-  // The contact under way as if it stood so from its beginning; what it bears stays, and its damping, as far as a step
-  // bears that.
-  constexpr void touch_anew() {
+  // The contact under way as if it stood so from its beginning, at the depth `found`; what it bears stays, and its
+  // damping, as far as a step bears that.
+  constexpr void touch_anew(Value found) {
     Contact& contact = state_.contact;
     if (contact.rests_on(plan.units, state_, at_left())) return;
     const Phase phase = contact.phase;
-    const Value found = plan.units.penetration(mirrored(state_.x2 - state_.x1, at_left())),
-                inside = contact.no_deeper(found);
+    const Value inside = contact.no_deeper(found);
     if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, at_left()));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = relative_rate(at_left());

@@ -30,7 +30,8 @@ struct EnergyConsistent {
   static constexpr Range steps(const Resolution& contact) {
     using constant::smaller;
     if (contact.is_linear) return {0, contact.contact_time};
-    const double damped = smaller(1 / (contact.damping + 1e-300), 0.2 / (contact.lasting_damping + 1e-300)),
+    const double damped = smaller(largest_damping_of_energy / (contact.damping + 1e-300),
+                                  largest_lasting_damping_of_energy / (contact.lasting_damping + 1e-300)),
                  resolved = smaller(0.2 / contact.pulsation, damped),
                  in_field = largest_field_share * contact.contact_time / (contact.field_share + 1e-300);
     return {0, smaller(any_step.most, constant::larger(resolved, in_field))};

@@ -41,6 +41,9 @@
 
 namespace impact {
 
+// h c/mu that a resolved contact has at most, and one that lasts.
+constexpr double largest_damping_of_energy = 1, largest_lasting_damping_of_energy = 0.2;
+
 template <class Format, class ContactLaw>
 struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
@@ -66,20 +69,18 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   };
 
   static constexpr bool is_sudden(const Plan& plan) { return !plan.is_resolved; }
-  // Whether a contact lasts 20 steps and u stays below 1/2, at the deepest penetration and at the peak of an elastic
-  // impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d), and u = h c/(2 mu).
-  // And a contact that lasts has u of at most 1/10: where it bears what presses, k1 d^(3/2) = mu A and u = C A h/2, but
-  // no deeper than the deepest; with a damping set per impact, anywhere.
-  static constexpr double largest_ratio = 0.5, largest_lasting_ratio = 0.1;  // of u
+  // Whether a contact lasts 20 steps and u = h c/(2 mu) stays below 1/2, at the deepest penetration and at the peak of
+  // an elastic impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d). And a
+  // contact that lasts has u of at most 1/10: where it bears what presses, with a damping set per impact anywhere.
   static constexpr bool is_resolved(const ContactTerms& terms) {
-    const double mu = terms.reduced_mass(), compliance = terms.step * terms.step / (2 * mu), v = terms.largest_rate;
+    const double mu = terms.reduced_mass(), h = terms.step, v = terms.largest_rate;
     const double peak = constant::power(1.25 * mu * v * v / terms.stiffness, 0.4);
     const double d = constant::larger(terms.deepest, peak);
-    const double slope = terms.stiffness * compliance * constant::square_root(d);
-    const double ratio = slope * d * terms.damping_time / terms.step,
-                 press = constant::smaller(terms.pressing, terms.stiffness * terms.to_the_power(terms.deepest) / mu),
-                 lasting_ratio = is_per_impact ? ratio : terms.damping_time * press * terms.step / 2;
-    return 1.5 * slope <= 0.02 && ratio <= largest_ratio && lasting_ratio <= largest_lasting_ratio;
+    const double slope = 1.5 * terms.stiffness * h * h / (2 * mu) * constant::square_root(d),
+                 damping = h * terms.damping_at(d),
+                 lasting_damping = is_per_impact ? damping : h * terms.damping_under(terms.pressing);
+    return slope <= 0.02 && damping <= largest_damping_of_energy &&
+           lasting_damping <= largest_lasting_damping_of_energy;
   }
   // A ball whose stored energy has no place is put out of a stiff contact, in a field a against its weight. From the
   // depth d at which V is a place that gains up to this share of the fastest impact's energy: with g of stiff.hpp,
@@ -117,7 +118,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             true,
             {},
             {},
-            decltype(Plan::limit)::make(terms, unit, 2 * largest_lasting_ratio)};
+            decltype(Plan::limit)::make(terms, unit, largest_lasting_damping_of_energy)};
   }
   static constexpr Plan make_stiff_plan(ContactTerms terms, const ConstantForceResponse& answer,
                                         const UnitExponents& unit) {

@@ -155,6 +155,8 @@ struct Fixed32Units {
   constexpr Value relative(Long difference) const {
     return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
   }
+  constexpr Value relative(Long x, Long other) const { return relative(x - other); }
+  constexpr Value travel(Long x, Long other) const { return relative(x - other); }
   constexpr Value penetration(Long relative_displacement) const {
     const int64_t inside = (relative_displacement - Long{gap}).raw;
     if (fits(relative_displacement)) return {static_cast<int32_t>(inside >> penetration_shift)};

@@ -24,6 +24,15 @@ namespace impact {
 constexpr float size(float x) { return __builtin_fabsf(x); }
 constexpr double size(double x) { return __builtin_fabs(x); }
 
+// The sign's bit, without a comparison.
+template <class Real>
+constexpr bool has_sign(Real x) {
+  if (__builtin_is_constant_evaluated()) return x < 0;
+  typename BitsOf<sizeof(Real)>::Type bits{};
+  __builtin_memcpy(&bits, &x, sizeof bits);
+  return bits < 0;
+}
+
 // A state in one machine number.
 template <class Real>
 struct PlainState {
@@ -34,7 +43,7 @@ struct PlainState {
   constexpr Real value_beyond(PlainState least) const { return sum - least.sum; }
   friend constexpr PlainState operator-(PlainState a, PlainState b) { return {a.sum - b.sum}; }
   friend constexpr PlainState mirrored(PlainState x, bool left) { return {left ? -x.sum : x.sum}; }
-  constexpr bool is_negative() const { return __builtin_signbit(sum) != 0; }
+  constexpr bool is_negative() const { return has_sign(sum); }
   constexpr Real value() const { return sum; }
   constexpr double total() const { return static_cast<double>(sum); }
 };
@@ -62,7 +71,7 @@ struct CompensatedState {
   friend constexpr CompensatedState mirrored(CompensatedState x, bool left) {
     return {left ? -x.sum : x.sum, left ? -x.rest : x.rest};
   }
-  constexpr bool is_negative() const { return __builtin_signbit(sum) != 0; }
+  constexpr bool is_negative() const { return has_sign(sum); }
   constexpr Real value() const { return sum + rest; }
   constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
 };
@@ -149,6 +158,9 @@ struct RealFormat {
     static constexpr void push(Long& x, Value increment) { x.add(increment); }
     static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
+    static constexpr Value relative(Long x, Long other) { return x.value_beyond(other); }
+    // In a step, to the places of a Value: however sum and rest share a displacement.
+    static constexpr Value travel(Long x, Long other) { return x.value() - other.value(); }
     constexpr Value penetration(Long relative_displacement) const { return relative_displacement.value_beyond(gap); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
     static constexpr bool is_beyond(Long w, Long other, Long sign, Value least) {

@@ -139,8 +139,8 @@ inline float root_by_instruction(float y) {
 }
 #endif
 
-// The square root for y >= 0, rounded correctly: by the processor's instruction where it has one and by table elsewhere,
-// with the same bits; of a double on a host.
+// The square root for y >= 0, rounded correctly: by the processor's instruction where it has one and by table
+// elsewhere, with the same bits; of a double on a host.
 inline float correct_root(float y) {
 #if defined(IMPACT_HAS_FPU)
   return root_by_instruction(y);

@@ -80,7 +80,7 @@ class Machine : protected Source {
   // Rate of penetration, for the state as it stands.
   constexpr Value relative_rate(bool left) const {
     return mirrored(
-        plan.units.relative(state_.dx2 - state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);
+        plan.units.relative(state_.dx2, state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);
   }
 
   // What the coming step adds to x2 - x1, as the last sample says.
@@ -92,7 +92,7 @@ class Machine : protected Source {
   }
   // What a step's flight has added to x2 - x1.
   constexpr Value flown(Long main_travel) const {
-    return plan.units.relative(Field::ball_travel(plan, state_) - main_travel);
+    return plan.units.travel(Field::ball_travel(plan, state_), main_travel);
   }
 
   // Holds a state that is beyond its range, with a fault. Whether it was.

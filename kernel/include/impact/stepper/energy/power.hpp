@@ -194,21 +194,23 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     if (!plan.is_resolved) return resolve_stiff(plan, step);
 
     const Value before = enters ? step.before : penetration;
-    Value last{}, last_but_one{}, predicted{};
+    Value predicted{};
     Factor n;
     if (enters) {
+      taken(2) = taken(3) = Value{};
       penetration = step.penetration;
-      n = enter(step.before);
+      n = enter(step.travel);
     } else {
-      last = taken(1), last_but_one = taken(2);
-      const Value rise = last - last_but_one;
+      const Value rise = taken(1) - taken(2);
       predicted = rise + rise + rise + taken(3);
       penetration = step.penetration - plan.response.travel(predicted);
+      taken(3) = taken(2), taken(2) = taken(1);
       n = is_positive(penetration) ? stay(before) : leave(before);
     }
     if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, shape_of(n));
-    Impulse<Value> push = pushed(plan, n, penetration - before);  // not const: GCC would keep it in memory
-    taken(1) = push.j1, taken(2) = last, taken(3) = last_but_one;
+    const Value way = enters ? step.travel : penetration - before;
+    Impulse<Value> push = pushed(plan, n, way);  // not const: GCC would keep it in memory
+    taken(1) = push.j1;
     return {push.j0, predicted};
   }
 
@@ -273,10 +275,10 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
   // n, for the penetration at the end; these take root and phase along.
-  [[gnu::always_inline]] constexpr Factor enter(Value before) {
+  [[gnu::always_inline]] constexpr Factor enter(Value way) {
     phase = Phase::touching;
     root = Format::root(penetration);
-    return mean_of_part(root, penetration, penetration - before);
+    return mean_of_part(root, penetration, way);
   }
   [[gnu::always_inline]] constexpr Factor stay([[maybe_unused]] Value before) {
     const Root r = root;

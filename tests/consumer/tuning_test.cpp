@@ -153,6 +153,38 @@ TYPED_TEST(Tuning, OfAStopUnderWayCreatesNoEnergy) {
   expect_energy_kept<Tunable<TypeParam, EnergyConsistent>>(1e9, 1e10);
 }
 
+// A drive that may press harder asks of a lasting contact to be stepped as a stiff one, which remembers other numbers.
+// Both ways to step this contact differ by 2e-5 m in the step in which it begins, and by less in a later one.
+TYPED_TEST(Tuning, OfADriveThatMakesAContactStiffLeavesTheBallInPlace) {
+  using Kernel = Tunable<TypeParam, EnergyConsistent>;
+  const auto plan_under = [](double force) {
+    Scene scene;
+    scene.main_stiffness = 10;
+    scene.main_damping = 0;
+    scene.contact_stiffness = 1e3;
+    scene.contact_damping = 1.2e4;
+    scene.drive_amplitude = force;
+    scene.drive_pulsation = 1e-4;
+    scene.x2 = 0.009;
+    scene.v2 = 0.5;
+    return Kernel::PlanType::make(scene, {0.03, 1, 0, 20}, 1e-3);
+  };
+  const auto weak = plan_under(1e-4), strong = plan_under(20);
+  ASSERT_TRUE(weak.contact.is_resolved && !strong.contact.is_resolved);
+  for (const bool strengthens : {true, false})
+    for (int changed_at = 0; changed_at < 150; ++changed_at) {
+      Kernel changed(strengthens ? weak : strong), kept(strengthens ? weak : strong);
+      for (Kernel* kernel : {&changed, &kept}) {
+        while (!kernel->is_touching()) kernel->step();
+        for (int n = 0; n < changed_at; ++n) kernel->step();
+      }
+      if (!kept.is_touching()) break;
+      ASSERT_TRUE(changed.retune(strengthens ? strong : weak));
+      for (Kernel* kernel : {&changed, &kept}) kernel->step();
+      ASSERT_NEAR(changed.reading().x2, kept.reading().x2, 3e-5) << changed_at;
+    }
+}
+
 // A stop twice as hard counts penetrations in another unit in Fixed32: what a contact remembers of them is not read in
 // it, and the ball stays where it is, also where Hooke-Newton has let go of it inside the stop.
 template <class Kernel>

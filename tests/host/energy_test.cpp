@@ -208,5 +208,36 @@ TEST(StiffContact, LastsAsLongAsTheLaws) {
   for (const double steps : {5.0, 7.0, 10.0, 14.0, 20.0}) EXPECT_NEAR(lateness_of(steps), 0, 0.1) << steps;
 }
 
+// A ball of a hundred main masses stores more in a stop than the impact of the reduced mass brings, and bears the main
+// spring there: force and ledger have room for it. A place of the force is 2^-31 of 128 kN.
+TEST(StiffContact, HasRoomForAHeavyBallsForce) {
+  Scene scene;
+  scene.main_stiffness = 8.1e5;
+  scene.main_damping = scene.drive_amplitude = scene.contact_damping = 0;
+  scene.ball_mass = 100;
+  scene.contact_stiffness = 1e8;
+  scene.stops = Stops::right;
+  scene.x2 = 0.0099;
+  scene.v2 = 0.1;
+  const auto kernel_of = [&scene](auto format) {
+    using Kernel = Absorber<AtRunTime, Hertz, EnergyConsistent, NoDrive, decltype(format), EnergyLedger, ContactForce>;
+    return Kernel(Kernel::PlanType::make(scene, {0.02, 0.18, 0, 1}, 1e-3));
+  };
+  auto fixed = kernel_of(Fixed32{});
+  auto exact = kernel_of(Float64{});
+  double largest = 0;
+  for (int n = 0; n < 120; ++n) {
+    fixed.step();
+    exact.step();
+    ASSERT_EQ(fixed.fault(), Fault::none);
+    largest = std::max(largest, exact.contact_force());
+    ASSERT_NEAR(Fixed32Units::fraction(fixed.contact_force()) * fixed.force_unit(), exact.contact_force(), 0.1) << n;
+    ASSERT_NEAR(fixed.state().dissipated.total() * fixed.plan.force_scale * fixed.plan.units.si_penetration_unit(), 0,
+                1e-5)
+        << n;
+  }
+  EXPECT_GT(largest, 800);
+}
+
 }  // namespace
 }  // namespace impact::host

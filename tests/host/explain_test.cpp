@@ -89,6 +89,20 @@ TEST(Explain, NamesABoundThatLeavesNoRoom) {
   }
 }
 
+// Nothing is a multiple of 0: no clearance in a field, where the ball must not cross it in a step.
+TEST(Explain, NamesAClearanceOfNothing) {
+  Values values{Scene{}, Bounds{}, 1e-4};
+  values.scene.clearance = 0;
+  values.scene.gravity = -9.81;
+  using Upright = InField<Gravity>;
+  const Explanation said = explain<Upright>(values.scene, values.bounds, values.step);
+  EXPECT_EQ(said.parameter, Parameter::clearance) << name_of(said.parameter);
+  for (const double limit : {said.allowed.least, said.allowed.most}) {
+    *values.find(said.parameter) = limit;
+    EXPECT_EQ(Upright::make(values.scene, values.bounds, values.step).status, PlanStatus::ok) << limit;
+  }
+}
+
 TEST(Explain, NamesEveryValueAsItsMember) {
   EXPECT_STREQ(name_of(Parameter::main_mass), "main_mass");
   EXPECT_STREQ(name_of(Parameter::v2), "v2");

@@ -232,5 +232,26 @@ TEST(EnergyLedger, CountsAStartInsideAStopAsStored) {
   expect_stored_start_counted<AverageAcceleration, Float64>(1e-2);
 }
 
+// And what a correction takes out of a stop as dissipated, at once.
+template <class Stepper, class Format>
+void expect_correction_counted() {
+  Scene scene;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.contact_damping = 0;
+  scene.x2 = scene.clearance / 2 + 0.005;
+  using Kernel = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Format, EnergyLedger>;
+  Kernel kernel(Kernel::PlanType::make(scene, Bounds{}, 1e-4));
+  kernel.correct(Format::value(Format::sample(0.006 / kernel.displacement_unit())), {});
+  ASSERT_FALSE(kernel.is_touching());
+  const double joules = kernel.plan.force_scale * kernel.plan.units.si_penetration_unit(),
+               stored = 0.4 * scene.contact_stiffness * std::pow(0.005, 2.5);
+  EXPECT_NEAR(kernel.state().dissipated.total() * joules / stored, 1, 1e-6);
+}
+TEST(EnergyLedger, CountsWhatACorrectionTakesOutOfAStop) {
+  expect_correction_counted<Moment, Float64>();
+  expect_correction_counted<Moment, Fixed32>();
+  expect_correction_counted<EnergyConsistent, Float32>();
+  expect_correction_counted<EnergyConsistent, Fixed32>();
+}
+
 }  // namespace
 }  // namespace impact::host

@@ -263,6 +263,7 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
   enum class Others { fit, can_follow, are_at_fault };  // what the other values may be
   constexpr Others fit_first[] = {Others::fit, Others::can_follow};
   constexpr int most_others = 4;
+  constexpr double smallest_candidate = 1e-9;  // in place of 0
   Explanation found = first;
   const auto would_do = [&](Parameter parameter, double step, Others others) {
     Values changed = refused;
@@ -272,8 +273,8 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
                           : parameter == Parameter::x2 ? refused.scene.x1
                                                        : 0;
     const double value = *changed.find(parameter), sign = value < origin ? -1 : 1,
-                 size = constant::smaller(sign * (value - origin), 2 * range_of(parameter).most);
-    if (!(size > 0)) return false;
+                 size = constant::larger(constant::smaller(sign * (value - origin), 2 * range_of(parameter).most),
+                                         smallest_candidate);
     const auto accepts = [&](double x) {
       *changed.find(parameter) = origin + sign * x;
       Values followed = changed;

@@ -9,7 +9,8 @@
 //
 // Its range is +-2^20 m, and as much per step, the most that Bounds can state: what passes it is held there, and what
 // is no number becomes 0. Of a free step only x1 need be looked at: x2 grows by a dx2 that only contact changes, and
-// dx1 lacks but the spring's share of x1 and the drive's, both finite.
+// dx1 lacks but the spring's share of x1 and the drive's, both finite. A ball between two stops may so pass 2^20 m by the
+// cavity, without a fault; a state so far out is not restored.
 
 #include <stddef.h>
 

@@ -52,14 +52,16 @@ constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bou
   }
   return fingerprint;
 }
-// What a contact under way remembers in.
-constexpr Fingerprint fingerprint_of_contact(const ContactTerms& terms, const UnitExponents& unit) {
+// What a contact under way remembers in. Of EnergyConsistent a resolved contact remembers other numbers than a stiff
+// one (is_sudden), which is so by what may press as well.
+constexpr Fingerprint fingerprint_of_contact(const ContactTerms& terms, const UnitExponents& unit, bool is_sudden) {
   const double numbers[] = {terms.ball_mass, terms.main_mass,    terms.main_stiffness, terms.main_damping,
                             terms.stiffness, terms.damping_time, terms.deepest};
   Fingerprint fingerprint{};
   for (double number : numbers) fingerprint.add_number(number);
   const int units[] = {unit.penetration, unit.recoil, unit.force};
   for (int exponent : units) fingerprint.add(static_cast<uint32_t>(exponent));
+  fingerprint.add(is_sudden);
   return fingerprint;
 }
 

@@ -215,9 +215,9 @@ class PlanMaking {
     plan.x2 = units.state_at(scene.x2);
     plan.dx2 = units.state(scene.v2 * h + ball_in_field);
     plan.identity = Plan::identity_of(scene, bounds, h);
-    plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents,
-                                                  fingerprint_of_state<Field>(scene, bounds, h, exponents).value,
-                                                  fingerprint_of_contact(terms, exponents).value);
+    const Fingerprint of_state = fingerprint_of_state<Field>(scene, bounds, h, exponents),
+                      of_contact = fingerprint_of_contact(terms, exponents, Contact::is_sudden(plan.contact));
+    plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents, of_state.value, of_contact.value);
     if constexpr (Field::is_field)
       static_cast<typename Plan::FieldConstants&>(plan) =
           Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);

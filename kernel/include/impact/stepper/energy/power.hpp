@@ -93,14 +93,19 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const double d = lift / (compliance * terms.ball_mass * terms.field);
     return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
   }
-  // No force can do more in a step than to send the ball back at its own speed, and no penetration be more than an
-  // impact's or a few steps' way.
+  // No force can do more in a step than to send the ball back at its own speed and to bear what presses meanwhile, nor
+  // more than the law does at the deepest; what is stored there counts as force_of(V) V (stiff.hpp), V^2 being G times
+  // it. No penetration is more than an impact's or a few steps' way.
   static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
     if (is_resolved(terms)) return ResolvedForces::bound_forces(terms, largest);
     const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
     largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
-    const double force = 2.1 * rate / (h * h * mobility);
+    const double k1 = terms.stiffness, law = k1 * terms.to_the_power(terms.deepest),
+                 turning = 2.1 * rate / (h * h * mobility), pressing = 2.1 * terms.pressing / mobility,
+                 storing = constant::square_root(0.8 * law * terms.deepest * mobility) / (h * mobility);
+    const double force = constant::larger(
+        storing, turning + constant::smaller(pressing, law * (1 + terms.damping_time * terms.largest_rate)));
     largest.force_factor = force / (terms.stiffness * terms.to_the_power(unit));
     largest.push = constant::larger(2.2 * rate, 8 * largest.increment);
   }

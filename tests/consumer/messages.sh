@@ -170,6 +170,12 @@ absorber short 'the second argument must be a law' 'Rig, NoTraits, Moment, Sine,
 absorber short 'the third argument must be a stepper' 'Rig, HuntCrossley, Sine, Moment, Fixed32'
 absorber short "the stepper's Contact<Format, Law> is no contact treatment" 'Rig, HuntCrossley, NoTreatment, Sine, Fixed32'
 absorber any 'arguments must be features' 'Rig, HuntCrossley, Moment, Sine, Fixed32, Float32'
+wrong any 'Chosen chooses by a rig' <<END
+#include <impact/absorber.hpp>
+#include <impact/choice.hpp>
+using namespace impact;
+Absorber<AtRunTime, HuntCrossley, Chosen<AtRunTime, HuntCrossley>, Sine, Fixed32> absorber;
+END
 absorber 1 'an absorber AtRunTime is made from a plan' 'AtRunTime, HuntCrossley, Moment, Sine, Fixed32'
 absorber 1 'the drive is Sampled: state Rig::bounds.force' 'NoForce, HuntCrossley, Moment, Sampled, Fixed32'
 absorber 1 'step() without a sample, but the drive is Sampled' 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step();'

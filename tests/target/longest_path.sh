@@ -9,6 +9,7 @@
 # The cycles are an estimate, not a bound: the upper ends of the costs in Arm's Technical Reference Manuals, without wait
 # states of the flash. A Cortex-M7 is taken for a Cortex-M4 that issues one instruction at a time. None for RISC-V.
 set -eu
+[ $# = 5 ] || { echo "longest_path.sh TOOLS TARGET LABEL IMAGE FUNCTION" >&2 && exit 2; }
 "${1}objdump" -d -C --no-show-raw-insn "$4" | awk -v core="$2" -v label="$3" -v entry="<$5>:" '
   /^[0-9a-f]+ <.*>:$/ { address = $1; sub(/^0+/, "", address); name = substr($0, index($0, "<")); begin = address
     name_at[begin] = name

@@ -94,11 +94,11 @@ class Absorber
                         has_bounds = contract::has_bounds<Rig>, has_law = contract::is_law<Law_>,
                         has_stepper = contract::is_stepper<Stepper_>;
   static_assert(is_at_run_time || has_scene,
-                "the rig has no scene: static constexpr impact::Scene scene = ...; or name AtRunTime");
+                "the rig has no scene: static constexpr impact::Scene scene = ...; (static, too) or name AtRunTime");
   static_assert(is_at_run_time || !has_scene || has_bounds,
                 "the rig has no bounds: static constexpr impact::Bounds bounds = ...;");
   static_assert(is_at_run_time || !has_scene || !has_bounds || contract::has_step<Rig>,
-                "the rig has no step: static constexpr double step = 1e-4;  // s");
+                "the rig has no step, or one of another type: static constexpr double step = 1e-4;  // s");
   static_assert(has_law, "the second argument must be a law, such as HuntCrossley: see impact/contracts.hpp");
   static_assert(!has_law || has_stepper, "the third argument must be a stepper, such as Moment: see contracts.hpp");
   static_assert(!has_law || !has_stepper ||
@@ -179,10 +179,11 @@ class Absorber
                   "step(sample), but the drive takes none: name Sampled as the drive, or step()");
     static_assert(!(Drive::is_sampled && Field::is_sampled),
                   "step(sample), but both the drive and the base take one: step(force, acceleration)");
-    static_assert(is_value || !(Drive::is_sampled || Field::is_sampled),
-                  "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), of a base "
-                  "step(absorber.base_sample_of(acceleration)), step({raw}) in Fixed32, a float in Float32 and "
-                  "Float32Plain, or a converter's counts, see converter.hpp");
+    static_assert(
+        is_value || !(Drive::is_sampled || Field::is_sampled),
+        "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), of a base "
+        "step(absorber.base_sample_of(acceleration)), a converter's counts through FromCounts (converter.hpp), "
+        "a float in Float32 and Float32Plain, or in Fixed32 step({raw}) of a fraction of the bound in Q1.31");
     if constexpr (is_value && Drive::is_sampled) {
       advance(sample, Value{});
       publish();
@@ -270,7 +271,7 @@ class Absorber
     units.add(state_.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
     begin_to_rub();
     if (!hold_in_range()) {
-      if (state_.contact.phase != Phase::apart) touch_anew(depth_in(at_left()));
+      if (state_.contact.phase != Phase::apart) touch_anew();
       if (state_.contact.phase == Phase::apart) push_out();
     }
     (Features::after_correction(plan, state_), ...);
@@ -319,9 +320,8 @@ class Absorber
     if constexpr (counts_slid_way) state_.slid = {};
     begin_to_rub();
     if (is_other_contact && state_.contact.phase != Phase::apart) {
-      const Value depth = depth_in(at_left());
-      state_.contact.stand_at(depth);
-      touch_anew(depth);
+      state_.contact.stand_at(depth_in(at_left()));
+      touch_anew();
       load_contact();
     }
     publish();

@@ -24,6 +24,7 @@
 //     using Absorber = impact::Absorber<Rig, impact::HuntCrossley, Stepper, impact::Sine, impact::Fixed32>;
 
 #include <impact/law/resolution.hpp>
+#include <impact/plan/source.hpp>
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
 #include <impact/stepper/energy.hpp>
@@ -86,6 +87,8 @@ struct StepperOf<Choice::energy> {
 // Moment where a value is out of its own range: there is nothing to choose by, and the absorber's refusal names it.
 template <class Rig, class ContactLaw>
 constexpr Choice choice_of() {
+  static_assert(!is_one_of<Rig, AtRunTime>,
+                "Chosen chooses by a rig: with AtRunTime name one whose scene is the stiffest that you will plan");
   constexpr double any_phase = 1e30;
   constexpr PlanStatus scene = status_of(Rig::scene, Rig::step, any_phase);
   if constexpr ((scene == PlanStatus::ok || (scene == PlanStatus::step && Rig::step > 0)) &&

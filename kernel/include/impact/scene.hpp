@@ -34,7 +34,7 @@ struct Scene {
   double clearance = 0.02;             // d, m
   double contact_stiffness = 32600.0;  // k1, N/m (Hooke-Newton) or N/m^(3/2)
   double contact_damping = 19560.0;    // c1, N s/m (Hooke-Newton) or N s/m^(5/2); of this k1: change both
-  double drive_amplitude = 10.0;       // F0, N: F(t) = F0 sin(w t) for a sine drive; without one state 0, see Bounds
+  double drive_amplitude = 10.0;       // F0, N: F(t) = F0 sin(w t) for a sine drive; without one 0 is tighter
   double drive_pulsation = 40.0;       // w, rad/s
   double x1 = 0.0;                     // initial displacement of the main mass, m
   double v1 = 0.0;                     // initial velocity of the main mass, m/s

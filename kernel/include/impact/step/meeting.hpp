@@ -60,13 +60,13 @@ class Meeting : protected Machine<Source, Features...> {
     state_.contact.bear(plan.contact, in_half_a_step + in_half_a_step);
   }
 
-  // The contact under way as if it stood so from its beginning, at the depth `found`; what it bears stays, and its
-  // damping, as far as a step bears that.
-  constexpr void touch_anew(Value found) {
+  // The contact under way as if it stood so from its beginning; what it bears stays, and its damping, as far as a step
+  // bears that.
+  constexpr void touch_anew() {
     Contact& contact = state_.contact;
     if (contact.rests_on(plan.units, state_, at_left())) return;
     const Phase phase = contact.phase;
-    const Value inside = contact.no_deeper(found);
+    const Value found = depth_in(at_left()), inside = contact.no_deeper(found);
     if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, at_left()));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = relative_rate(at_left());

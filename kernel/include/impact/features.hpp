@@ -55,7 +55,7 @@ struct EnergyLedger {
   static constexpr void start(const Plan& plan, State& state) {
     state.x1_before = Plan::FieldType::place(plan, state, state.x1);
     state.drive_force = state.drive.force(plan.drive);
-    state.stored = held(plan, state);  // which no contact has taken up
+    state.stored = stored_now(plan, state);  // which no contact has taken up
   }
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
@@ -79,12 +79,12 @@ struct EnergyLedger {
   static constexpr void after_correction(const Plan& plan, State& state) {
     state.x1_before = Plan::FieldType::place(plan, state, state.x1);
     const auto before = state.stored;
-    state.stored = held(plan, state);
+    state.stored = stored_now(plan, state);
     state.dissipated.add(before - state.stored);
   }
   // What the stop that the ball is in holds.
   template <class Plan, class State>
-  static constexpr auto held(const Plan& plan, const State& state) {
+  static constexpr auto stored_now(const Plan& plan, const State& state) {
     using Format = typename Plan::FormatType;
     if (Plan::ContactType::is_instantaneous || state.contact.phase != Phase::touching) return typename Format::Energy{};
     return Plan::LawType::template stored<Format>(plan.units,

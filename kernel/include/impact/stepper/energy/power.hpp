@@ -94,8 +94,8 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
   }
   // No force can do more in a step than to send the ball back at its own speed and to bear what presses meanwhile, nor
-  // more than the law does at the deepest; what is stored there counts as force_of(V) V (stiff.hpp), V^2 being G times
-  // it. No penetration is more than an impact's or a few steps' way.
+  // more than the law does at the deepest; what is stored there, W, counts as V times V/G (stiff.hpp), V^2 = G W. No
+  // penetration is more than an impact's or a few steps' way.
   static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
     if (is_resolved(terms)) return ResolvedForces::bound_forces(terms, largest);
     const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;

@@ -90,7 +90,7 @@ inline auto magnitude_bits(Real x) {
 
 template <class RealType, template <class> class State, class OscillatorType>
 struct RealFormat {
-  static constexpr uint32_t kind = sizeof(RealType) / sizeof(float) - 1;  // a saved state is of one kind of format
+  static constexpr uint32_t kind = sizeof(RealType) == sizeof(float) ? 0 : 2;  // a saved state is of one kind of format
   static constexpr bool is_real = true;
   using Real = RealType;
   using Value = Real;

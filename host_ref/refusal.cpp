@@ -121,13 +121,34 @@ std::string source_of_speed(const Request& asked, const Settled& settled) {
   return settled.request.bounds->speed > least ? ", an estimate in place of which --bound-speed may state it" : "";
 }
 
+// What a step is too long for: status.hpp, law/resolution.hpp.
+std::string limit_of_step(const Request& asked, const Settled& settled) {
+  const Request& request = settled.request;
+  const Scene& scene = request.scene;
+  switch (settled.planned.status) {
+    case PlanStatus::clearance:
+      return "with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a step, at " +
+             short_text(request.bounds->speed) + " m/s" + source_of_speed(asked, settled);
+    case PlanStatus::steps_per_contact:
+      return "a contact lasts " + short_text(resolution(request).contact_time) + " s, of which " +
+             std::string(name_of(request.stepper)) + " asks a number of steps; auto picks by the step";
+    case PlanStatus::step:
+      if (request.step > step_range.most || request.step < step_range.least) return {};
+      if (scene.drive_pulsation * request.step > 3) return "at most 3 rad of the drive";
+      if (scene.main_damping * request.step > scene.main_mass) return "no longer than the damper's M/c";
+      return "a part of the main mass's own vibration, of " +
+             short_text(std::sqrt(scene.main_stiffness / scene.main_mass)) + " rad/s";
+    default:
+      return {};
+  }
+}
+
 // What a range does not say of itself.
 std::string condition_of(const std::string& option, const Request& asked, const Settled& settled) {
   if (option == "contact-damping" && asked.damping_is_by_restitution) return ", without --restitution";
-  if (option == "step" && settled.planned.status == PlanStatus::clearance)
-    return " (with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a step, at " +
-           short_text(settled.request.bounds->speed) + " m/s" + source_of_speed(asked, settled) + ")";
-  return {};
+  if (option != "step") return {};
+  const std::string limit = limit_of_step(asked, settled);
+  return limit.empty() ? limit : " (" + limit + ")";
 }
 
 }  // namespace

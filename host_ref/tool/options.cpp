@@ -16,6 +16,7 @@ struct Option {
   std::string initial;  // the default
   bool scene;
   std::function<bool(Settings&, const std::string&)> store;  // false: the value is not allowed
+  bool is_choice = false;                                    // of names
 
   Option by_default(const char* text) && {
     initial = text;
@@ -77,14 +78,21 @@ Option choice(const char* name, const std::vector<std::pair<std::string, Value>>
     allowed += (allowed.empty() ? "" : ", ") + text;
     if (value == initial_value(field)) initial = text;
   }
-  return {name, "NAME", help, allowed, initial, true, [=](Settings& settings, const std::string& text) {
+  return {name,
+          "NAME",
+          help,
+          allowed,
+          initial,
+          true,
+          [=](Settings& settings, const std::string& text) {
             for (const auto& [name_of_value, value] : values) {
               if (name_of_value != text) continue;
               field(settings) = value;
               return true;
             }
             return false;
-          }};
+          },
+          true};
 }
 
 template <class Value>
@@ -260,6 +268,16 @@ size_t edits_between(const std::string& a, const std::string& b) {
 // What it is called in C++ and in the READMEs, where the option has another name.
 constexpr std::pair<const char*, const char*> other_names[] = {{"stepper", "newmark"}, {"format", "numeric"}};
 
+// What another choice has by this name.
+std::string elsewhere(const Option& option, const std::string& value) {
+  for (const Option& other : options()) {
+    Settings scratch;
+    if (other.name != option.name && other.is_choice && other.store(scratch, value))
+      return "; --" + other.name + " " + value + "?";
+  }
+  return {};
+}
+
 const Option& option_named(const std::string& name, const std::string& value) {
   if (const Option* option = find_option(name)) return *option;
   for (const auto& [other, option] : other_names)
@@ -291,6 +309,10 @@ std::vector<Argument> arguments_from(int count, const char* const* texts) {
   std::vector<Argument> arguments;
   for (int i = 1; i < count; ++i) {
     const std::string text = texts[i];
+    if (text == "-h") {
+      arguments.push_back({"help", "yes"});
+      continue;
+    }
     if (text.size() < 3 || text.compare(0, 2, "--") != 0) throw BadInput(text, "", "the options of --help");
     const size_t equals = text.find('=');
     const std::string name = text.substr(2, equals == std::string::npos ? equals : equals - 2);
@@ -315,7 +337,9 @@ Settings settings_from(const std::vector<Argument>& arguments) {
     const Option& option = option_named(name, value);
     if (!given.emplace(name, value).second)
       throw BadInput("--" + name, value, "once, on the command line or in a sweep's header; it is given twice");
-    if (!option.store(settings, value)) throw BadInput("--" + name, value.empty() ? "''" : value, option.allowed);
+    if (!option.store(settings, value))
+      throw BadInput("--" + name, value.empty() ? "''" : value,
+                     option.allowed + (option.is_choice ? elsewhere(option, value) : ""));
   }
   settle(settings, given);
   return settings;

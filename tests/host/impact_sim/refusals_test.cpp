@@ -134,6 +134,22 @@ TEST_F(ImpactSim, AnOptionByTheNameOfItsTypeIsNotFarOff) {
   EXPECT_THAT(run("--format fixed32").err, HasSubstr("--numeric?"));
 }
 
+TEST_F(ImpactSim, ANameOfAnotherChoiceIsNotFarOff) {
+  EXPECT_THAT(run("--law exact").err,
+              HasSubstr("--law exact: allowed: hooke-newton, hertz, hunt-crossley; --damping exact?"));
+  EXPECT_THAT(run("--numeric energy").err, HasSubstr("; --newmark energy?"));
+}
+
+TEST_F(ImpactSim, ARefusedStepSaysWhatItIsTooLongFor) {
+  EXPECT_THAT(run("--step 0.09").err, HasSubstr("(at most 3 rad of the drive)"));
+  EXPECT_THAT(run("--step 0.05").err, HasSubstr("(a part of the main mass's own vibration, of 31.6228 rad/s)"));
+  EXPECT_THAT(run("--main-stiffness 10 --main-damping 30 --step 0.05").err, HasSubstr("the damper's M/c)"));
+  EXPECT_THAT(run("--newmark moment --contact-stiffness 1e9 --step 1e-3").err,
+              HasSubstr(" s, of which moment asks a number of steps; auto picks by the step)"));
+}
+
+TEST_F(ImpactSim, HelpHasAShortName) { EXPECT_EQ(run("-h").out, run("--help").out); }
+
 TEST_F(ImpactSim, ARefusalIsWholeWhateverBytesItQuotes) {
   write(file("forces"), std::string("1\n2\0003\n", 6));
   EXPECT_THAT(run("--drive-file forces").err, HasSubstr("forces line 2: '2?3': allowed: a number"));

@@ -120,7 +120,7 @@ class Meeting : protected Machine<Source, Features...> {
     Contact& contact = state_.contact;
     if (contact.phase == Phase::apart && is_positive(approach.before) &&
         !contact.begin_inside(units, state_, approach, left)) {
-      reload(state_);  // which every contact would keep in registers for this one
+      reload_state();  // which every contact would keep in registers for this one
       hold_unjudged();
       return false;
     }
@@ -139,7 +139,7 @@ class Meeting : protected Machine<Source, Features...> {
     const Contact contact_before = contact;
     // Not const: GCC keeps a constant that several branches make in memory.
     auto impulse = contact.resolve(plan.contact, units, approach);
-    reload(state_);
+    reload_state();
     plan.contact.response.answer(units, state_, mirrored(impulse, left));
     contact.place_ball(plan.contact, units, state_, left);
     if (hold_in_range()) return false;
@@ -149,6 +149,11 @@ class Meeting : protected Machine<Source, Features...> {
       (Features::after_contact(plan, state_, seen), ...);
     }
     return true;
+  }
+
+  // In fixed point the contact's own numbers need the registers.
+  [[gnu::always_inline]] constexpr void reload_state() {
+    if constexpr (!Format::is_real) reload(state_);
   }
 
   // A flight that was left to a contact to judge, where there is none.

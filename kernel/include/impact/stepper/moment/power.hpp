@@ -112,18 +112,36 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr Impulse<Value> respond(const Plan& plan, Value trial, Value before, Value g) {
     if (phase == Phase::apart) return enter(plan, trial, before, g);
     const Value rate = trial - penetration - Format::value(half(travel(plan, g)));
-    const auto steepness = root * strength(plan, rate);
-    const Value force = Format::value(steepness * without_sign(penetration));
-    Value third_rise = Format::value(quarter(steepness * rate));  // f'/6
-    if constexpr (ContactLaw::is_damped)
-      third_rise = third_rise + damped_sixth(plan, g - force, root * without_sign(penetration));
-    const Value moment = Format::value(half(force)) + third_rise;
-    const Value d = trial - travel(plan, moment);
+    const Prediction predicted = predict(plan, rate, g);
+    const Value d = trial - travel(plan, predicted.moment);
     if (!is_positive(d)) return leave(plan, trial, g, d);
     if constexpr (Format::is_real)
-      return stay_in_reals(plan, trial, g, d, twice(moment) + third_rise);
+      return stay_in_reals(plan, trial, g, d, predicted.taken);
     else
-      return stay(plan, trial, g, d, g - force - third_rise - third_rise - third_rise);
+      return stay(plan, trial, g, d, g - predicted.taken);
+  }
+
+  // Taylor's step: J1, and what contact takes of the rate by the step's end, f + f'/2.
+  struct Prediction {
+    Value moment, taken;
+  };
+  [[gnu::always_inline]] constexpr Prediction predict(const Plan& plan, Value rate, Value g) const {
+    if constexpr (Format::is_real) {
+      // A power of two costs nothing only in a constant.
+      const Value steepness = root * strength<4>(plan, rate), half_force = twice(steepness * penetration);
+      Value third_rise = steepness * rate;  // f'/6
+      if constexpr (ContactLaw::is_damped)
+        third_rise = third_rise + damped_third(plan, half(g) - half_force, root * penetration);
+      const Value moment = half_force + third_rise;
+      return {moment, twice(moment) + third_rise};
+    } else {
+      const auto steepness = root * strength(plan, rate);
+      const Value force = Format::value(steepness * without_sign(penetration));
+      Value third_rise = Format::value(quarter(steepness * rate));
+      if constexpr (ContactLaw::is_damped)
+        third_rise = third_rise + damped_sixth(plan, g - force, root * without_sign(penetration));
+      return {Format::value(half(force)) + third_rise, force + third_rise + third_rise + third_rise};
+    }
   }
 
   [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
@@ -161,12 +179,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     if constexpr (ContactLaw::is_damped_per_impact) this->limit(plan.limit, plan.damping, s * d);
     const Value n = p * (twice(d + penetration) + zz) + zz * q, w = p + twice(q);
     const Value dd = d - penetration, dv = g - taken;
-    Value factor = eighth(plan.stiffness), damped{};
-    if constexpr (ContactLaw::is_damped) {
-      const Value damping = eighth(this->damping(plan));
-      factor = positive_part(impact::strength<ContactLaw::is_damped_per_impact, Units>(factor, damping * dd));
-      damped = damping * n;
-    }
+    const Value factor = positive_part(strength<8>(plan, dd));
+    Value damped{};
+    if constexpr (ContactLaw::is_damped) damped = eighth(this->damping(plan)) * n;
     const Value by_change = half(eighth(plan.stiffness)) * w;
     const Value j0 = n * factor - by_change * dv;
     Value twice_j1 = j0 - w * factor * dd, slope = twice(s + w) * factor;
@@ -252,6 +267,13 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     else
       return Format::product(plan.sixth_damping, dv, shape);
   }
+  // The same by half of dv, in reals.
+  constexpr Value damped_third(const Plan& plan, Value half_dv, Value shape) const {
+    if constexpr (ContactLaw::is_damped_per_impact)
+      return this->own_damping * half_dv * Format::constant(1.0 / 3) * shape;
+    else
+      return Format::product(twice(plan.sixth_damping), half_dv, shape);
+  }
   // (2/5) K C d^(5/2), what damping takes of a step that comes or goes.
   template <class Shape>
   [[gnu::always_inline]] constexpr Value part_damping(const Plan& plan, Shape shape, Value d) const {
@@ -260,13 +282,22 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     else
       return Format::value(shape * (plan.part_damping * d));
   }
-  // K (1 + C v)
+  // K (1 + C v), or a part of it.
+  template <int divisor = 1>
   [[gnu::always_inline]] constexpr Value strength(const Plan& plan, Value rate) const {
-    const Value elastic = Format::value(plan.stiffness);
+    const Value elastic = part<divisor>(Format::value(plan.stiffness));
     if constexpr (ContactLaw::is_damped)
-      return impact::strength<ContactLaw::is_damped_per_impact, Units>(elastic, this->damping(plan) * rate);
+      return impact::strength<ContactLaw::is_damped_per_impact, Units>(elastic,
+                                                                       part<divisor>(this->damping(plan)) * rate);
     else
       return elastic;
+  }
+  template <int divisor, class Number>
+  static constexpr Number part(Number x) {
+    if constexpr (divisor == 1)
+      return x;
+    else
+      return Format::constant(1.0 / divisor) * x;
   }
 };
 

@@ -1,7 +1,8 @@
 #!/bin/sh
 # The tables of costs in README.md, kernel/README.md and tests/README.md are what tests/target/budgets.csv says: cost_tables.sh PROJECT [renew]
 # A table comes after a line <!-- budgets.csv | CELL | CELL.. -->, a cell being law,newmark,numeric,drive:quantity,quantity..
-# Its rows begin with a target. `renew` writes them anew.
+# Its rows begin with a target. A number in a sentence comes before <!-- TARGET,law,newmark,numeric,drive:quantity -->.
+# `renew` writes them anew.
 set -eu
 cd "$1"
 renewed=$(mktemp)
@@ -29,7 +30,18 @@ for file in README.md kernel/README.md tests/README.md; do
       }
       ++rows
     }
-    { print }
+    {
+      text = ""
+      while (match($0, /[0-9]+<!-- [a-z0-9+,-]+:[a-z_]+ -->/)) {
+        key = found = substr($0, RSTART, RLENGTH)
+        gsub(/^.*<!-- | -->$/, "", key)
+        if (!(key in budget)) { print "no budget: " key >"/dev/stderr"; failed = 1 }
+        sub(/^[0-9]+/, budget[key], found)
+        text = text substr($0, 1, RSTART - 1) found
+        $0 = substr($0, RSTART + RLENGTH)
+      }
+      print text $0
+    }
     END { exit failed || !rows }' tests/target/budgets.csv "$file" >"$renewed" || status=1
   if [ "$status" = 0 ] && [ "${2-}" = renew ]; then
     cat "$renewed" >"$file"

@@ -126,6 +126,16 @@ constexpr int64_t shifted_left(int32_t x, int places) {
       : "cc");
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
+[[gnu::always_inline]] inline int64_t assembled_difference(int64_t sum, int32_t x, int places) {
+  auto low = static_cast<uint32_t>(sum), high = static_cast<uint32_t>(sum >> 32);
+  __asm__ __inline__(
+      "subs %0, %0, %2, lsl %3\n\t"
+      "sbc %1, %1, %2, asr %4"
+      : "+&r"(low), "+r"(high)
+      : "r"(x), "i"(places), "i"(32 - places)
+      : "cc");
+  return static_cast<int64_t>(uint64_t{high} << 32 | low);
+}
 [[gnu::always_inline]] constexpr int64_t sum_shifted(int64_t sum, int32_t x, int places) {
   if (!__builtin_is_constant_evaluated() && __builtin_constant_p(places) && places < 32)
     return assembled_sum(sum, x, places);
@@ -138,6 +148,14 @@ constexpr int64_t shifted_left(int32_t x, int places) {
 #else
 constexpr void add_shifted(int64_t& sum, int32_t x, int places) { sum += shifted_left(x, places); }
 #endif
+// sum - x 2^places, modulo 2^64.
+[[gnu::always_inline]] constexpr int64_t less_shifted(int64_t sum, int32_t x, int places) {
+#if defined(__thumb2__) && defined(__OPTIMIZE__)
+  if (!__builtin_is_constant_evaluated() && __builtin_constant_p(places) && places < 32)
+    return assembled_difference(sum, x, places);
+#endif
+  return static_cast<int64_t>(static_cast<uint64_t>(sum) - static_cast<uint64_t>(shifted_left(x, places)));
+}
 
 namespace composed {
 

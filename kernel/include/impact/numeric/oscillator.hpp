@@ -73,11 +73,8 @@ struct IntegerOscillator {
   }
   // Above 2 radians a step the curvature's part alone can leave 64 bits; the sum comes back, modulo 2^64.
   [[gnu::always_inline]] constexpr void advance(const Plan& plan) {
-    const int32_t bend = high_product(value_head(), plan.curvature);
-    const uint64_t change = static_cast<uint64_t>(shifted_left(bend, 64 - plan.curvature_bits));
-    const uint64_t next = static_cast<uint64_t>(slope) - change;
-    slope = static_cast<int64_t>(next);
-    value = static_cast<int64_t>(static_cast<uint64_t>(value) + next);
+    slope = less_shifted(slope, high_product(value_head(), plan.curvature), 64 - plan.curvature_bits);
+    value = static_cast<int64_t>(static_cast<uint64_t>(value) + static_cast<uint64_t>(slope));
   }
   constexpr bool is_sound(const Plan& plan) const {
     return value <= plan.largest_value && value >= -plan.largest_value && slope <= plan.largest_slope &&

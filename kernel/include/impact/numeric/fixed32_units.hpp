@@ -124,7 +124,7 @@ struct Fixed32Units {
   }
   static constexpr void add_position(Long& x, Value by) { x.raw += shifted_left(by.raw, 32); }
   constexpr void add_displacement(Long& w, Value by) const { w.raw += shifted_left(by.raw, displacement_shift); }
-  constexpr void add(Long& x, Value increment) const { x.raw += shifted_left(increment.raw, increment_shift); }
+  constexpr void add(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
   // What counts in another unit, by its places.
   static constexpr void add(Long& x, Value value, int places) { add_shifted(x.raw, value.raw, places); }
   constexpr int places_of(int exponent) const { return 32 - (position_exponent - exponent); }

@@ -136,23 +136,23 @@ constexpr int64_t shifted_left(int32_t x, int places) {
       : "cc");
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
-[[gnu::always_inline]] constexpr int64_t sum_shifted(int64_t sum, int32_t x, int places) {
-  if (!__builtin_is_constant_evaluated() && __builtin_constant_p(places) && places < 32)
-    return assembled_sum(sum, x, places);
-  return sum + shifted_left(x, places);
+// A sum that is known is the constructor's of a static object, which is to stay a constant: while GCC tries whether it
+// is one it does not know that it evaluates a constant.
+[[gnu::always_inline]] constexpr bool is_assembled(int64_t sum, int places) {
+  return !__builtin_constant_p(sum) && !__builtin_is_constant_evaluated() && __builtin_constant_p(places) &&
+         places < 32;
 }
-// For what a step adds; what the constructor of a static object adds would not be a constant to GCC.
 [[gnu::always_inline]] constexpr void add_shifted(int64_t& sum, int32_t x, int places) {
-  sum = sum_shifted(sum, x, places);
+  sum = is_assembled(sum, places) ? assembled_sum(sum, x, places) : sum + shifted_left(x, places);
 }
 #else
 constexpr void add_shifted(int64_t& sum, int32_t x, int places) { sum += shifted_left(x, places); }
 #endif
+
 // sum - x 2^places, modulo 2^64.
 [[gnu::always_inline]] constexpr int64_t less_shifted(int64_t sum, int32_t x, int places) {
 #if defined(__thumb2__) && defined(__OPTIMIZE__)
-  if (!__builtin_is_constant_evaluated() && __builtin_constant_p(places) && places < 32)
-    return assembled_difference(sum, x, places);
+  if (is_assembled(sum, places)) return assembled_difference(sum, x, places);
 #endif
   return static_cast<int64_t>(static_cast<uint64_t>(sum) - static_cast<uint64_t>(shifted_left(x, places)));
 }

@@ -169,7 +169,7 @@ struct BaseAcceleration : ScenePart {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     struct {
-      bool has_gravity;
+      bool has_gravity, acts_at_once;
       decltype(Format::fraction(Gain{}, 0)) by_sample;
       Value gravity, largest_base;
       struct {
@@ -197,6 +197,7 @@ struct BaseAcceleration : ScenePart {
     const auto gain = [=](double by, int exponent) { return Format::gain(by / in_step, own, exponent); };
     return {
         {g < 0 || g > 0,
+         rest < 0 || rest > 0,
          Format::fraction(Format::gain(-in_step * base, 0, own), 0),
          Format::sample(in_step * g * constant::power_of_two(-own)),
          Format::largest_sample(bounds.base_acceleration),
@@ -271,7 +272,11 @@ struct BaseAcceleration : ScenePart {
   static constexpr auto rate_apart(const Plan& plan, const State& state) {
     return plan.field.rate_apart * state.by_field;
   }
-  // What the sample at the end of the step adds at once to the main mass's displacement.
+  // What the sample at the end of the step adds at once to the main mass's displacement, if anything.
+  template <class Plan>
+  [[gnu::always_inline]] static constexpr bool acts_at_once(const Plan& plan) {
+    return plan.field.acts_at_once;
+  }
   template <class Plan, class Value>
   [[gnu::always_inline]] static constexpr Value at_once(const Plan& plan, Value next) {
     return plan.field.main.at_once * next;

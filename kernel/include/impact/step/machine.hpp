@@ -87,7 +87,8 @@ class Machine : protected Source {
   constexpr Long way_ahead() const {
     Long way = state_.dx2 - state_.dx1;
     if constexpr (Drive::is_sampled) plan.units.add(way, -state_.drive.at_once(plan.drive, state_.drive.sample));
-    if constexpr (Field::is_sampled) plan.units.add(way, -Field::at_once(plan, state_.by_field));
+    if constexpr (Field::is_sampled)
+      if (Field::acts_at_once(plan)) plan.units.add(way, -Field::at_once(plan, state_.by_field));
     return way;
   }
   // What a step's flight has added to x2 - x1.

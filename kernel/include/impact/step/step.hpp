@@ -53,7 +53,8 @@ class Step : protected Rubbing<Source, Features...> {
     // Both masses fly to the step's end, as if nothing touched.
     Long main_travel = state_.dx1;
     if constexpr (Drive::is_sampled) plan.units.add(main_travel, state_.drive.at_once(plan.drive, sample));
-    if constexpr (Field::is_sampled) plan.units.add(main_travel, Field::at_once(plan, base));
+    if constexpr (Field::is_sampled)
+      if (Field::acts_at_once(plan)) plan.units.add(main_travel, Field::at_once(plan, base));
     state_.x1.advance(main_travel);
     if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
     [[maybe_unused]] const auto drive_before = state_.drive.before();

@@ -23,6 +23,7 @@ struct Fixed32 : Fixed32Numbers {
   using Oscillator = IntegerOscillator;
   // A call of the contact costs less than the registers that a free step would have to save for it.
   static constexpr bool calls_contact = true;
+  static constexpr bool has_spare_registers = false;
   static constexpr bool is_real = false;
 
   // weight x y, with the weight's shift after both.

@@ -102,6 +102,12 @@ struct RealFormat {
   using Tally = CompensatedState<Real>;
   using Oscillator = OscillatorType;
   static constexpr bool calls_contact = false;
+  // A step in contact can keep the state in registers: of the 32 that an FPU has, but for x86's 16.
+#if defined(IMPACT_HAS_FPU) && !defined(__SSE2__)
+  static constexpr bool has_spare_registers = true;
+#else
+  static constexpr bool has_spare_registers = false;
+#endif
 
   struct Units {
     static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }

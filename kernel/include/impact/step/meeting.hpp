@@ -151,9 +151,8 @@ class Meeting : protected Machine<Source, Features...> {
     return true;
   }
 
-  // In fixed point the contact's own numbers need the registers.
   [[gnu::always_inline]] constexpr void reload_state() {
-    if constexpr (!Format::is_real) reload(state_);
+    if constexpr (!Format::has_spare_registers) reload(state_);
   }
 
   // A flight that was left to a contact to judge, where there is none.

@@ -1,0 +1,101 @@
+// What 32 bits change of an impact: random pairs of free masses in Fixed32 against double at the same step, down to a
+// hundredth of the largest speed and over up to 200 steps of contact. The bounds are the README's, which each stepper
+// nearly reaches: every step rounds an impulse down by a part of its last place, as many times more as it has
+// sub-steps.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <impact/absorber.hpp>
+#include <optional>
+#include <random>
+
+#include "host_ref/extremes.hpp"
+
+namespace impact::host {
+namespace {
+
+constexpr int scenes = 10000, longest_contact = 200, most_steps = 1000;
+
+struct Pair {
+  Scene scene;
+  Bounds bounds;
+  double step;
+};
+
+Pair random_pair(unsigned seed) {
+  std::mt19937_64 engine(seed);
+  const auto between = [&](double least, double most) {
+    return least * std::pow(most / least, std::uniform_real_distribution<double>(0, 1)(engine));
+  };
+  Pair pair{};
+  Scene& scene = pair.scene;
+  scene.main_mass = between(0.01, 100);
+  scene.ball_mass = scene.main_mass * between(0.01, 100);
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+  scene.stops = Stops::right;
+  scene.clearance = between(1e-3, 0.1);
+  scene.restitution = between(0.02, 0.98);
+  pair.step = between(1e-6, 0.01);
+  pair.bounds.speed = between(0.01, 5);
+  pair.bounds.force = 1e-9;
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), fastest = 2 * pair.bounds.speed;
+  const double contact_time = between(4, 60) * pair.step;
+  scene.contact_stiffness = mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(fastest);
+  const double deepest = std::pow(1.25 * mu * fastest * fastest / scene.contact_stiffness, 0.4);
+  pair.bounds.displacement = larger(0.505 * scene.clearance, between(1, 100) * deepest);
+  scene.v2 = pair.bounds.speed * between(0.01, 0.99);
+  scene.x2 = scene.clearance / 2 - scene.v2 * pair.step * between(1e-3, 1);
+  return pair;
+}
+
+// The share of the energy of approach that is left, no number where they touch for longer; nothing where the pair
+// cannot be planned or raises a fault.
+template <class Format, class Stepper>
+std::optional<double> energy_left(const Pair& pair, int longest) {
+  using Kernel = Absorber<AtRunTime, Exact, Stepper, NoDrive, Format>;
+  const auto plan = Kernel::PlanType::make(pair.scene, pair.bounds, pair.step);
+  if (plan.status != PlanStatus::ok) return {};
+  Kernel absorber(plan);
+  int touched = 0;
+  for (int n = 0; n < most_steps && touched <= longest; ++n) {
+    absorber.step();
+    if (absorber.is_touching())
+      ++touched;
+    else if (touched > 0)
+      break;
+  }
+  if (absorber.fault() != Fault::none) return {};
+  if (touched == 0 || absorber.is_touching()) return std::nan("");
+  const auto state = absorber.reading();
+  const double restitution = (state.v1 - state.v2) / pair.scene.v2;
+  return restitution * restitution;
+}
+
+template <class Stepper>
+void expect_within(double bound) {
+  double largest = 0;
+  int compared = 0;
+  for (unsigned seed = 0; seed < scenes; ++seed) {
+    const Pair pair = random_pair(seed);
+    const auto exact = energy_left<Float64, Stepper>(pair, longest_contact);
+    if (!exact || std::isnan(*exact)) continue;
+    const auto found = energy_left<Fixed32, Stepper>(pair, longest_contact + 10);
+    if (!found) continue;
+    ++compared;
+    largest = larger(largest, std::abs(*found - *exact));
+  }
+  EXPECT_GT(compared, scenes / 2);
+  EXPECT_LE(largest, bound);
+  EXPECT_GT(largest, bound / 5);
+}
+
+TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
+  expect_within<Moment>(3e-5);
+  expect_within<EnergyConsistent>(1e-4);
+  expect_within<SubsteppedMoment<4>>(4e-4);
+  expect_within<SubsteppedMoment<8>>(2e-3);
+}
+
+}  // namespace
+}  // namespace impact::host

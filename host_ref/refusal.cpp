@@ -133,7 +133,6 @@ std::string limit_of_step(const Request& asked, const Settled& settled) {
       return "a contact lasts " + short_text(resolution(request).contact_time) + " s, of which " +
              std::string(name_of(request.stepper)) + " asks a number of steps; auto picks by the step";
     case PlanStatus::step:
-      if (request.step > step_range.most || request.step < step_range.least) return {};
       if (scene.drive_pulsation * request.step > 3) return "at most 3 rad of the drive";
       if (scene.main_damping * request.step > scene.main_mass) return "no longer than the damper's M/c";
       return "a part of the main mass's own vibration, of " +

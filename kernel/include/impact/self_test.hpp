@@ -44,7 +44,7 @@ inline constexpr uint32_t proved_bits = 0;
 template <>
 inline constexpr uint32_t proved_bits<Fixed32> = 0x591a72b5;
 template <>
-inline constexpr uint32_t proved_bits<Float32> = 0xb6c2a9a6;
+inline constexpr uint32_t proved_bits<Float32> = 0xba96a9a6;
 template <>
 inline constexpr uint32_t proved_bits<Float32Plain> = 0xef84eed3;
 

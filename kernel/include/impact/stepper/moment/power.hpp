@@ -115,10 +115,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const Prediction predicted = predict(plan, rate, g);
     const Value d = trial - travel(plan, predicted.moment);
     if (!is_positive(d)) return leave(plan, trial, g, d);
-    if constexpr (Format::is_real)
-      return stay_in_reals(plan, trial, g, d, predicted.taken);
-    else
-      return stay(plan, trial, g, d, g - predicted.taken);
+    return stay(plan, trial, g, d, predicted.taken);
   }
 
   // Taylor's step: J1, and what contact takes of the rate by the step's end, f + f'/2.
@@ -126,25 +123,17 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Value moment, taken;
   };
   [[gnu::always_inline]] constexpr Prediction predict(const Plan& plan, Value rate, Value g) const {
-    if constexpr (Format::is_real) {
-      // A power of two costs nothing only in a constant.
-      const Value steepness = root * strength<4>(plan, rate), half_force = twice(steepness * penetration);
-      Value third_rise = steepness * rate;  // f'/6
-      if constexpr (ContactLaw::is_damped)
-        third_rise = third_rise + damped_third(plan, half(g) - half_force, root * penetration);
-      const Value moment = half_force + third_rise;
-      return {moment, twice(moment) + third_rise};
-    } else {
-      const auto steepness = root * strength(plan, rate);
-      const Value force = Format::value(steepness * without_sign(penetration));
-      Value third_rise = Format::value(quarter(steepness * rate));
-      if constexpr (ContactLaw::is_damped)
-        third_rise = third_rise + damped_sixth(plan, g - force, root * without_sign(penetration));
-      return {Format::value(half(force)) + third_rise, force + third_rise + third_rise + third_rise};
-    }
+    const auto steepness = root * strength(plan, rate);
+    const Value force = Format::value(steepness * without_sign(penetration));
+    Value third_rise = Format::value(quarter(steepness * rate));  // f'/6
+    if constexpr (ContactLaw::is_damped)
+      third_rise = third_rise + damped_sixth(plan, g - force, root * without_sign(penetration));
+    const Value moment = Format::value(half(force)) + third_rise;
+    return {moment, moment + moment + third_rise};
   }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value dv) {
+  // `taken` is what contact takes of the rate in the predicted step, g - (v1 - v0).
+  [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value taken) {
     const auto s = Format::root(d);
     if constexpr (ContactLaw::is_damped_per_impact) this->limit(plan.limit, plan.damping, s * without_sign(d));
     const auto p = half(s + root);
@@ -152,11 +141,11 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto zz = square(z);
     const auto zz_5p = Format::square_over_five(z, p);
     const auto n = p * (without_sign(half(d + penetration)) + zz) + zz * zz_5p;  // p^2 + z^2 is their mean
-    const auto w = eighth(p + twice(zz_5p));
-    const Value dd = d - penetration;
+    const auto w = eighth(p) + quarter(zz_5p);
+    const Value dd = d - penetration, dv = g - taken;
     const auto factor = positive_part(strength(plan, dd));
     const auto by_change = ahead(plan, Format::value(plan.stiffness)) * w;
-    Value j0 = Format::value(n * factor) - behind(plan, Format::value(by_change * dv));
+    const Value j0 = Format::value(n * factor) - behind(plan, Format::value(by_change * dv));
     Value j1 = Format::value(half(j0)) - Format::value(w * factor * dd);
     if constexpr (ContactLaw::is_damped) j1 = j1 - damped_sixth(plan, dv, half(n));
 
@@ -164,34 +153,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const Value missed = trial - travel(plan, j1) - d;
     const auto slope = p - quarter(root) + zz_5p;
     const Value correction =
-        by_missed(plan, slope * factor, n, missed) - behind(plan, Format::value(by_change * (g - j0 - dv)));
+        by_missed(plan, slope * factor, n, missed) - behind(plan, Format::value(by_change * (taken - j0)));
     return {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))};
-  }
-
-  // The same in floating point, where a power of two costs nothing only in a constant: P = 2 p, Z = 2 z, Q = Z^2/(5P),
-  //
-  //     8 n = P (2 (d0 + d1) + Z^2) + Z^2 Q        16 w = P + 2 Q        4 (p - r/4 + z^2/(5p)) = 16 w + s
-  //
-  // `taken` is what contact takes of the rate in the predicted step, g - (v1 - v0).
-  [[gnu::always_inline]] constexpr Impulse<Value> stay_in_reals(const Plan& plan, Value trial, Value g, Value d,
-                                                                Value taken) {
-    const Value s = Format::root(d), p = s + root, z = s - root, zz = square(z), q = zz / (5 * p);
-    if constexpr (ContactLaw::is_damped_per_impact) this->limit(plan.limit, plan.damping, s * d);
-    const Value n = p * (twice(d + penetration) + zz) + zz * q, w = p + twice(q);
-    const Value dd = d - penetration, dv = g - taken;
-    const Value factor = positive_part(strength<8>(plan, dd));
-    Value damped{};
-    if constexpr (ContactLaw::is_damped) damped = eighth(this->damping(plan)) * n;
-    const Value by_change = half(eighth(plan.stiffness)) * w;
-    const Value j0 = n * factor - by_change * dv;
-    Value twice_j1 = j0 - w * factor * dd, slope = twice(s + w) * factor;
-    if constexpr (ContactLaw::is_damped) {
-      twice_j1 = twice_j1 - Format::constant(1.0 / 6) * damped * dv;
-      slope = slope + damped;
-    }
-    const Value j1 = half(twice_j1);
-    const Value correction = slope * (trial - j1 - d) - by_change * (taken - j0);
-    return {j0 + correction, j1 + correction * Format::constant(1.0 / 3)};
   }
 
   [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
@@ -267,13 +230,6 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     else
       return Format::product(plan.sixth_damping, dv, shape);
   }
-  // The same by half of dv, in reals.
-  constexpr Value damped_third(const Plan& plan, Value half_dv, Value shape) const {
-    if constexpr (ContactLaw::is_damped_per_impact)
-      return this->own_damping * half_dv * Format::constant(1.0 / 3) * shape;
-    else
-      return Format::product(twice(plan.sixth_damping), half_dv, shape);
-  }
   // (2/5) K C d^(5/2), what damping takes of a step that comes or goes.
   template <class Shape>
   [[gnu::always_inline]] constexpr Value part_damping(const Plan& plan, Shape shape, Value d) const {
@@ -282,22 +238,13 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     else
       return Format::value(shape * (plan.part_damping * d));
   }
-  // K (1 + C v), or a part of it.
-  template <int divisor = 1>
+  // K (1 + C v)
   [[gnu::always_inline]] constexpr Value strength(const Plan& plan, Value rate) const {
-    const Value elastic = part<divisor>(Format::value(plan.stiffness));
+    const Value elastic = Format::value(plan.stiffness);
     if constexpr (ContactLaw::is_damped)
-      return impact::strength<ContactLaw::is_damped_per_impact, Units>(elastic,
-                                                                       part<divisor>(this->damping(plan)) * rate);
+      return impact::strength<ContactLaw::is_damped_per_impact, Units>(elastic, this->damping(plan) * rate);
     else
       return elastic;
-  }
-  template <int divisor, class Number>
-  static constexpr Number part(Number x) {
-    if constexpr (divisor == 1)
-      return x;
-    else
-      return Format::constant(1.0 / divisor) * x;
   }
 };
 

@@ -127,7 +127,8 @@ struct Fixed32 : Fixed32Numbers {
   // numerator <= denominator
   template <int a, int b>
   static constexpr Unsigned<32 + a - b> quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
-    return {opaque(numerator.raw < denominator.raw ? quotient_q32(numerator.raw, denominator.raw) : ~UINT32_C(0))};
+    return {
+        opaque(numerator.raw < denominator.raw ? quotient_q32<b <= 31>(numerator.raw, denominator.raw) : ~UINT32_C(0))};
   }
   // A divisor of several numbers.
   struct Divisor {
@@ -153,7 +154,7 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Divisor divisor(Unsigned<31> x) {
     if (x.raw - 1 >= INT32_MAX) x.raw = INT32_MAX;
     const int zeros = normalise<1>(x.raw);
-    return {static_cast<int32_t>(x.raw >> zeros), reciprocal_q31(x.raw), zeros};
+    return {static_cast<int32_t>(x.raw >> zeros), reciprocal_q31<true>(x.raw), zeros};
   }
   template <int a, int b>
   static constexpr Unsigned<31 + a - b> rough_quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
@@ -228,6 +229,18 @@ struct Fixed32 : Fixed32Numbers {
     return at[0] + value((at[1] - at[0]) * Unsigned<32>{y.raw << bits});
   }
   static constexpr Root root(Value x) { return {x.raw == 0 ? 0 : square_root_q31(static_cast<uint32_t>(x.raw) << 1)}; }
+  // The root of x > 0, and with it those of numbers near x.
+  struct KnownRoot : RootTangent {
+    constexpr Root at_point() const { return {root}; }
+    constexpr Root beside(Value z) const { return {root_beside(z.raw)}; }
+  };
+  static constexpr KnownRoot known_root(Value x) { return {RootTangent::of(x.raw)}; }
+  // Of a state from elsewhere: whether the square is within a quarter. A tangent leaves it above by a quarter of what a
+  // step's prediction misses, and below by no more than that.
+  static constexpr bool is_root_beside(Root root, Value x) {
+    const auto apart = static_cast<int32_t>((high_square(root.raw) << 1) - static_cast<uint32_t>(x.raw));
+    return root.raw > 0 && root.raw <= UINT32_C(1) << 31 && x.raw > 0 && apart <= 1 << 29 && apart >= -(1 << 29);
+  }
 };
 
 template <int bits>

@@ -286,6 +286,15 @@ struct RealFormat {
   // Of what a rounding may leave below 0.
   static constexpr Real root_of_product(Real x) { return root(positive_part(x)); }
   static constexpr Real root(Real x) { return correct_root(x); }
+  // The root of x > 0, and with it those of numbers near x, which an FPU takes anew.
+  struct KnownRoot {
+    Real root;
+
+    constexpr Real at_point() const { return root; }
+    static constexpr Real beside(Real z) { return correct_root(z); }
+  };
+  static constexpr KnownRoot known_root(Real x) { return {root(x)}; }
+  static constexpr bool is_root_beside(Real root, Real x) { return x > 0 && root == correct_root(x); }
   template <bool is_precise = false>
   static constexpr Real power_four_fifths(Real x) {
     return static_cast<Real>(impact::power_four_fifths<is_precise>(static_cast<float>(x)));

@@ -49,19 +49,22 @@ struct ReciprocalTable {
 
 inline constexpr ReciprocalTable reciprocal_table{};
 
-// 2^63 / d for d in [2^31, 2^32): 2^63 / d - 2 < result <= 2^63 / d, and 2^32 - 1 for 2^31.
+// 2^63 / d for d in [2^31, 2^32): 2^63 / d - 2 < result <= 2^63 / d, and 2^32 - 1 for 2^31. Even numbers, such as those
+// below 2^31 once they are normalised, ask for five instructions less; of an odd one the even one below it is meant.
+template <bool is_even = false>
 constexpr uint32_t reciprocal_q31(uint32_t d) {
   const int32_t seed = reciprocal_table.reciprocal(d);
   const auto x = static_cast<uint32_t>(seed);
-  const uint32_t half_product = (d >> 1) * x + (((x + 1) >> 1) & (0u - (d & 1)));
+  const uint32_t half_product = (d >> 1) * x + (is_even ? 0 : ((x + 1) >> 1) & (0u - (d & 1)));
   return (x << 15) + static_cast<uint32_t>(high_product(static_cast<int32_t>(0u - half_product), seed));
 }
 
 // (numerator / denominator) 2^32 for 0 <= numerator <= denominator, denominator > 0: never above the true quotient, and
 // below it by less than 1 + 2^-30 of it. 0 for 0.
+template <bool is_even = false>
 constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
   numerator <<= normalise<1>(denominator);
-  const uint32_t reciprocal = reciprocal_q31(denominator);
+  const uint32_t reciprocal = reciprocal_q31<is_even>(denominator);
   return (high_product(numerator, reciprocal) << 1) | ((numerator * reciprocal) >> 31);
 }
 

@@ -85,7 +85,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     phase = Phase::touching;
   }
   constexpr bool fits_together(const Plan&) const {
-    return phase == Phase::apart || is_root_of<Format>(penetration, root);
+    return phase == Phase::apart || Format::is_root_beside(root, penetration);
   }
   constexpr void bear(const Plan& plan, Value load) { change = Format::moved(load, -plan.travel_places); }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
@@ -101,11 +101,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const Value after = Format::moved(step.increment, plan.change_places);
     const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
     change = after;
-    const Impulse<Value> impulse = respond(plan, trial, before, g);
-    penetration = trial - travel(plan, impulse.j1);
-    phase = is_positive(penetration) ? Phase::touching : Phase::apart;
-    if (phase == Phase::touching) root = Format::root(penetration);
-    return impulse;
+    return respond(plan, trial, before, g);
   }
 
  private:
@@ -134,8 +130,11 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   // `taken` is what contact takes of the rate in the predicted step, g - (v1 - v0).
   [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value taken) {
-    const auto s = Format::root(d);
+    const auto end = Format::known_root(d);
+    const auto s = end.at_point();
     if constexpr (ContactLaw::is_damped_per_impact) this->limit(plan.limit, plan.damping, s * without_sign(d));
+    // Below 1: by the tangent r may be above 1 by the square of what was missed, and s is below it by half of what is
+    // predicted.
     const auto p = half(s + root);
     const auto z = half(difference(s, root));
     const auto zz = square(z);
@@ -154,12 +153,13 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto slope = p - quarter(root) + zz_5p;
     const Value correction =
         by_missed(plan, slope * factor, n, missed) - behind(plan, Format::value(by_change * (taken - j0)));
-    return {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))};
+    return ended(plan, trial, {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))}, end);
   }
 
   [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
     const auto d = without_sign(trial);
-    const auto s = Format::root(trial);
+    const auto end = Format::known_root(trial);
+    const auto s = end.at_point();
     if constexpr (ContactLaw::is_damped_per_impact) {
       this->begin(plan.damping, trial - before - Format::value(half(travel(plan, g))));
       this->limit(plan.limit, plan.damping, s * d);
@@ -177,7 +177,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
     const Value back = travel(plan, j1);
     const Value correction = by_missed(plan, su + su + half(su) - su * u, s * d, back);
-    return {j0 - correction, j1 - Format::value(later * correction)};
+    return ended(plan, trial, {j0 - correction, j1 - Format::value(later * correction)}, end);
   }
 
   [[gnu::always_inline]] constexpr Impulse<Value> leave(const Plan& plan, Value trial, Value g, Value d1) {
@@ -200,8 +200,23 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
     // The end moves from the predicted one, and u with it.
     const auto more = way.ratio(trial - travel(plan, j1) - d1);
-    return {j0 - loss + Format::value(elastic * more), j1 + Format::value((lever + lever + loss_later) * more)};
+    return ended(plan, trial,
+                 {j0 - loss + Format::value(elastic * more), j1 + Format::value((lever + lever + loss_later) * more)},
+                 UnknownRoot{});
   }
+
+  // Where the contact stands after the step, its root by one that is known nearby.
+  template <class Known>
+  [[gnu::always_inline]] constexpr Impulse<Value> ended(const Plan& plan, Value trial, const Impulse<Value>& impulse,
+                                                        const Known& known) {
+    penetration = trial - travel(plan, impulse.j1);
+    phase = is_positive(penetration) ? Phase::touching : Phase::apart;
+    if (phase == Phase::touching) root = known.beside(penetration);
+    return impulse;
+  }
+  struct UnknownRoot {
+    static constexpr Root beside(Value x) { return Format::root(x); }
+  };
 
   // What an impulse does to the penetration, in its unit.
   static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_places); }

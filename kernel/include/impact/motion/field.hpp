@@ -38,22 +38,28 @@ constexpr LinearFlow flow_of_ball(const Scene& scene, double h) {
   return Stepper::flow(ball, h);
 }
 
-struct NoField {
-  static constexpr bool is_field = false, is_sampled = false;
+// Without samples a position is kept as it is.
+struct UnsampledField {
+  static constexpr bool is_sampled = false;
 
-  template <class Format>
-  struct FieldPlan {};
-  static constexpr double largest(const Scene&, const Bounds&) { return 0; }
   template <class Units>
   static constexpr double at_once(const Scene&, const Bounds&, const LinearFlow&, const LinearFlow&,
                                   const UnitExponents&) {
     return 0;
   }
-
   template <class Plan, class State, class Long>
   static constexpr Long place(const Plan&, const State&, Long x) {
     return x;
   }
+};
+
+struct NoField : UnsampledField {
+  static constexpr bool is_field = false;
+
+  template <class Format>
+  struct FieldPlan {};
+  static constexpr double largest(const Scene&, const Bounds&) { return 0; }
+
   template <class Plan, class State>
   static constexpr typename Plan::FormatType::Value main_rate(const Plan&, const State&) {
     return {};
@@ -66,15 +72,53 @@ struct NoField {
   static constexpr typename Plan::FormatType::Value rate_apart(const Plan&, const State&) {
     return {};
   }
+  template <class Plan, class State, class Value>
+  [[gnu::always_inline]] static constexpr void fly(const Plan&, State& state, Value) {
+    state.x2.advance(state.dx2);
+  }
   template <class Plan, class State>
   static constexpr auto ball_travel(const Plan&, const State& state) {
     return state.dx2;
   }
 };
 
-struct Gravity : ScenePart {
+// What a field has its shares in, by its size: of the displacement that the coming step will make, the main mass's, the
+// ball's and the ball's less the main mass's, as penetrations count; and the same for a change of plan.
+template <class Own>
+struct FieldShares {
+  template <class Plan, class State>
+  static constexpr auto main_rate(const Plan& plan, const State& state) {
+    return plan.field.main_rate * Own::size(state);
+  }
+  template <class Plan, class State>
+  static constexpr auto ball_rate(const Plan& plan, const State& state) {
+    return plan.field.ball_rate * Own::size(state);
+  }
+  template <class Plan, class State>
+  static constexpr auto rate_apart(const Plan& plan, const State& state) {
+    return plan.field.rate_apart * Own::size(state);
+  }
+  template <class Plan, class State>
+  static constexpr auto ahead(const Plan& plan, const State& state) {
+    return plan.field.ahead * Own::size(state);
+  }
+  template <class Plan, class State>
+  static constexpr auto behind(const Plan& plan, const State& state) {
+    return plan.field.behind * Own::size(state);
+  }
+};
+
+// The size of a field that is always the same: its shares are what they are.
+struct Whole {
+  template <class Value>
+  friend constexpr Value operator*(Value share, Whole) {
+    return share;
+  }
+};
+
+struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
   static constexpr uint32_t kind = 5;  // a saved state is of one list of features
-  static constexpr bool is_field = true, is_sampled = false;
+  static constexpr bool is_field = true;
 
   template <class Format>
   struct FieldPlan {
@@ -82,8 +126,8 @@ struct Gravity : ScenePart {
     struct {
       Value main_increment, ball_increment;
       typename Format::Long ball_step;  // the same as ball_increment, with all its places
-      Value main_rate, ball_rate;       // the field's share of the displacement that the coming step will make
-      Value ahead, behind, ball_start;  // the same for a change of plan
+      Value main_rate, ball_rate, rate_apart, ahead, behind;
+      Value ball_start;  // the ball's share for a change of plan
     } field;
   };
   template <class Format, class Units>
@@ -93,36 +137,27 @@ struct Gravity : ScenePart {
     const double main_start = main_force * main.constant_start(), ball_start = ball_force * ball.constant_start();
     const double main_step = main_force * main.constant_increment(), ball_step = ball_force * ball.constant_increment();
     const auto in = [](double x, int exponent) { return Format::sample(x * constant::power_of_two(-exponent)); };
-    return {{in(main_step, unit.increment), in(ball_step, unit.increment), units.state(ball_step),
-             in(main_start / main.e12, unit.penetration), in(ball_start, unit.penetration),
-             in(main_start / main.e12, unit.increment), in(main_start, unit.increment),
-             in(ball_start, unit.increment)}};
+    FieldPlan<Format> plan{};
+    auto& field = plan.field;
+    field.main_increment = in(main_step, unit.increment);
+    field.ball_increment = in(ball_step, unit.increment);
+    field.ball_step = units.state(ball_step);
+    field.main_rate = in(main_start / main.e12, unit.penetration);
+    field.ball_rate = in(ball_start, unit.penetration);
+    field.rate_apart = field.ball_rate - field.main_rate;
+    field.ahead = in(main_start / main.e12, unit.increment);
+    field.behind = in(main_start, unit.increment);
+    field.ball_start = in(ball_start, unit.increment);
+    return plan;
   }
   static constexpr double largest(const Scene& scene, const Bounds&) { return constant::magnitude(scene.gravity); }
-  template <class Units>
-  static constexpr double at_once(const Scene&, const Bounds&, const LinearFlow&, const LinearFlow&,
-                                  const UnitExponents&) {
-    return 0;
-  }
 
   template <class Format>
   struct State {};
 
-  template <class Plan, class State, class Long>
-  static constexpr Long place(const Plan&, const State&, Long x) {
-    return x;
-  }
-  template <class Plan, class State>
-  static constexpr auto main_rate(const Plan& plan, const State&) {
-    return plan.field.main_rate;
-  }
-  template <class Plan, class State>
-  static constexpr auto ball_rate(const Plan& plan, const State&) {
-    return plan.field.ball_rate;
-  }
-  template <class Plan, class State>
-  static constexpr auto rate_apart(const Plan& plan, const State&) {
-    return plan.field.ball_rate - plan.field.main_rate;
+  template <class State>
+  static constexpr Whole size(const State&) {
+    return {};
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State&, Value) {
@@ -143,14 +178,6 @@ struct Gravity : ScenePart {
     return plan.field.ball_increment;
   }
   template <class Plan, class State>
-  static constexpr auto ahead(const Plan& plan, const State&) {
-    return plan.field.ahead;
-  }
-  template <class Plan, class State>
-  static constexpr auto behind(const Plan& plan, const State&) {
-    return plan.field.behind;
-  }
-  template <class Plan, class State>
   static constexpr auto ball_start(const Plan& plan, const State&) {
     return plan.field.ball_start;
   }
@@ -159,7 +186,7 @@ struct Gravity : ScenePart {
 // A sample is m/s^2 in a floating-point format, and a fraction of Bounds::base_acceleration in Q1.31 in fixed point, of
 // which every value is good. In m/s^2 it must be a number within Bounds::base_acceleration. The sample before the first
 // is 0.
-struct BaseAcceleration : ScenePart {
+struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   static constexpr uint32_t kind = 6;
   static constexpr bool is_field = true, is_sampled = true;
 
@@ -172,10 +199,8 @@ struct BaseAcceleration : ScenePart {
       bool has_gravity, acts_at_once;
       decltype(Format::fraction(Gain{}, 0)) by_sample;
       Value gravity, largest_base;
-      struct {
-        Gain at_once, before, now, rate, ahead, behind;
-      } main;
-      Gain ball_rate, rate_apart;
+      Gain at_once, before, now;  // what samples add to the main mass: x1 as they come, then dx1
+      Gain main_rate, ball_rate, rate_apart, ahead, behind;
       Gain offset;                         // x - X
       int state_places, increment_places;  // to the units of states and increments
       float per_sample_unit;               // native numbers
@@ -195,22 +220,27 @@ struct BaseAcceleration : ScenePart {
     const double in_displacement = main_mass * main.b0 + (1 + main.e11) * taken, main_rate = in_displacement / main.e12,
                  ball_rate = ball_mass * ball.constant_start();
     const auto gain = [=](double by, int exponent) { return Format::gain(by / in_step, own, exponent); };
-    return {
-        {g < 0 || g > 0,
-         rest < 0 || rest > 0,
-         Format::fraction(Format::gain(-in_step * base, 0, own), 0),
-         Format::sample(in_step * g * constant::power_of_two(-own)),
-         Format::largest_sample(bounds.base_acceleration),
-         {gain(rest, unit.increment), gain(main_mass * share.before - (1 - main.damping()) * taken, unit.increment),
-          gain(main_mass * share.now + (1 - main.stiffness()) * taken, unit.increment),
-          gain(main_rate, unit.penetration), gain(main_rate, unit.increment), gain(in_displacement, unit.increment)},
-         gain(ball_rate, unit.penetration),
-         gain(ball_rate - main_rate, unit.penetration),
-         gain(ball_mass * ball.b1, unit.increment),
-         units.places_of(own),
-         unit.increment - own,
-         static_cast<float>(base > 0 ? 1 / base : 0),
-         base}};
+    FieldPlan<Format> plan{};
+    auto& field = plan.field;
+    field.has_gravity = g < 0 || g > 0;
+    field.acts_at_once = rest < 0 || rest > 0;
+    field.by_sample = Format::fraction(Format::gain(-in_step * base, 0, own), 0);
+    field.gravity = Format::sample(in_step * g * constant::power_of_two(-own));
+    field.largest_base = Format::largest_sample(bounds.base_acceleration);
+    field.at_once = gain(rest, unit.increment);
+    field.before = gain(main_mass * share.before - (1 - main.damping()) * taken, unit.increment);
+    field.now = gain(main_mass * share.now + (1 - main.stiffness()) * taken, unit.increment);
+    field.main_rate = gain(main_rate, unit.penetration);
+    field.ball_rate = gain(ball_rate, unit.penetration);
+    field.rate_apart = gain(ball_rate - main_rate, unit.penetration);
+    field.ahead = gain(main_rate, unit.increment);
+    field.behind = gain(in_displacement, unit.increment);
+    field.offset = gain(ball_mass * ball.b1, unit.increment);
+    field.state_places = units.places_of(own);
+    field.increment_places = unit.increment - own;
+    field.per_sample_unit = static_cast<float>(base > 0 ? 1 / base : 0);
+    field.sample_unit = base;
+    return plan;
   }
   static constexpr double largest(const Scene& scene, const Bounds& bounds) {
     return constant::magnitude(scene.gravity) + bounds.base_acceleration;
@@ -259,18 +289,9 @@ struct BaseAcceleration : ScenePart {
     plan.units.add(x, plan.field.offset * state.by_field);
     return x;
   }
-  template <class Plan, class State>
-  static constexpr auto main_rate(const Plan& plan, const State& state) {
-    return plan.field.main.rate * state.by_field;
-  }
-  template <class Plan, class State>
-  static constexpr auto ball_rate(const Plan& plan, const State& state) {
-    return plan.field.ball_rate * state.by_field;
-  }
-  // The ball's less the main mass's.
-  template <class Plan, class State>
-  static constexpr auto rate_apart(const Plan& plan, const State& state) {
-    return plan.field.rate_apart * state.by_field;
+  template <class State>
+  static constexpr auto size(const State& state) {
+    return state.by_field;
   }
   // What the sample at the end of the step adds at once to the main mass's displacement, if anything.
   template <class Plan>
@@ -279,11 +300,11 @@ struct BaseAcceleration : ScenePart {
   }
   template <class Plan, class Value>
   [[gnu::always_inline]] static constexpr Value at_once(const Plan& plan, Value next) {
-    return plan.field.main.at_once * next;
+    return plan.field.at_once * next;
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State& state, Value next) {
-    return plan.field.main.before * state.by_field + plan.field.main.now * next;
+    return plan.field.before * state.by_field + plan.field.now * next;
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
@@ -300,14 +321,6 @@ struct BaseAcceleration : ScenePart {
   template <class Plan, class State>
   static constexpr auto ball_increment(const Plan& plan, const State& state) {
     return Plan::FormatType::moved(state.by_field, plan.field.increment_places);
-  }
-  template <class Plan, class State>
-  static constexpr auto ahead(const Plan& plan, const State& state) {
-    return plan.field.main.ahead * state.by_field;
-  }
-  template <class Plan, class State>
-  static constexpr auto behind(const Plan& plan, const State& state) {
-    return plan.field.main.behind * state.by_field;
   }
 };
 

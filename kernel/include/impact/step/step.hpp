@@ -56,7 +56,6 @@ class Step : protected Rubbing<Source, Features...> {
     if constexpr (Field::is_sampled)
       if (Field::acts_at_once(plan)) plan.units.add(main_travel, Field::at_once(plan, base));
     state_.x1.advance(main_travel);
-    if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
     [[maybe_unused]] const auto drive_before = state_.drive.before();
     Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
                       Format::term(plan.damping, plan.units.damped(state_.dx1));
@@ -64,7 +63,7 @@ class Step : protected Rubbing<Source, Features...> {
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
     plan.units.add(state_.dx1, increment);
-    if constexpr (Field::is_field) Field::fly(plan, state_, base);
+    Field::fly(plan, state_, base);
     if (!checks_range_once() && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {

@@ -72,10 +72,6 @@ struct NoField : UnsampledField {
   static constexpr typename Plan::FormatType::Value rate_apart(const Plan&, const State&) {
     return {};
   }
-  template <class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr void fly(const Plan&, State& state, Value) {
-    state.x2.advance(state.dx2);
-  }
   template <class Plan, class State>
   static constexpr auto ball_travel(const Plan&, const State& state) {
     return state.dx2;

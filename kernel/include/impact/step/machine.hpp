@@ -83,12 +83,20 @@ class Machine : protected Source {
         plan.units.relative(state_.dx2, state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);
   }
 
-  // What the coming step adds to x2 - x1, as the last sample says.
+  // To a way of the main mass what the samples at its end add at once; from a way of the ball beside it.
+  constexpr void add_at_once([[maybe_unused]] Long& way, [[maybe_unused]] Value sample, [[maybe_unused]] Value base,
+                             [[maybe_unused]] bool is_ball) const {
+    if constexpr (Drive::is_sampled) plan.units.add(way, mirrored(state_.drive.at_once(plan.drive, sample), is_ball));
+    if constexpr (Field::is_sampled)
+      if (Field::acts_at_once(plan)) plan.units.add(way, mirrored(Field::at_once(plan, base), is_ball));
+  }
+  // What the coming step adds to x2 - x1, as the last samples say.
   constexpr Long way_ahead() const {
     Long way = state_.dx2 - state_.dx1;
-    if constexpr (Drive::is_sampled) plan.units.add(way, -state_.drive.at_once(plan.drive, state_.drive.sample));
-    if constexpr (Field::is_sampled)
-      if (Field::acts_at_once(plan)) plan.units.add(way, -Field::at_once(plan, state_.by_field));
+    Value sample{}, base{};
+    if constexpr (Drive::is_sampled) sample = state_.drive.sample;
+    if constexpr (Field::is_sampled) base = state_.by_field;
+    add_at_once(way, sample, base, true);
     return way;
   }
   // What a step's flight has added to x2 - x1.

@@ -24,6 +24,8 @@ class Meeting : protected Machine<Source, Features...> {
   using typename Base::Contact, typename Base::Field, typename Base::Format, typename Base::Friction;
   using typename Base::Long, typename Base::PlanType, typename Base::Value;
 
+  // Whether any feature sees the step.
+  static constexpr bool records = (!__is_base_of(ScenePart, Features) || ...);
   static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
 
   // Whether the range check after flight may wait until after contact: the response cannot wrap a state that was in
@@ -42,7 +44,7 @@ class Meeting : protected Machine<Source, Features...> {
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
     StopApproach approach{};
     if (!finds_contact(approach, left)) return hold_unjudged();
-    approach.rate = relative_rate(left);
+    if constexpr (Contact::reads_rate || records) approach.rate = relative_rate(left);
     approach.travel = mirrored(flown(main_travel), left);
     approach.before = approach.penetration - approach.travel;
     if constexpr (Contact::sees_change) approach.half_change = -mirrored(change.half, left);
@@ -131,7 +133,8 @@ class Meeting : protected Machine<Source, Features...> {
     } else {
       approach.increment = minus_mirrored(increment, left);
     }
-    approach.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
+    if constexpr (Contact::is_instantaneous)
+      approach.main_rate = mirrored(units.relative(state_.dx1) + rate_ahead(), left);
     // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
     [[maybe_unused]] const Value rate = approach.rate;
     if constexpr (Friction::is_friction && Contact::keeps_force)
@@ -143,7 +146,7 @@ class Meeting : protected Machine<Source, Features...> {
     plan.contact.response.answer(units, state_, mirrored(impulse, left));
     contact.place_ball(plan.contact, units, state_, left);
     if (hold_in_range()) return false;
-    if constexpr (sizeof...(Features) > 0) {
+    if constexpr (records) {
       approach.rate = rate;
       const auto seen = contact.record(plan.contact, units, approach, contact_before, impulse);
       (Features::after_contact(plan, state_, seen), ...);

@@ -16,8 +16,9 @@ class Step : protected Rubbing<Source, Features...> {
   using Base = Rubbing<Source, Features...>;
 
  protected:
+  using Base::add_at_once, Base::begin_to_rub, Base::load_contact, Base::rub, Base::rub_at_stop, Base::rubs,
+      Base::touch;
   using Base::Base, Base::plan, Base::state_;
-  using Base::begin_to_rub, Base::load_contact, Base::rub, Base::rub_at_stop, Base::rubs, Base::touch;
   using Base::checks_range_once, Base::depth_inside, Base::is_at_left, Base::is_beyond_stop, Base::is_refused,
       Base::relative_rate;
   using Base::hold, Base::raise;
@@ -52,10 +53,9 @@ class Step : protected Rubbing<Source, Features...> {
     accept(sample, base);
     // Both masses fly to the step's end, as if nothing touched.
     Long main_travel = state_.dx1;
-    if constexpr (Drive::is_sampled) plan.units.add(main_travel, state_.drive.at_once(plan.drive, sample));
-    if constexpr (Field::is_sampled)
-      if (Field::acts_at_once(plan)) plan.units.add(main_travel, Field::at_once(plan, base));
+    add_at_once(main_travel, sample, base, false);
     state_.x1.advance(main_travel);
+    if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
     [[maybe_unused]] const auto drive_before = state_.drive.before();
     Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
                       Format::term(plan.damping, plan.units.damped(state_.dx1));
@@ -63,7 +63,7 @@ class Step : protected Rubbing<Source, Features...> {
     if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
     plan.units.add(state_.dx1, increment);
-    Field::fly(plan, state_, base);
+    if constexpr (Field::is_field) Field::fly(plan, state_, base);
     if (!checks_range_once() && !is_flight_in_range()) {
       hold();
     } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {

@@ -21,7 +21,6 @@ struct Approach {
   Value travel;             // of the penetration in the step
   Value before;             // at its start
   Value increment;          // of the rate by spring, drive and field from this step's end to the next one's
-  Value main_rate;          // of the main mass at the end
 
   // As if the rate were linear in time.
   [[gnu::always_inline]] constexpr Value rate_at_start() const { return travel + travel - rate; }
@@ -42,7 +41,8 @@ struct ApproachUnderChange : Seen {
 // The same for an impact at an instant.
 template <class Seen, class Value>
 struct ApproachAtInstant : ApproachUnderChange<Seen, Value> {
-  Value damped;  // the damper's part of the increment
+  Value damped;     // the damper's part of the increment
+  Value main_rate;  // of the main mass at the end
 };
 
 // The impulse of the contact's force in a step, and its moment about the step's end.

@@ -15,6 +15,8 @@ namespace impact {
 struct Treatment {
   // Whether it can leave one stop and touch the other in the same step; otherwise the other one waits for the next.
   static constexpr bool meets_both_stops = false;
+  // Whether it reads the rate at the step's end, which costs the main mass's own to know.
+  static constexpr bool reads_rate = true;
   // Whether it asks what the drive changes by in a step.
   static constexpr bool sees_change = false;
   // Whether it keeps a force from step to step, in its plan's units.

@@ -72,7 +72,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             decltype(Plan::limit)::make(terms, unit, largest_damping_of_moment)};
   }
 
-  static constexpr bool meets_both_stops = true;
+  static constexpr bool meets_both_stops = true, reads_rate = false;
 
   // While touching, at the start of the step: the change is that of the rate in a step around it, without contact.
   Value penetration, change;

@@ -121,7 +121,7 @@ struct SubsteppedMoment {
       return plan;
     }
 
-    static constexpr bool meets_both_stops = false, sees_change = true;
+    static constexpr bool meets_both_stops = false, reads_rate = true, sees_change = true;
 
     Value step_rate;  // of penetration, at the end of the last step in contact
 
@@ -186,7 +186,7 @@ struct SubsteppedMoment {
         }
         const Value part_rate = free_rate - Format::moved(u + of_ball(plan, w), plan.travel_places);
         Impulse<Value> impulse =  // not const: GCC would keep it in memory
-            Inner::resolve(plan.inner, units, {part_trial, part_rate, part_trial - at, at, curvature, Value{}});
+            Inner::resolve(plan.inner, units, {part_trial, part_rate, part_trial - at, at, curvature});
         x = x + plan.main_x * impulse.j1;
         u = u + plan.main_u * impulse.j0 + plan.main_u_by_moment * impulse.j1;
         y = y + for_ball(plan, impulse.j1);

@@ -10,7 +10,6 @@
 //     f = n (1 + C (d1 - d0 + correction))        correction = G n u/3        u = C G n
 //     d1 = trial - G f - correction
 //
-// (Floating point counts n in units of 2/5, and staying has q = r s, D = d0 + d1: (D (D + q) - q^2)/(s + r).)
 // (Hertz: C = 0, no correction.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the
 // correction, which moves the ball without changing its velocity, this step keeps it (stiff.hpp; u/3 is the first term
 // of its k).
@@ -35,6 +34,7 @@
 // Any other contact goes to stiff.hpp, which an image whose contact is resolved does not hold.
 
 #include <impact/law/impact_damping.hpp>
+#include <impact/stepper/energy/mean.hpp>
 #include <impact/stepper/energy/response.hpp>
 #include <impact/stepper/energy/stiff.hpp>
 #include <impact/stepper/treatment.hpp>
@@ -55,7 +55,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   using Stiff = StiffContact<Format, ContactLaw>;
   using Damping = typename Stiff::Damping;
   using Factor = decltype(Format::constant(0));
-  static constexpr double unit_of_mean = Format::is_real ? 0.4 : 1;  // of n
+  using Mean = MeanShape<Format>;
 
   struct Plan {
     ConstantForceGains<Format> response;
@@ -113,7 +113,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const ConstantForceResponse answer(terms, flow);
     if (!is_resolved(terms)) return make_stiff_plan(terms, answer, unit);
-    const double of_force = answer.impulse() * terms.force_unit * unit_of_mean,
+    const double of_force = answer.impulse() * terms.force_unit * Mean::unit,
                  stiffness = of_force * constant::power_of_two(-terms.damping_exponent - unit.push);
     const double damping = is_per_impact ? terms.damping_ratio : terms.damping_time / terms.step;
     return {answer.gains<Format>(terms.force_unit, unit),
@@ -162,7 +162,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     // The step before and the one ahead as the law in their middle.
     const auto y = [&](Value d, Value way) {
       const auto held = positive_part(d);
-      return pushed(plan, mean_at(Format::root(Format::value(held)) * held), way).j1;
+      return pushed(plan, Mean::of(Format::root(Format::value(held)) * held), way).j1;
     };
     const Value now = plan.response.travel(y(at, rate)), half_way = Format::value(half(rate));
     taken(1) = y(at - half_way, rate + now);
@@ -212,7 +212,7 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
       taken(3) = taken(2), taken(2) = taken(1);
       n = is_positive(penetration) ? stay(before) : leave(before);
     }
-    if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, shape_of(n));
+    if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, Mean::shape(n));
     const Value way = enters ? step.travel : penetration - before;
     Impulse<Value> push = pushed(plan, n, way);  // not const: GCC would keep it in memory
     taken(1) = push.j1;
@@ -283,52 +283,16 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr Factor enter(Value way) {
     phase = Phase::touching;
     root = Format::root(penetration);
-    return mean_of_part(root, penetration, way);
+    return Mean::over_part(root, penetration, way);
   }
-  [[gnu::always_inline]] constexpr Factor stay([[maybe_unused]] Value before) {
+  [[gnu::always_inline]] constexpr Factor stay(Value before) {
     const Root r = root;
     root = Format::root(penetration);
-    if constexpr (Format::is_real) {
-      const Value q = r * root, sum = before + penetration;
-      return (sum * (sum + q) - q * q) / (r + root);
-    } else {
-      return mean_between(r, root);
-    }
+    return Mean::inside(r, root, before, penetration);
   }
   [[gnu::always_inline]] constexpr Factor leave(Value before) {
     phase = Phase::apart;
-    return mean_of_part(root, before, before - penetration);
-  }
-  // Fixed32 takes 14 bits of p to z^2/5p: a step of the depth d with which a contact begins or ends has an n that is
-  // short by up to 2^-17/sqrt(d) of itself. It does (pi/N)^(5/2) of the impact's work, and so misses 2e-7 of its
-  // energy, whatever the speed.
-  static constexpr Factor mean_between(Root r, Root s) {
-    const auto p = half(s + r);
-    const auto z = half(difference(s, r));
-    const auto zz = square(z);
-    return p * (square(p) + zz + zz) + zz * Format::square_over_five(z, p);
-  }
-  static constexpr Factor mean_of_part(Root root, Value depth, Value way) {
-    const auto d = without_sign(depth);
-    const auto share = Format::short_quotient(d, without_sign(way));
-    if constexpr (Format::is_real)
-      return root * d * share;
-    else
-      return Format::factor(afresh(root * d) * share * Format::short_constant(2.0 / 5));
-  }
-  // n as d^(3/2), and d^(3/2) as n.
-  static constexpr Factor shape_of(Factor n) {
-    if constexpr (Format::is_real)
-      return n * Format::constant(unit_of_mean);
-    else
-      return n;
-  }
-  template <class Shape>
-  static constexpr Factor mean_at(Shape shape) {
-    if constexpr (Format::is_real)
-      return shape * Format::constant(1 / unit_of_mean);
-    else
-      return Format::factor(shape);
+    return Mean::over_part(root, before, before - penetration);
   }
 };
 

@@ -87,7 +87,7 @@ struct Impulsive {
     using Units = typename Format::Units;
 
     struct Plan {
-      Response<Gain> response;
+      Answer<Gain> response;
       Rebound<Format, ContactLaw> rebound;
       Gain acceleration;  // the change of the displacement per step, as one of the rate
       Gain turn;          // (w0 h)^2
@@ -123,8 +123,7 @@ struct Impulsive {
       return {
           {Format::gain(impulse / main_mass, 0, unit.push), Format::gain(impulse / main_mass * flow.e12, 0, unit.push),
            Format::gain(impulse / main_mass * flow.e11, 0, unit.push), Format::gain(impulse / ball_mass, 0, unit.push),
-           Format::gain(impulse / ball_mass, 0, unit.push), Format::gain(0, 0, 0), Format::gain(0, 0, 0),
-           Format::gain(0, 0, 0)},
+           Format::gain(impulse / ball_mass, 0, unit.push)},
           Rebound<Format, ContactLaw>::make(terms, unit),
           // What a force does to a free main mass over what it adds to the displacement per step, so that the rate is
           // that of the derivation above.

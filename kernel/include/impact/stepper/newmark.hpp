@@ -77,12 +77,13 @@ struct Pointwise {
       int passes = 1;
       for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
       return {
-          {Format::gain(force_unit * flow.b1, 0, unit.push),
-           Format::gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
-           Format::gain(0, 0, 0), Format::gain(force_unit * beta * ball, 0, unit.push),
-           Format::gain(force_unit * (1 - beta) * ball, 0, unit.push),
+          {{Format::gain(force_unit * flow.b1, 0, unit.push),
+            Format::gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
+            Format::gain(0, 0, 0), Format::gain(force_unit * beta * ball, 0, unit.push),
+            Format::gain(force_unit * (1 - beta) * ball, 0, unit.push)},
            Format::gain(force_unit * by_penetration, 0, unit.penetration),
-           Format::gain(force_unit * by_rate, 0, unit.penetration), Format::gain(0, 0, 0)},
+           Format::gain(force_unit * by_rate, 0, unit.penetration),
+           Format::gain(0, 0, 0)},
           Format::gain(force_unit * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
           Format::gain(force_unit * beta * ball, 0, unit.push),
           Format::gain(force_unit * flow.b0 / flow.e12, 0, unit.penetration),

@@ -7,22 +7,31 @@
 namespace impact {
 
 // What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and dx1
-// are the main mass's displacement and its displacement per step, x2 and dx2 the ball's; the last three act on the
-// penetration and its rate. Signs are those of a push on the right stop: x1 and dx1 grow, the others fall.
+// are the main mass's displacement and its displacement per step, x2 and dx2 the ball's. Signs are those of a push on
+// the right stop: x1 and dx1 grow, the others fall.
 template <class Gain>
-struct Response {
+struct Answer {
   static constexpr bool is_shared = false;
   Gain x1, dx1, dx1_by_moment, x2, dx2;
-  Gain penetration, rate, rate_by_moment;
 
+  template <class Units, class State, class Value>
+  [[gnu::always_inline]] constexpr void move_main(const Units& units, State& state, const Impulse<Value>& main) const {
+    units.push(state.x1, x1 * main.j1);
+    units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
+  }
   template <class Units, class State, class Felt>
   [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& main) const {
     const auto& ball = felt_by_ball(main);
-    units.push(state.x1, x1 * main.j1);
-    units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
+    move_main(units, state, main);
     units.push(state.x2, x2 * -ball.j1);
     units.push(state.dx2, dx2 * -ball.j0);
   }
+};
+
+// And to the penetration and its rate.
+template <class Gain>
+struct Response : Answer<Gain> {
+  Gain penetration, rate, rate_by_moment;
 };
 
 // A mass's share of an impulse that both answer to, in Fixed32's last place below 1, which would ask for a shift to the
@@ -46,5 +55,16 @@ struct SharedResponse {
     units.recoil(state.dx2, ball_j0);
   }
 };
+
+// What an impulse leaves of a penetration and of its rate.
+template <class Response, class Value>
+[[gnu::always_inline]] constexpr Value penetration_after(const Response& response, Value penetration,
+                                                         const Impulse<Value>& impulse) {
+  return penetration - response.penetration * impulse.j1;
+}
+template <class Response, class Value>
+[[gnu::always_inline]] constexpr Value rate_after(const Response& response, Value rate, const Impulse<Value>& impulse) {
+  return rate - response.rate * impulse.j0 - response.rate_by_moment * impulse.j1;
+}
 
 }  // namespace impact

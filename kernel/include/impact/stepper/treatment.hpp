@@ -8,6 +8,7 @@
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/stepper/contact_step.hpp>
+#include <impact/stepper/response.hpp>
 
 namespace impact {
 
@@ -128,11 +129,10 @@ template <class Format, class ContactLaw, class Response, class Value>
                                                              const Approach<Value>& step, const Impulse<Value>& impulse,
                                                              const Impulse<Value>& force, bool begins,
                                                              bool is_touching) {
-  const Value rate = step.rate - response.rate * impulse.j0 - response.rate_by_moment * impulse.j1;
   typename Format::Energy stored{};
   if (is_touching)
-    stored = ContactLaw::template stored<Format>(units, step.penetration - response.penetration * impulse.j1);
-  return {force, stored, step.rate_at_start(), rate, begins, !begins};
+    stored = ContactLaw::template stored<Format>(units, penetration_after(response, step.penetration, impulse));
+  return {force, stored, step.rate_at_start(), rate_after(response, step.rate, impulse), begins, !begins};
 }
 
 }  // namespace impact

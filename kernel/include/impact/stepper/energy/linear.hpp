@@ -13,7 +13,7 @@
 namespace impact {
 
 template <class Format>
-struct EnergyLinear : ResolvedForces {
+struct EnergyLinear : ConstantForce {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;
@@ -60,11 +60,6 @@ struct EnergyLinear : ResolvedForces {
   constexpr void start(const Plan&, const Units&, Value at, Value) {
     penetration = at;
     phase = Phase::touching;
-  }
-  template <class State>
-  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
-                                                            bool left) {
-    return put_back(units, state, step, left);
   }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                              const Approach<Value>& step, const EnergyLinear& before,

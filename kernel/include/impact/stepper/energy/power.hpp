@@ -45,7 +45,7 @@ namespace impact {
 constexpr double largest_damping_of_energy = 1, largest_lasting_damping_of_energy = 0.2;
 
 template <class Format, class ContactLaw>
-struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Weight = typename Format::Weight;
@@ -172,11 +172,6 @@ struct EnergyPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
   constexpr bool fits_together(const Plan& plan) const {
     return !plan.is_resolved || phase == Phase::apart || is_root_of<Format>(penetration, root);
-  }
-  template <class State>
-  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
-                                                            bool left) {
-    return put_back(units, state, step, left);
   }
   // What a stiff contact's correction is beside the impulse.
   template <class State>

@@ -8,6 +8,7 @@
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/stepper/response.hpp>
+#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -47,6 +48,15 @@ struct ConstantForceGains {
             !begins,
             true,
             way};
+  }
+};
+
+// A treatment whose force is constant in a step.
+struct ConstantForce : ResolvedForces {
+  template <class Units, class State, class Value>
+  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
+                                                            bool left) {
+    return put_back(units, state, step, left);
   }
 };
 

@@ -19,6 +19,7 @@
 
 #include <impact/law/hooke_newton.hpp>
 #include <impact/stepper/moment/response.hpp>
+#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -104,8 +105,8 @@ struct MomentLinear : ResolvedForces {
                                         plan.j0.rate_change * rate_change + plan.j0.curving * curving,
                                     plan.j1.penetration * penetration + plan.j1.change * change +
                                         plan.j1.rate_change * rate_change + plan.j1.curving * curving};
-    const Value d = trial - plan.response.penetration * impulse.j1;
-    const Value v = trial_rate - plan.response.rate * impulse.j0 - plan.response.rate_by_moment * impulse.j1;
+    const Value d = penetration_after(plan.response, trial, impulse),
+                v = rate_after(plan.response, trial_rate, impulse);
     if (plan.clamped) {
       const Value force = units.elastic(d) + plan.damping * v;
       if (!is_positive(force)) return leave(plan, units, trial, trial_rate, force);
@@ -120,8 +121,8 @@ struct MomentLinear : ResolvedForces {
  private:
   [[gnu::always_inline]] constexpr Impulse<Value> settle(const Plan& plan, Value trial, Value trial_rate,
                                                          Impulse<Value> impulse) {
-    penetration = trial - plan.response.penetration * impulse.j1;
-    rate = trial_rate - plan.response.rate * impulse.j0 - plan.response.rate_by_moment * impulse.j1;
+    penetration = penetration_after(plan.response, trial, impulse);
+    rate = rate_after(plan.response, trial_rate, impulse);
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
     return impulse;
   }

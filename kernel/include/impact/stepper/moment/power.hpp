@@ -25,6 +25,7 @@
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/moment/response.hpp>
+#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 

@@ -7,9 +7,10 @@
 //     x1 += gx J1                 gx = (1 - c h/(3 M) - k h^2/(12 M)) / M
 //     v1 += g0 J0 + g1 J1         g0 = (1 + k h^2/(12 M)) / M        g1 = -(c/M + k h/(2 M)) / M
 
+#include <impact/law/terms.hpp>
 #include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/units.hpp>
 #include <impact/stepper/response.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -27,11 +28,9 @@ struct MomentResponse {
   constexpr Response<typename Format::Gain> gains(const ContactTerms& terms, const LinearFlow& flow,
                                                   const UnitExponents& unit) const {
     const double scale = terms.force_unit * terms.step * terms.step, ball = scale / terms.ball_mass;
-    return {Format::gain(scale * gx, 0, unit.push),
-            Format::gain(scale * flow.e12 * g0, 0, unit.push),
-            Format::gain(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, unit.push),
-            Format::gain(ball, 0, unit.push),
-            Format::gain(ball, 0, unit.push),
+    return {{Format::gain(scale * gx, 0, unit.push), Format::gain(scale * flow.e12 * g0, 0, unit.push),
+             Format::gain(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, unit.push), Format::gain(ball, 0, unit.push),
+             Format::gain(ball, 0, unit.push)},
             Format::gain(ball + scale * gx, 0, unit.penetration),
             Format::gain(ball + scale * g0, 0, unit.penetration),
             Format::gain(scale * hg1, 0, unit.penetration)};

@@ -40,14 +40,13 @@ struct SubsteppedMoment {
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
 
-    // As Response, but that the ball's part of an impulse that counts as what it does to both masses keeps all its
+    // As Answer, but that the ball's part of an impulse that counts as what it does to both masses keeps all its
     // places: a heavy ball's may have none in a push.
-    struct StepResponse : Response<Gain> {
+    struct StepAnswer : Answer<Gain> {
       template <class State>
       [[gnu::always_inline]] constexpr void answer(const Units& units, State& state,
                                                    const SplitImpulse<Value>& main) const {
-        units.push(state.x1, this->x1 * main.j1);
-        units.push(state.dx1, this->dx1 * main.j0 + this->dx1_by_moment * main.j1);
+        this->move_main(units, state, main);
         units.displace(state.x2, this->x2, -main.ball.j1);
         units.displace(state.dx2, this->dx2, -main.ball.j0);
       }
@@ -56,7 +55,7 @@ struct SubsteppedMoment {
     // once.
     static constexpr bool is_linear = ContactLaw::is_linear;
     struct Plan {
-      StepResponse response;
+      StepAnswer response;
       typename Inner::Plan inner;
       Gain part, square, cube;                          // 1/n, 1/n^2, 1/n^3
       Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // the main mass's flow over a sub-step, less (1 1; 0 1)
@@ -92,14 +91,10 @@ struct SubsteppedMoment {
       main.main_damping = terms.main_damping;
       const LinearFlow part = exact_flow(main, sub.step);
       Plan plan{};
-      plan.response = {{Format::gain(1, unit.recoil, unit.push),
-                        Format::gain(n * flow.e12, unit.recoil, unit.push),
+      plan.response = {{Format::gain(1, unit.recoil, unit.push), Format::gain(n * flow.e12, unit.recoil, unit.push),
                         Format::gain(flow.e11, unit.recoil, unit.push),
                         Format::gain(share, unit.recoil, unit.penetration),
-                        Format::gain(n * share, unit.recoil, unit.penetration),
-                        {},
-                        {},
-                        {}}};
+                        Format::gain(n * share, unit.recoil, unit.penetration)}};
       plan.inner = Inner::make_plan(sub, flow, unit);
       if constexpr (!is_linear) plan.inner.change_places = unit.recoil - unit.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);

@@ -2,7 +2,7 @@
 // A drive that is a sine where the scene has a pulsation, and samples where it has none: the tool's, which thus
 // compiles each kernel once. Every bit is that of Sine or of Sampled.
 
-#include <impact/motion/none.hpp>
+#include <impact/motion/no_drive.hpp>
 #include <impact/motion/sampled.hpp>
 #include <impact/motion/sine.hpp>
 

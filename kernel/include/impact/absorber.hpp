@@ -37,7 +37,7 @@
 #include <impact/law/per_impact.hpp>
 #include <impact/motion/field.hpp>
 #include <impact/motion/friction.hpp>
-#include <impact/motion/none.hpp>
+#include <impact/motion/no_drive.hpp>
 #include <impact/motion/sampled.hpp>
 #include <impact/motion/sine.hpp>
 #include <impact/numeric/fixed32.hpp>
@@ -320,7 +320,7 @@ class Absorber
     if constexpr (counts_slid_way) state_.slid = {};
     begin_to_rub();
     if (is_other_contact && state_.contact.phase != Phase::apart) {
-      state_.contact.stand_at(depth_in(at_left()));
+      state_.contact.stand_at(depth_in(contact_is_left()));
       touch_anew();
       load_contact();
     }
@@ -363,7 +363,7 @@ class Absorber
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   using Steps::advance, Steps::begin_to_rub, Steps::hold_in_range, Steps::leave_rubbing, Steps::load_contact;
-  using Steps::at_left, Steps::depth_in, Steps::place, Steps::rate_ahead;
+  using Steps::contact_is_left, Steps::depth_in, Steps::place, Steps::rate_ahead;
   using Steps::counts_slid_way, Steps::has_own_damping, Steps::state_;
   using Steps::push_out, Steps::raise, Steps::rubs, Steps::start, Steps::still_to_rub, Steps::touch_anew;
 
@@ -391,7 +391,7 @@ class Absorber
 
   // A kept force's share of the displacement that the coming step makes: along x, as displacements count.
   constexpr Value carried(typename Format::Gain share) const {
-    return plan.units.as_displacement(mirrored(share * state_.contact.force, at_left()));
+    return plan.units.as_displacement(mirrored(share * state_.contact.force, contact_is_left()));
   }
 
   // Scene, bounds, step, types and features.

@@ -22,12 +22,12 @@
 //
 // Treatment a base                     Treatment or ResolvedForces of stepper/treatment.hpp, which have the rest
 //           is_instantaneous           an impact takes no time: its forces are not judged by their size in a step
-//           sees_change                the approach says what the drive changes by in the step
-//           Plan                       its constants, with `response`: what an impulse and a moment do to the state
-//           make_plan(terms, flow, exponents)      SI in, law/terms.hpp
-//           force_unit(terms, exponents)           N: what its forces count in
-//           bound_forces(terms, largest)           adds the largest push and force to the bounds, m and m per step
-//           phase                      Phase: where the contact stands between steps
+//           reads_rate, sees_change    the approach says the rate at the step's end, and what the drive changes by in
+//           it keeps_force                then `force`, which acts in the next step too, with dx1_share and dx2_share
+//           in Plan Plan                       its constants, with `response`: what an impulse and a moment do to the
+//           state make_plan(terms, flow, exponents)      SI in, law/terms.hpp force_unit(terms, exponents)           N:
+//           what its forces count in bound_forces(terms, largest)           adds the largest push and force to the
+//           bounds, m and m per step phase                      Phase: where the contact stands between steps
 //           start(plan, units, penetration, rate)  a contact that begins at this state
 //           resolve(plan, units, approach)         from the step as the stop sees it (Approach) the Impulse, or a
 //                                      SplitImpulse; record(plan, units, approach, before, impulse) the same step as
@@ -85,16 +85,18 @@
 //           and if sampled
 //           accepts(plan, sample)      bool; held(plan, sample) is a sample in place of a bad one
 //           at_end(plan, sample)       `next`
-//           at_once(plan, next)        increment: to x1, in the step that the sample ends
+//           acts_at_once(plan)         bool: whether it adds at_once(plan, next), an increment, to x1 in the step that
+//                                      the sample ends
+//           begin(plan, state)         before the first step
+//           State::by_field            `next` of the last sample
 //
 // Friction  DryFriction is the only one: motion/friction.hpp
 
-#include <impact/features.hpp>
 #include <impact/law/hunt_crossley.hpp>
 #include <impact/law/resolution.hpp>
 #include <impact/law/terms.hpp>
 #include <impact/motion/linear_flow.hpp>
-#include <impact/motion/none.hpp>
+#include <impact/motion/no_drive.hpp>
 #include <impact/numeric/fixed32.hpp>
 #include <impact/plan/source.hpp>
 #include <impact/scene.hpp>

@@ -208,7 +208,7 @@ constexpr Parameter last_candidates[] = {Parameter::ball_mass, Parameter::main_m
 constexpr Parameter less_of[] = {Parameter::ball_friction, Parameter::gravity, Parameter::base_acceleration_bound,
                                  Parameter::x1, Parameter::x2};
 
-constexpr double shorter_steps[] = {1e-6, step_range.least};
+inline constexpr double shorter_steps[] = {1e-6, step_range.least};
 
 // Between one that is accepted and one that is not, both positive: the last accepted one, within 2^-20 of itself.
 template <class Accepts>

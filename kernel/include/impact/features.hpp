@@ -45,8 +45,8 @@ struct EnergyLedger {
   template <class Format>
   struct State {
     typename Format::Tally dissipated, drive_work;
-    typename Format::Energy stored;  // at the end of the last step in contact
-    typename Format::Value rate;     // there
+    typename Format::Energy stored;       // at the end of the last step in contact
+    typename Format::Value contact_rate;  // there
     typename Format::Value drive_force;
     typename Format::Long x1_before;
   };
@@ -59,12 +59,12 @@ struct EnergyLedger {
   }
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
-    const auto rate_before = step.follows ? state.rate : step.rate_at_impact;
+    const auto rate_before = step.follows ? state.contact_rate : step.rate_at_impact;
     const auto done = step.has_way ? work(step.force.j0, step.way)
                                    : work(step.force.j0 - step.force.j1, step.rate) + work(step.force.j1, rate_before);
     state.dissipated.add(done - (step.stored - state.stored));
     state.stored = step.stored;
-    state.rate = step.rate;
+    state.contact_rate = step.rate;
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan& plan, State& state) {
@@ -97,7 +97,7 @@ struct EnergyLedger {
     const auto moved = Plan::FieldType::place(plan, state, state.x1) - state.x1_before;
     return plan.units.in_range(moved, {}, {}, {}) && plan.units.is_sound(state.x1_before) &&
            Format::is_sound(state.dissipated) && Format::is_sound(state.drive_work) && Format::is_sound(state.stored) &&
-           Format::is_sound(state.rate) && Format::is_sound(state.drive_force);
+           Format::is_sound(state.contact_rate) && Format::is_sound(state.drive_force);
   }
 };
 

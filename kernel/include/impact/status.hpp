@@ -46,22 +46,22 @@ struct Range {
   constexpr bool holds(double x) const { return x >= least && x <= most; }  // false for a NaN
 };
 
-constexpr Range mass_range{1e-9, 1e9};                // kg
-constexpr Range main_stiffness_range{0, 1e12};        // N/m
-constexpr Range main_damping_range{0, 1e9};           // N s/m
-constexpr Range clearance_range{0, 1e12};             // m
-constexpr Range contact_stiffness_range{1e-3, 1e18};  // N/m or N/m^(3/2)
-constexpr Range contact_damping_range{0, 1e18};       // N s/m or N s/m^(5/2)
-constexpr Range restitution_range{0.01, 1};
-constexpr Range damping_ratio_range{0, 100};            // c1 v0/k1 of a damping set per impact
-constexpr Range force_range{0, 1e9};                    // N
-constexpr Range gravity_range{-1e6, 1e6};               // m/s^2
-constexpr Range base_acceleration_range{0, 1e6};        // m/s^2
-constexpr Range initial_displacement_range{-1e3, 1e3};  // m
-constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s
-constexpr Range bound_range{1e-9, 1e6};                 // m and m/s
-constexpr Range step_range{1e-9, 0.1};                  // s
-constexpr Range drive_pulsation_range{0, 1e6};          // rad/s; 0, or from slowest_drive(step) on
+inline constexpr Range mass_range{1e-9, 1e9};                // kg
+inline constexpr Range main_stiffness_range{0, 1e12};        // N/m
+inline constexpr Range main_damping_range{0, 1e9};           // N s/m
+inline constexpr Range clearance_range{0, 1e12};             // m
+inline constexpr Range contact_stiffness_range{1e-3, 1e18};  // N/m or N/m^(3/2)
+inline constexpr Range contact_damping_range{0, 1e18};       // N s/m or N s/m^(5/2)
+inline constexpr Range restitution_range{0.01, 1};
+inline constexpr Range damping_ratio_range{0, 100};            // c1 v0/k1 of a damping set per impact
+inline constexpr Range force_range{0, 1e9};                    // N
+inline constexpr Range gravity_range{-1e6, 1e6};               // m/s^2
+inline constexpr Range base_acceleration_range{0, 1e6};        // m/s^2
+inline constexpr Range initial_displacement_range{-1e3, 1e3};  // m
+inline constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s
+inline constexpr Range bound_range{1e-9, 1e6};                 // m and m/s
+inline constexpr Range step_range{1e-9, 0.1};                  // s
+inline constexpr Range drive_pulsation_range{0, 1e6};          // rad/s; 0, or from slowest_drive(step) on
 
 // A slower drive turns by less than 2^-24 rad a step, of which an oscillator's curvature keeps fewer than 15 bits.
 constexpr double slowest_drive(double step) { return 0x1p-24 / step; }

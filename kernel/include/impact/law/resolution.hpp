@@ -46,7 +46,7 @@ struct Resolution {
 };
 
 // The steps of a stepper that takes any contact, s.
-constexpr Range any_step{0, 1};
+inline constexpr Range any_step{0, 1};
 
 template <class ContactLaw>
 constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {

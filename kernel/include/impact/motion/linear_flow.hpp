@@ -12,7 +12,8 @@
 //
 //     x' = x + w        w' = w - damping w - stiffness x' + s        damping = 1 - det, stiffness = 1 + det - trace
 //
-// which is three multiplications a step for either map, with no step length and no mass left in it.
+// which is three multiplications a step for either map, with no step length and no mass left in it. And what every
+// drive says of itself besides: DriveShares and DriveChange.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/oscillator.hpp>

@@ -147,7 +147,7 @@ struct Fixed32Numbers {
   static constexpr OwnUnit own_unit(int places) { return {places > 0 ? places : 0, places > 0 ? 0 : -places}; }
 
   // At most 1.
-  static constexpr Gain held_gain(Gain gain) { return gain.shift < -1 ? Gain{INT32_MAX, -1} : gain; }
+  static constexpr Gain at_most_one(Gain gain) { return gain.shift < -1 ? Gain{INT32_MAX, -1} : gain; }
   // A gain over 2^places, below 1/2, rounded down: a shift that is known to go right.
   struct Fraction {
     int32_t mantissa;

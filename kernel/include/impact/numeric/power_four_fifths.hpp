@@ -18,9 +18,9 @@
 
 namespace impact {
 
-constexpr double four_fifths_octave = 1.741101126592248;  // 2^(4/5)
-constexpr double four_fifths_slope = four_fifths_octave - 1;
-constexpr double four_fifths_bend = 0.0578083562, four_fifths_skew = 0.0142990512;
+inline constexpr double four_fifths_octave = 1.741101126592248;  // 2^(4/5)
+inline constexpr double four_fifths_slope = four_fifths_octave - 1;
+inline constexpr double four_fifths_bend = 0.0578083562, four_fifths_skew = 0.0142990512;
 
 // 2^(-4r/5) 2^31 and 2^(4r/5), r = 0..4. (A function's own table would be copied to the stack.)
 inline constexpr uint32_t four_fifths_octaves_q31[5] = {2147483648u, 1233405466u, 708405415u, 406872067u, 233686637u};

@@ -9,8 +9,8 @@
 //
 // Its range is +-2^20 m, and as much per step, the most that Bounds can state: what passes it is held there, and what
 // is no number becomes 0. Of a free step only x1 need be looked at: x2 grows by a dx2 that only contact changes, and
-// dx1 lacks but the spring's share of x1 and the drive's, both finite. A ball between two stops may so pass 2^20 m by the
-// cavity, without a fault; a state so far out is not restored.
+// dx1 lacks but the spring's share of x1 and the drive's, both finite. A ball between two stops may so pass 2^20 m by
+// the cavity, without a fault; a state so far out is not restored.
 
 #include <stddef.h>
 
@@ -243,7 +243,7 @@ struct RealFormat {
     static constexpr Value common(Value x) { return x; }
   };
   static constexpr OwnUnit own_unit(int) { return {}; }
-  static constexpr Gain held_gain(Gain gain) { return gain; }
+  static constexpr Gain at_most_one(Gain gain) { return gain; }
   static constexpr Gain fraction(Gain gain, int) { return gain; }
   // A converter's counts are numbers like others.
   static constexpr int count_exponent = 0;

@@ -56,7 +56,9 @@ class Machine : protected Source {
     return ahead;
   }
 
-  constexpr bool at_left() const { return plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop; }
+  constexpr bool contact_is_left() const {
+    return plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
+  }
 
   constexpr bool is_beyond_stop() const {
     if (plan.left_stop && plan.right_stop) return plan.units.beyond_stops(state_.x2, state_.x1);
@@ -64,7 +66,7 @@ class Machine : protected Source {
   }
 
   // The stop that the ball would be in: of two the one on its side.
-  constexpr bool is_at_left() const {
+  constexpr bool ball_is_left() const {
     return plan.left_stop && (!plan.right_stop || (state_.x2 - state_.x1).is_negative());
   }
 
@@ -72,9 +74,9 @@ class Machine : protected Source {
   constexpr Value depth_in(bool left) const { return plan.units.penetration(mirrored(state_.x2 - state_.x1, left)); }
   // And without a contact in any. (The difference of both positions counts modulo 2^64 in Fixed32: a ball far from the
   // only stop may seem deep inside it.)
-  constexpr Value depth_inside() const {
+  constexpr Value depth_beyond_stop() const {
     if (!is_beyond_stop()) return {};
-    return depth_in(is_at_left());
+    return depth_in(ball_is_left());
   }
 
   // Rate of penetration, for the state as it stands.

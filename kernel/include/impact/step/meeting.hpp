@@ -17,9 +17,9 @@ class Meeting : protected Machine<Source, Features...> {
   using Base = Machine<Source, Features...>;
 
  protected:
-  using Base::at_left, Base::flown, Base::depth_in, Base::depth_inside, Base::is_at_left, Base::rate_ahead,
-      Base::relative_rate;
   using Base::Base, Base::plan, Base::state_;
+  using Base::contact_is_left, Base::flown, Base::depth_in, Base::depth_beyond_stop, Base::ball_is_left,
+      Base::rate_ahead, Base::relative_rate;
   using Base::hold, Base::hold_in_range, Base::raise;
   using typename Base::Contact, typename Base::Field, typename Base::Format, typename Base::Friction;
   using typename Base::Long, typename Base::PlanType, typename Base::Value;
@@ -39,8 +39,8 @@ class Meeting : protected Machine<Source, Features...> {
   }
 
   [[gnu::always_inline]] constexpr void touch(Value increment, Long main_travel, DriveChange<Value> change) {
-    if (state_.contact.phase == Phase::apart) state_.at_left = is_at_left();
-    const bool left = at_left();
+    if (state_.contact.phase == Phase::apart) state_.at_left = ball_is_left();
+    const bool left = contact_is_left();
     state_.contact.carry_over(plan.contact, plan.units, state_, left);
     StopApproach approach{};
     if (!finds_contact(approach, left)) return hold_unjudged();
@@ -58,7 +58,7 @@ class Meeting : protected Machine<Source, Features...> {
 
   // What spring, drive and field give the contact to bear.
   constexpr void load_contact() {
-    const Value in_half_a_step = mirrored(rate_ahead() + Field::ball_rate(plan, state_), at_left());
+    const Value in_half_a_step = mirrored(rate_ahead() + Field::ball_rate(plan, state_), contact_is_left());
     state_.contact.bear(plan.contact, in_half_a_step + in_half_a_step);
   }
 
@@ -66,12 +66,12 @@ class Meeting : protected Machine<Source, Features...> {
   // bears that.
   constexpr void touch_anew() {
     Contact& contact = state_.contact;
-    if (contact.rests_on(plan.units, state_, at_left())) return;
+    if (contact.rests_on(plan.units, state_, contact_is_left())) return;
     const Phase phase = contact.phase;
-    const Value found = depth_in(at_left()), inside = contact.no_deeper(found);
-    if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, at_left()));
+    const Value found = depth_in(contact_is_left()), inside = contact.no_deeper(found);
+    if (is_positive(found - inside)) plan.units.displace(state_.x2, -mirrored(found - inside, contact_is_left()));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
-      const Value rate = relative_rate(at_left());
+      const Value rate = relative_rate(contact_is_left());
       if constexpr (has_own_damping) contact.hold_damping(plan.contact, inside, rate);
       contact.start(plan.contact, plan.units, inside, rate);
       contact.phase = phase;
@@ -84,7 +84,7 @@ class Meeting : protected Machine<Source, Features...> {
 
   // A ball that a correction has put into a stop without touching it stands at it.
   constexpr void push_out() {
-    if (is_positive(depth_inside())) state_.x2 = plan.units.stop(state_.x1, is_at_left());
+    if (is_positive(depth_beyond_stop())) state_.x2 = plan.units.stop(state_.x1, ball_is_left());
   }
 
  private:

@@ -12,8 +12,8 @@ class Rubbing : protected Meeting<Source, Features...> {
   using Base = Meeting<Source, Features...>;
 
  protected:
-  using Base::at_left, Base::flown, Base::rate_ahead, Base::relative_rate, Base::way_ahead;
   using Base::Base, Base::plan, Base::state_, Base::counts_slid_way;
+  using Base::contact_is_left, Base::flown, Base::rate_ahead, Base::relative_rate, Base::way_ahead;
   using typename Base::Contact, typename Base::Format, typename Base::Friction;
   using typename Base::Long, typename Base::Value;
 
@@ -64,9 +64,9 @@ class Rubbing : protected Meeting<Source, Features...> {
       rub_anew(plan.units.relative(slid), way_ahead() - taken, typename Friction::Any{});
     if constexpr (counts_slid_way) count_slid_way(rate);
     if (!touches) return;
-    const Value towards_stop = mirrored(-state_.impulse, at_left());
+    const Value towards_stop = mirrored(-state_.impulse, contact_is_left());
     state_.contact.change_rate(plan.contact, towards_stop);
-    if constexpr (counts_slid_way) state_.rate = state_.rate + towards_stop;
+    if constexpr (counts_slid_way) state_.contact_rate = state_.contact_rate + towards_stop;
   }
   // The half of the last impulse that acts in the step ahead.
   constexpr auto still_to_rub() const {
@@ -90,8 +90,8 @@ class Rubbing : protected Meeting<Source, Features...> {
     if constexpr (Contact::keeps_force) {
       const Value main_carried = plan.contact.dx1_share * state_.contact.force,
                   ball_carried = plan.contact.dx2_share * state_.contact.force;
-      main = main - mirrored(main_carried, at_left());
-      sliding = sliding + mirrored(main_carried + ball_carried, at_left());
+      main = main - mirrored(main_carried, contact_is_left());
+      sliding = sliding + mirrored(main_carried + ball_carried, contact_is_left());
     }
     return Friction::rubbing_rate(plan, sliding, main);
   }

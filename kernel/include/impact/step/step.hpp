@@ -19,7 +19,7 @@ class Step : protected Rubbing<Source, Features...> {
   using Base::add_at_once, Base::begin_to_rub, Base::load_contact, Base::rub, Base::rub_at_stop, Base::rubs,
       Base::touch;
   using Base::Base, Base::plan, Base::state_;
-  using Base::checks_range_once, Base::depth_inside, Base::is_at_left, Base::is_beyond_stop, Base::is_refused,
+  using Base::checks_range_once, Base::depth_beyond_stop, Base::ball_is_left, Base::is_beyond_stop, Base::is_refused,
       Base::relative_rate;
   using Base::hold, Base::raise;
   using typename Base::Contact, typename Base::Drive, typename Base::Field, typename Base::Format;
@@ -36,9 +36,9 @@ class Step : protected Rubbing<Source, Features...> {
     state_.dx2 = plan.dx2;
     state_.drive = decltype(state_.drive)::start(plan.drive);
     if constexpr (Field::is_sampled) Field::begin(plan, state_);
-    const Value depth = depth_inside();
+    const Value depth = depth_beyond_stop();
     if (is_positive(depth)) {
-      const bool left = is_at_left();
+      const bool left = ball_is_left();
       state_.at_left = left;
       state_.contact.start(plan.contact, plan.units, depth, relative_rate(left));
       load_contact();

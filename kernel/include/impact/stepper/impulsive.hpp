@@ -114,7 +114,7 @@ struct Impulsive {
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const double h = terms.step, main_mass = terms.main_mass, ball_mass = terms.ball_mass;
       const double impulse = terms.force_unit * h * h, turn = terms.main_stiffness * h * h / main_mass;
-      const double mass = 2 * terms.reduced_mass(), displacement_by_force = (flow.b0 + flow.b1) / (h * h),
+      const double mass = 2 * terms.reduced_mass(), displacement_by_force = flow.constant_start() / (h * h),
                    rate_by_force = (flow.c0 + flow.c1) / (h * h),
                    penetration_by_force = mass * (displacement_by_force + 0.5 / ball_mass),
                    penetration_rate_by_force = mass * (rate_by_force + 1 / ball_mass);

@@ -36,7 +36,7 @@ struct Response : Answer<Gain> {
 
 // A mass's share of an impulse that both answer to, in Fixed32's last place below 1, which would ask for a shift to the
 // left before the product.
-constexpr double largest_share = 1 - 0x1p-31;
+inline constexpr double largest_share = 1 - 0x1p-31;
 
 // The same to an impulse and a moment that count as what they do to the rate and to the penetration: the ball has its
 // share of them, with its sign, and the main mass the rest, of which dx1 counts what spring and damper do meanwhile.

@@ -42,7 +42,7 @@
 namespace impact {
 
 // h c/mu that a resolved contact has at most, and one that lasts.
-constexpr double largest_damping_of_energy = 1, largest_lasting_damping_of_energy = 0.2;
+inline constexpr double largest_damping_of_energy = 1, largest_lasting_damping_of_energy = 0.2;
 
 template <class Format, class ContactLaw>
 struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
@@ -133,7 +133,7 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
                                          : terms.damping_time / terms.step * power_of_two(unit.penetration);
     terms.damping_exponent = Format::exponent_of(constant::smaller(constant::larger(largest, 1), 0x1p20));
     return {answer.gains<Format>(terms.force_unit, unit),
-            Weight{Format::held_gain(damping_gain<Format, ContactLaw>(terms, unit))},
+            Weight{Format::at_most_one(damping_gain<Format, ContactLaw>(terms, unit))},
             {},
             {},
             false,

@@ -68,7 +68,6 @@
 #include <impact/law/impact_damping.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/formula.hpp>
-#include <impact/numeric/units.hpp>
 
 namespace impact {
 

@@ -30,7 +30,7 @@
 namespace impact {
 
 // h c/mu that the step bears, see moment.hpp.
-constexpr double largest_damping_of_moment = 2.5;
+inline constexpr double largest_damping_of_moment = 2.5;
 
 template <class Format, class ContactLaw>
 struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {

@@ -180,8 +180,13 @@ struct SubsteppedMoment {
           if (is_positive(at)) at = Value{};
         }
         const Value part_rate = free_rate - Format::moved(u + of_ball(plan, w), plan.travel_places);
-        Impulse<Value> impulse =  // not const: GCC would keep it in memory
-            Inner::resolve(plan.inner, units, {part_trial, part_rate, part_trial - at, at, curvature});
+        Approach<Value> part{};
+        part.penetration = part_trial;
+        part.rate = part_rate;
+        part.travel = part_trial - at;
+        part.before = at;
+        part.increment = curvature;
+        Impulse<Value> impulse = Inner::resolve(plan.inner, units, part);  // not const: GCC would keep it in memory
         x = x + plan.main_x * impulse.j1;
         u = u + plan.main_u * impulse.j0 + plan.main_u_by_moment * impulse.j1;
         y = y + for_ball(plan, impulse.j1);

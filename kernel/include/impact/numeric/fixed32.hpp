@@ -30,7 +30,7 @@ struct Fixed32 : Fixed32Numbers {
   template <int bits>
   static constexpr Value product(Weight weight, Value x, Unsigned<bits> y) {
     const int ahead = weight.places_ahead(), after = weight.shift + ahead;
-    const int32_t weighted = high_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa);
+    const int32_t weighted = high_product(to_left(x.raw, ahead), weight.mantissa);
     return moved({high_product(weighted, with_sign(y).raw)}, after + bits - 33);
   }
   // (a + weight y) x for a and y below 1, with the weight's shift to the left before both; the sum is below 3.
@@ -39,7 +39,7 @@ struct Fixed32 : Fixed32Numbers {
     const int ahead = weight.places_ahead(), after = weight.shift + ahead;
     const auto weighted = with_bits<30>(Signed<bits - 2>{high_product(with_sign(y).raw, weight.mantissa)});
     const Signed<29> sum = {(value(a).raw >> ahead >> 2) + (weighted.raw >> (after + 2))};
-    return {shifted_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), sum.raw, 3)};
+    return {shifted_product(to_left(x.raw, ahead), sum.raw, 3)};
   }
 
   // In [0, 1); what is not, for a stepper far outside its range, is held there.
@@ -61,7 +61,7 @@ struct Fixed32 : Fixed32Numbers {
     if (gain.shift > 0) return {high_product(x.raw, gain.mantissa) >> gain.shift};
     const uint32_t half_place = gain.mantissa > 0x55555555 ? 1 : 2;
     const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) + half_place);
-    return {static_cast<int32_t>(static_cast<uint32_t>(high_product(ahead, gain.mantissa)) << -gain.shift)};
+    return {to_left(high_product(ahead, gain.mantissa), -gain.shift)};
   }
   // The same, rounded down, for a gain of 0 or a power of two from 2^-32 on.
   static constexpr Value moved_term(Gain gain, Value x) {
@@ -103,7 +103,8 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
   static constexpr int32_t native(Value reading) { return reading.raw; }
-  // A fraction as a Value, held at the ends of its range; 0 for no number.
+  // A fraction as a Value, held at the ends of its range; 0 for no number. A constant counts in 2^31 - 1, so that 1 is
+  // a Value; a float, whose 2^31 - 1 is 2^31, in that.
   static constexpr Value sample(double fraction) {
     return {fraction >= 1    ? INT32_MAX
             : fraction <= -1 ? -INT32_MAX
@@ -146,7 +147,7 @@ struct Fixed32 : Fixed32Numbers {
     // Of a number beyond the divisor as of the divisor.
     constexpr Signed<29> ratio(Value x) const {
       const int32_t held = x.raw > own ? own : x.raw < -own ? -own : x.raw;
-      const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(held) << (zeros - 1));
+      const auto ahead = to_left(held, zeros - 1);
       return {opaque(high_product(ahead, opaque(static_cast<int32_t>(inverse >> 1))))};
     }
   };

@@ -63,9 +63,9 @@ struct Fixed32Numbers {
       }
       // To the left before the product as far as it cannot overflow, to keep the product's low bits.
       const int after = places < -2 ? 2 : -places;
-      const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (-places - after));
+      const auto ahead = to_left(x.raw, -places - after);
       const int32_t product = is_power_of_two ? ahead : rounded_high_product(ahead, gain.mantissa);
-      return {static_cast<int32_t>(static_cast<uint32_t>(product) << after)};
+      return {to_left(product, after)};
     }
   };
 
@@ -76,7 +76,7 @@ struct Fixed32Numbers {
       const int32_t most = gain.most(), ahead = x.raw > most ? most : x.raw < -most ? -most : x.raw;
       const int32_t product = gain.product(ahead);
       const int32_t held = product > quarter ? quarter : product < -quarter ? -quarter : product;
-      return {static_cast<int32_t>(static_cast<uint32_t>(held) << 2)};
+      return {to_left(held, 2)};
     }
     // Of a number that is known not to be negative.
     friend constexpr Value operator*(HeldGain gain, Unsigned<31> x) {
@@ -90,9 +90,7 @@ struct Fixed32Numbers {
     static constexpr int32_t quarter = INT32_MAX >> 2;
     // To the left by -2 - shift before the product, and by 2 after it, where it is at most the largest mantissa's half.
     constexpr int32_t most() const { return INT32_MAX >> (-2 - shift); }
-    constexpr int32_t product(int32_t x) const {
-      return rounded_high_product(static_cast<int32_t>(static_cast<uint32_t>(x) << (-2 - shift)), mantissa);
-    }
+    constexpr int32_t product(int32_t x) const { return rounded_high_product(to_left(x, -2 - shift), mantissa); }
   };
 
   // A gain that rounds down where it shifts left, by one place to the middle of two: two instructions less.
@@ -104,11 +102,9 @@ struct Fixed32Numbers {
       if (is_wide && weight.shift >= 0) return {instruction::rounded_product(x.raw, weight.mantissa, weight.shift)};
       if (weight.shift > 0) return {(high_product(x.raw, weight.mantissa) + (1 << (weight.shift - 1))) >> weight.shift};
       if (weight.shift == 0) return {rounded_high_product(x.raw, weight.mantissa)};
-      if (weight.shift == -1)
-        return {static_cast<int32_t>(static_cast<uint32_t>(high_product(x.raw, weight.mantissa)) << 1) + 1};
+      if (weight.shift == -1) return {to_left(high_product(x.raw, weight.mantissa), 1) + 1};
       const int ahead = weight.shift < -16 ? -16 - weight.shift : 0;
-      return {shifted_product(static_cast<int32_t>(static_cast<uint32_t>(x.raw) << ahead), weight.mantissa,
-                              -weight.shift - ahead)};
+      return {shifted_product(to_left(x.raw, ahead), weight.mantissa, -weight.shift - ahead)};
     }
   };
 
@@ -131,7 +127,7 @@ struct Fixed32Numbers {
   static constexpr Value moved(Value x, int places) {
     if constexpr (is_wide)
       return {static_cast<int32_t>(static_cast<int64_t>(static_cast<uint64_t>(x.raw) << 32) >> (32 + places))};
-    return {places > 0 ? x.raw >> places : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -places)};
+    return {places > 0 ? x.raw >> places : to_left(x.raw, -places)};
   }
 
   static constexpr Value last_place() { return {1}; }
@@ -139,10 +135,8 @@ struct Fixed32Numbers {
   struct OwnUnit {
     int left, right;
 
-    constexpr Value own(Value x) const { return {static_cast<int32_t>(static_cast<uint32_t>(x.raw >> right) << left)}; }
-    constexpr Value common(Value x) const {
-      return {static_cast<int32_t>(static_cast<uint32_t>(x.raw >> left) << right)};
-    }
+    constexpr Value own(Value x) const { return {to_left(x.raw >> right, left)}; }
+    constexpr Value common(Value x) const { return {to_left(x.raw >> left, right)}; }
   };
   static constexpr OwnUnit own_unit(int places) { return {places > 0 ? places : 0, places > 0 ? 0 : -places}; }
 

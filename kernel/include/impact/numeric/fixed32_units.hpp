@@ -223,7 +223,7 @@ struct Fixed32Units {
   // 1, and a purely elastic force, in the unit of forces.
   constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
   constexpr Value elastic(Value x) const {
-    return {force_bits >= 0 ? x.raw >> force_bits : static_cast<int32_t>(static_cast<uint32_t>(x.raw) << -force_bits)};
+    return {force_bits >= 0 ? x.raw >> force_bits : to_left(x.raw, -force_bits)};
   }
   constexpr Energy elastic(Energy x) const {
     return {force_bits >= 0 ? x.raw >> force_bits : static_cast<int64_t>(static_cast<uint64_t>(x.raw) << -force_bits)};

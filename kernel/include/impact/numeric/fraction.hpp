@@ -39,7 +39,7 @@ constexpr Signed<to> with_bits(Signed<from> x) {
   if constexpr (to <= from)
     return {x.raw >> (from - to)};
   else
-    return {static_cast<int32_t>(static_cast<uint32_t>(x.raw) << (to - from))};
+    return {to_left(x.raw, to - from)};
 }
 template <int to, int from>
 constexpr Unsigned<to> with_bits(Unsigned<from> x) {

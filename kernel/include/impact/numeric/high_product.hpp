@@ -7,8 +7,11 @@
 //     full_product(a, b)         = a b                        in 64 bits, for two signed operands
 //     rounded_high_product(a, b) = floor(a b / 2^32 + 1/2)    for two signed operands, exact; halves go up
 //     short_product(a, b)        = floor(a b / 2^16)          exact; b < 2^16, or -2^15 <= b < 2^15 for signed a
+//     shifted_product(a, b, n)   = floor(a b / 2^(32 - n))    modulo 2^32, for two signed operands; 1 <= n <= 16
 //     high_square(a)             = high_product(a, a)
+//     to_left(x, n)              = x 2^n                      modulo 2^32
 //     add_shifted(sum, x, n)     sum += x 2^n                 that fits in 64 bits; 1 <= n <= 63
+//     less_shifted(sum, x, n)    = sum - x 2^n                modulo 2^64
 //     leading_zeros(x)           = 31 - floor(log2 x), and 32 for x = 0
 //     normalise<step>(x)         shifts x != 0 left as far as no bit is lost, by steps of 1 or 2 bits; says how many
 //
@@ -46,6 +49,9 @@ constexpr int32_t opaque(int32_t x) {
 #endif
 
 constexpr uint32_t opaque(uint32_t x) { return static_cast<uint32_t>(opaque(static_cast<int32_t>(x))); }
+
+// Of a negative number << is not defined before C++20.
+constexpr int32_t to_left(int32_t x, int places) { return static_cast<int32_t>(static_cast<uint32_t>(x) << places); }
 
 // The upper word. (Shifted with its sign GCC knows it for one, see above.)
 constexpr int32_t upper_word(int64_t x) { return static_cast<int32_t>(static_cast<uint64_t>(x) >> 32); }
@@ -89,9 +95,7 @@ constexpr int32_t rounded_product(int32_t a, int32_t b, int places) {
 
 constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(static_cast<unsigned>(x)); }
 
-constexpr int32_t short_product(int32_t a, int32_t b) {
-  return high_product(a, opaque(static_cast<int32_t>(static_cast<uint32_t>(b) << 16)));
-}
+constexpr int32_t short_product(int32_t a, int32_t b) { return high_product(a, opaque(to_left(b, 16))); }
 constexpr uint32_t short_product(uint32_t a, uint32_t b) { return high_product(a, b << 16); }
 
 constexpr int32_t high_square(int32_t a) { return high_product(a, a); }

@@ -106,7 +106,7 @@ namespace instruction {
 
 constexpr int32_t square_over_five(int32_t z, uint32_t p) {
   const int32_t ratio = z / static_cast<int32_t>(5 * ((p >> 18) + 1));
-  return high_product(z, static_cast<int32_t>(static_cast<uint32_t>(ratio) << 15));
+  return high_product(z, to_left(ratio, 15));
 }
 
 }  // namespace instruction

@@ -112,7 +112,7 @@ struct RootTangent {
   // z > 0
   [[gnu::always_inline]] constexpr uint32_t root_beside(int32_t z) const {
     const int32_t change = z - y, held = change < y ? change : y;
-    const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(held) << places);
+    const auto ahead = to_left(held, places);
     return root + (static_cast<uint32_t>(short_product(ahead, static_cast<int32_t>(slope))) << 1);
   }
 };

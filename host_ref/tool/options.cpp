@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/text.hpp>
 #include <impact/status.hpp>
+#include <sstream>
 #include <utility>
 
 namespace impact::host {
@@ -160,7 +162,7 @@ const std::vector<Option>& options() {
       number("step", "s", step_range, field(&Request::step), "length of a step")
           .by_default(
               "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 with a "
-              "restitution within 1e-05 of the law's, 30 steps a period and 100 in all (said on standard error)"),
+              "restitution within about 1e-05 of the law's, 30 steps a period and 100 in all (said on standard error)"),
       number("duration", "s", {0, 1e7}, field(&Request::duration),
              "simulated time, rounded to whole steps, at most 1e9 of them")
           .by_default("1, or as long as the samples of a file last"),
@@ -215,9 +217,10 @@ const std::vector<Option>& options() {
              "initial displacement of the ball, in the same frame"),
       number("v2", "m/s", initial_velocity_range, field(&Scene::v2), "and its velocity"),
 
-      number("bound-displacement", "m", bound_range, field(&Bounds::displacement),
-             "largest displacement that fixed32 makes room for, beyond which the kernel raises a fault; without any "
-             "--bound, half as much again as a float64 run reaches"),
+      number(
+          "bound-displacement", "m", bound_range, field(&Bounds::displacement),
+          "largest displacement that fixed32 makes room for, beyond which the kernel raises a fault; without any "
+          "--bound, half as much again as a float64 run reaches; with any, those not given are the kernel's defaults"),
       number("bound-speed", "m/s", bound_range, field(&Bounds::speed), "and the largest speed"),
       number("bound-penetration", "m", bound_range, field(&Bounds::penetration), "and the largest penetration"),
       number("bound-force", "N", force_range, field(&Bounds::force), "and the largest sample of a --drive-file"),
@@ -268,8 +271,22 @@ size_t edits_between(const std::string& a, const std::string& b) {
 // What it is called in C++ and in the READMEs, where the option has another name.
 constexpr std::pair<const char*, const char*> other_names[] = {{"stepper", "newmark"}, {"format", "numeric"}};
 
-// What another choice has by this name.
-std::string elsewhere(const Option& option, const std::string& value) {
+// Without case and dashes, as C++ has it.
+std::string plain(const std::string& name) {
+  std::string letters;
+  for (const char letter : name)
+    if (letter != '-') letters += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return letters;
+}
+
+// The choice that is meant by a name like Moment, HuntCrossley or AverageAcceleration; what another option has by it.
+std::string meant(const Option& option, const std::string& value) {
+  if (option.name == "drive" && plain(value) == "sampled") return "; --drive-file FILE?";
+  std::string best;
+  std::istringstream names(option.allowed);
+  for (std::string name; std::getline(names >> std::ws, name, ',');)
+    if (name.size() > best.size() && plain(value).compare(0, plain(name).size(), plain(name)) == 0) best = name;
+  if (!best.empty()) return "; " + best + "?";
   for (const Option& other : options()) {
     Settings scratch;
     if (other.name != option.name && other.is_choice && other.store(scratch, value))
@@ -282,12 +299,18 @@ const Option& option_named(const std::string& name, const std::string& value) {
   if (const Option* option = find_option(name)) return *option;
   for (const auto& [other, option] : other_names)
     if (name == other) throw BadInput("--" + name, value, std::string("the options of --help; --") + option + "?");
+  std::string holding;
+  for (const Option& option : options())
+    if (name.size() > 2 && option.name.find(name) != std::string::npos)
+      holding += (holding.empty() ? "; --" : ", --") + option.name;
   const auto nearest = std::min_element(options().begin(), options().end(), [&](const Option& a, const Option& b) {
     return edits_between(name, a.name) < edits_between(name, b.name);
   });
   const bool near = edits_between(name, nearest->name) <= 2;
   throw BadInput("--" + name, value,
-                 near ? "the options of --help; --" + nearest->name + "?" : "the options of --help");
+                 "the options of --help" + (near              ? "; --" + nearest->name + "?"
+                                            : holding.empty() ? holding
+                                                              : holding + "?"));
 }
 
 // As lines of at most 100 columns under an option's name.
@@ -339,7 +362,7 @@ Settings settings_from(const std::vector<Argument>& arguments) {
       throw BadInput("--" + name, value, "once, on the command line or in a sweep's header; it is given twice");
     if (!option.store(settings, value))
       throw BadInput("--" + name, value.empty() ? "''" : value,
-                     option.allowed + (option.is_choice ? elsewhere(option, value) : ""));
+                     option.allowed + (option.is_choice ? meant(option, value) : ""));
   }
   settle(settings, given);
   return settings;

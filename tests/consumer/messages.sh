@@ -187,6 +187,21 @@ absorber 1 'retune() of an absorber whose plan is a constant' 'Rig, HuntCrossley
 absorber 1 'contact_force() needs the feature ContactForce' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.contact_force();'
 absorber 1 'snapshot() needs the feature Snapshots' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.snapshot();'
 
+# A converter as its circuit cannot have it. Clang names the call in a note.
+converter() {
+  message=$1
+  case $compiler in *clang*) message='must be initialized by a constant expression' ;; esac
+  wrong any "$message" <<END
+#include <impact/converter.hpp>
+#include <impact/numeric/fixed32.hpp>
+constexpr impact::$3<impact::Fixed32> convert($2, 0.25);
+END
+}
+for way in ToCounts FromCounts; do
+  converter a_converters_least_count_is_above_its_most '{2048, 40940, 4095, 0}' $way
+  converter a_converter_has_no_counts_per_si_unit '{2048, 0, 0, 4095}' $way
+done
+
 # The compiler's own setting.
 echo '#include <impact/absorber.hpp>' >"$folder/include.cpp"
 for flag in -std=gnu++11 -std=gnu++14; do wrong 2 'impact needs C++17' $flag <"$folder/include.cpp"; done

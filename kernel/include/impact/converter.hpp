@@ -25,10 +25,18 @@ namespace impact {
 struct Converter {
   int32_t zero;               // counts at 0
   double counts_per_si_unit;  // below 0 where it counts backwards
-  int32_t least, most;        // counts
+  int32_t least, most;        // counts, the ends out
 };
 
 namespace detail {
+// Not constexpr: where the compiler makes a converter, it names the mistake.
+inline void a_converters_least_count_is_above_its_most() {}
+inline void a_converter_has_no_counts_per_si_unit() {}
+
+constexpr void check(const Converter& converter) {
+  if (converter.least > converter.most) a_converters_least_count_is_above_its_most();
+  if (!(constant::magnitude(converter.counts_per_si_unit) > 0)) a_converter_has_no_counts_per_si_unit();
+}
 constexpr int32_t held_in_32_bits(double x) {
   return static_cast<int32_t>(constant::larger(-2147483647.0, constant::smaller(x, 2147483647.0)));
 }
@@ -43,7 +51,9 @@ class ToCounts {
       : gain_(Format::count_gain(converter.counts_per_si_unit * unit)),
         zero_(converter.zero),
         least_(detail::held_in_32_bits(static_cast<double>(converter.least) - converter.zero)),
-        most_(detail::held_in_32_bits(static_cast<double>(converter.most) - converter.zero)) {}
+        most_(detail::held_in_32_bits(static_cast<double>(converter.most) - converter.zero)) {
+    detail::check(converter);
+  }
 
   constexpr int32_t operator()(Value x) const { return zero_ + Format::counts(gain_, x, least_, most_); }
 
@@ -61,7 +71,9 @@ class FromCounts {
       : gain_(Format::gain(per_count(converter, unit), Format::count_exponent, 0)),
         zero_(converter.zero),
         least_(detail::held_in_32_bits(static_cast<double>(zero_) - most(converter, unit))),
-        most_(detail::held_in_32_bits(static_cast<double>(zero_) + most(converter, unit))) {}
+        most_(detail::held_in_32_bits(static_cast<double>(zero_) + most(converter, unit))) {
+    detail::check(converter);
+  }
 
   constexpr Value operator()(int32_t counts) const {
     return gain_ * Format::counted((counts < least_ ? least_ : counts > most_ ? most_ : counts) - zero_);
@@ -70,7 +82,8 @@ class FromCounts {
  private:
   // Units a count. Those of a plan that was refused are 0, and the refusal has said why.
   static constexpr double per_count(const Converter& converter, double unit) {
-    return unit > 0 ? 1 / (converter.counts_per_si_unit * unit) : 0;
+    const double counts = converter.counts_per_si_unit * unit;
+    return constant::magnitude(counts) > 0 ? 1 / counts : 0;
   }
   // Whole counts that a Value holds.
   static constexpr int32_t most(const Converter& converter, double unit) {

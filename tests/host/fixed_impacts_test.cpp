@@ -16,13 +16,18 @@ namespace {
 
 constexpr int scenes = 10000, longest_contact = 200, most_steps = 1000;
 
+struct Kind {
+  double shortest, longest;  // steps of a contact at twice Bounds::speed
+  double slowest;            // of Bounds::speed
+};
+
 struct Pair {
   Scene scene;
   Bounds bounds;
   double step;
 };
 
-Pair random_pair(unsigned seed) {
+Pair random_pair(unsigned seed, const Kind& kind) {
   std::mt19937_64 engine(seed);
   const auto between = [&](double least, double most) {
     return least * std::pow(most / least, std::uniform_real_distribution<double>(0, 1)(engine));
@@ -39,12 +44,13 @@ Pair random_pair(unsigned seed) {
   pair.bounds.speed = between(0.01, 5);
   pair.bounds.force = 1e-9;
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), fastest = 2 * pair.bounds.speed;
-  const double contact_time = between(4, 60) * pair.step;
+  const double contact_time = between(kind.shortest, kind.longest) * pair.step;
   scene.contact_stiffness = mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(fastest);
   const double deepest = std::pow(1.25 * mu * fastest * fastest / scene.contact_stiffness, 0.4);
   pair.bounds.displacement = larger(0.505 * scene.clearance, between(1, 100) * deepest);
-  scene.v2 = pair.bounds.speed * between(0.01, 0.99);
-  scene.x2 = scene.clearance / 2 - scene.v2 * pair.step * between(1e-3, 1);
+  scene.v2 = pair.bounds.speed * between(kind.slowest, 0.99);
+  scene.v1 = seed % 2 == 0 ? 0 : -pair.bounds.speed * between(kind.slowest, 0.99);
+  scene.x2 = scene.clearance / 2 - (scene.v2 - scene.v1) * pair.step * between(1e-3, 1);
   return pair;
 }
 
@@ -67,16 +73,16 @@ std::optional<double> energy_left(const Pair& pair, int longest) {
   if (absorber.fault() != Fault::none) return {};
   if (touched == 0 || absorber.is_touching()) return std::nan("");
   const auto state = absorber.reading();
-  const double restitution = (state.v1 - state.v2) / pair.scene.v2;
+  const double restitution = (state.v1 - state.v2) / (pair.scene.v2 - pair.scene.v1);
   return restitution * restitution;
 }
 
 template <class Stepper>
-void expect_within(double bound) {
+void expect_within(double bound, const Kind& kind, int least) {
   double largest = 0;
   int compared = 0;
   for (unsigned seed = 0; seed < scenes; ++seed) {
-    const Pair pair = random_pair(seed);
+    const Pair pair = random_pair(seed, kind);
     const auto exact = energy_left<Float64, Stepper>(pair, longest_contact);
     if (!exact || std::isnan(*exact)) continue;
     const auto found = energy_left<Fixed32, Stepper>(pair, longest_contact + 10);
@@ -84,17 +90,21 @@ void expect_within(double bound) {
     ++compared;
     largest = larger(largest, std::abs(*found - *exact));
   }
-  EXPECT_GT(compared, scenes / 2);
+  EXPECT_GT(compared, least);
   EXPECT_LE(largest, bound);
   EXPECT_GT(largest, bound / 5);
 }
 
 TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
-  expect_within<Moment>(3e-5);
-  expect_within<EnergyConsistent>(1e-4);
-  expect_within<SubsteppedMoment<4>>(4e-4);
-  expect_within<SubsteppedMoment<8>>(2e-3);
+  constexpr Kind kind = {4, 60, 0.01};
+  expect_within<Moment>(5e-5, kind, scenes / 2);
+  expect_within<EnergyConsistent>(1e-4, kind, scenes / 2);
+  expect_within<SubsteppedMoment<4>>(4e-4, kind, scenes / 2);
+  expect_within<SubsteppedMoment<8>>(2e-3, kind, scenes / 2);
 }
+
+// Few steps, in which a prediction misses most. Most of these have no plan: a damping beyond what the step bears.
+TEST(FreeImpacts, Fixed32TakesTheFastestInFewSteps) { expect_within<Moment>(5e-6, {2.5, 5, 0.5}, scenes / 50); }
 
 }  // namespace
 }  // namespace impact::host

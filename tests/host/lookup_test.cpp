@@ -190,27 +190,25 @@ TEST(Lookup, CorrectRootsAreCorrect) {
   }
 }
 
-// A root near a known one, as the header bounds it: between the true root T and the tangent from the known root S,
-// which is above T by 1 + e/2 - (1 + e)^(1/2) of S: up to e^2/8, and up to 1.38 times that from e = -1/2 to 0, with the
-// slope's own error and the places that are lost.
+// A root near a known one, against the parabola that the header states, and against the true root.
 void expect_root_beside(int32_t y, int32_t z) {
-  const RootTangent known = RootTangent::of(y);
   const double unit = 2147483648.0, s = std::sqrt(y / unit) * unit, e = (static_cast<double>(z) - y) / y;
-  const double found = known.root_beside(z), tangent = s * (1 + std::fmin(e, 1) / 2);
-  const double slope_error = s * std::fabs(std::fmin(e, 1)) / 2 * (0x1p-13 + 0x1p-14);
-  ASSERT_GE(found, tangent - slope_error - s * 0x1p-27 - 3) << y << " " << z;
-  ASSERT_LE(found, tangent + slope_error + s * 0x1p-27 + 1) << y << " " << z;
+  const double held = std::fmin(e, 1), places = 4 + s * 0x1p-27;
+  const double found = KnownSquareRoot::of(y).root_beside(z), parabola = s * (1 + held / 2 - held * held / 8);
+  ASSERT_NEAR(found, parabola, s * std::fabs(held) * 0x1p-12 + places) << y << " " << z;
   ASSERT_GT(found, 0) << y << " " << z;
-  if (std::fabs(e) > 0.5) return;
   const double root = std::sqrt(z / unit) * unit;
-  ASSERT_LE(found - root, s * e * e / 8 * (e < 0 ? 1.38 : 1) + slope_error + s * 0x1p-27 + 1) << y << " " << z;
+  if (e < -0.5) return;
+  ASSERT_LE(found, root + (e > 0 ? root * 6e-6 + places : s * 0.012)) << y << " " << z;
+  if (e > 1) return;
+  ASSERT_GE(found, root - s * 0.04) << y << " " << z;
 }
 
 TEST(Lookup, RootsBesideAKnownOne) {
   std::mt19937 random(5);
   for (int i = 0; i < 3000000 && !HasFatalFailure(); ++i) {
     const auto y = static_cast<int32_t>(static_cast<uint32_t>(random()) >> (1 + i % 31) | 1);
-    ASSERT_EQ(RootTangent::of(y).root_beside(y), square_root_q31(static_cast<uint32_t>(y) << 1));
+    ASSERT_EQ(KnownSquareRoot::of(y).root_beside(y), square_root_q31(static_cast<uint32_t>(y) << 1));
     // Near, at twice, far above and below.
     const double near = y * (1 + std::ldexp(static_cast<double>(random()) / 2147483648.0 - 1, -(i % 13)));
     for (const double z : {near, 2.0 * y, 2.0 * y + 1, 1.0, 2147483647.0, y - 1.0, y + 1.0})

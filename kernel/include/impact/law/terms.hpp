@@ -72,7 +72,7 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
                                                           : scene.contact_damping / terms.stiffness;
   const double damping = terms.is_linear ? 0 : terms.damping_time * terms.largest_rate;
   terms.deepest = deepest_penetration(scene, bounds, terms.is_linear, damping);
-  terms.largest_penetration = bounds.penetration > 0 ? bounds.penetration : terms.deepest;
+  terms.largest_penetration = bounds.penetration > 0 ? 1.0001 * bounds.penetration : terms.deepest;
   return terms;
 }
 

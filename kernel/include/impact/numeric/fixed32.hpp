@@ -231,13 +231,12 @@ struct Fixed32 : Fixed32Numbers {
   }
   static constexpr Root root(Value x) { return {x.raw == 0 ? 0 : square_root_q31(static_cast<uint32_t>(x.raw) << 1)}; }
   // The root of x > 0, and with it those of numbers near x.
-  struct KnownRoot : RootTangent {
+  struct KnownRoot : KnownSquareRoot {
     constexpr Root at_point() const { return {root}; }
     constexpr Root beside(Value z) const { return {root_beside(z.raw)}; }
   };
-  static constexpr KnownRoot known_root(Value x) { return {RootTangent::of(x.raw)}; }
-  // Of a state from elsewhere: whether the square is within a quarter. A tangent leaves it above by a quarter of what a
-  // step's prediction misses, and below by no more than that.
+  static constexpr KnownRoot known_root(Value x) { return {KnownSquareRoot::of(x.raw)}; }
+  // Of a state from elsewhere: whether the square is within a quarter, by which no step's prediction misses.
   static constexpr bool is_root_beside(Root root, Value x) {
     const auto apart = static_cast<int32_t>((high_square(root.raw) << 1) - static_cast<uint32_t>(x.raw));
     return root.raw > 0 && root.raw <= UINT32_C(1) << 31 && x.raw > 0 && apart <= 1 << 29 && apart >= -(1 << 29);

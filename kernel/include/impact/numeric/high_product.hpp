@@ -95,7 +95,7 @@ constexpr int32_t rounded_product(int32_t a, int32_t b, int places) {
 
 constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(static_cast<unsigned>(x)); }
 
-constexpr int32_t short_product(int32_t a, int32_t b) { return high_product(a, opaque(to_left(b, 16))); }
+constexpr int32_t short_product(int32_t a, int32_t b) { return high_product(a, to_left(b, 16)); }
 constexpr uint32_t short_product(uint32_t a, uint32_t b) { return high_product(a, b << 16); }
 
 constexpr int32_t high_square(int32_t a) { return high_product(a, a); }

@@ -1,7 +1,8 @@
 // accuracy OUTPUT.csv: the error over 1 s of the paper's scene, |x1| every 10 ms, of every stepper and number format of
 // the kernel and, in float and in double, of the baselines, parted into the method's (the same run in double) and
 // rounding's (error_measures.hpp). Time is the fastest of five runs; the kernel's is taken through its run-time
-// interface, all steps at once, contact's energy ledger and impact log included. contact_share is the share of steps with contact at either end, from the reference.
+// interface, all steps at once, contact's energy ledger and impact log included. contact_share is the share of steps
+// with contact at either end, from the reference.
 
 #include <algorithm>
 #include <chrono>

@@ -257,15 +257,13 @@ constexpr auto golden_configurations() {
 }
 
 // Those whose cost is measured and has a budget.
-using Budgeted =
-    List<Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
-         Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
-         Configuration<HookeNewton, Moment, Fixed32, Sine>,
-         Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine>,
-         Configuration<HuntCrossley, Impulsive, Fixed32, Sine>,
-         Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
-         Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
-         Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>;
+using Budgeted = List<
+    Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
+    Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
+    Configuration<HookeNewton, Moment, Fixed32, Sine>, Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine>,
+    Configuration<HuntCrossley, Impulsive, Fixed32, Sine>, Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
+    Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
+    Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>;
 // In images of their own: what a compiler inlines depends on what else is there.
 using BudgetedWithParts =
     List<Configuration<HuntCrossley, Moment, Fixed32, Sine, Gravity>,

@@ -22,12 +22,13 @@
 //
 // Treatment a base                     Treatment or ResolvedForces of stepper/treatment.hpp, which have the rest
 //           is_instantaneous           an impact takes no time: its forces are not judged by their size in a step
-//           reads_rate, sees_change    the approach says the rate at the step's end, and what the drive changes by in
-//           it keeps_force                then `force`, which acts in the next step too, with dx1_share and dx2_share
-//           in Plan Plan                       its constants, with `response`: what an impulse and a moment do to the
-//           state make_plan(terms, flow, exponents)      SI in, law/terms.hpp force_unit(terms, exponents)           N:
-//           what its forces count in bound_forces(terms, largest)           adds the largest push and force to the
-//           bounds, m and m per step phase                      Phase: where the contact stands between steps
+//           reads_rate, sees_change    the approach says the rate at the step's end, and by what the drive changes
+//           keeps_force                then `force`, which acts in the next step too, with dx1_share and dx2_share
+//           Plan                       its constants, with `response`: what an impulse and a moment do to the state
+//           make_plan(terms, flow, exponents)      SI in, law/terms.hpp
+//           force_unit(terms, exponents)           N: what its forces count in
+//           bound_forces(terms, largest)           adds the largest push and force to the bounds, m and m per step
+//           phase                      Phase: where the contact stands between steps
 //           start(plan, units, penetration, rate)  a contact that begins at this state
 //           resolve(plan, units, approach)         from the step as the stop sees it (Approach) the Impulse, or a
 //                                      SplitImpulse; record(plan, units, approach, before, impulse) the same step as

@@ -20,8 +20,8 @@
 // start's W0, the impulse of f - (m a + R) is 2 v m or less; a penetration grows by no more than V dt, so that this is
 // (W(d) - W(ds) - (m a + R)(d - ds))/V or more. What damping adds to f only makes it more.
 //
-// A hundredth is added for rounding. Bounds::penetration, where it is stated, limits it further, and gets
-// 1e-4 for that.
+// A hundredth is added for rounding. Bounds::penetration, where it is stated, limits it further, and
+// units leave it 1e-4 of room.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>

@@ -56,9 +56,9 @@ Pair random_pair(unsigned seed, const Kind& kind) {
 
 // The share of the energy of approach that is left, no number where they touch for longer; nothing where the pair
 // cannot be planned or raises a fault.
-template <class Format, class Stepper>
+template <class Format, class Stepper, class Law = Exact>
 std::optional<double> energy_left(const Pair& pair, int longest) {
-  using Kernel = Absorber<AtRunTime, Exact, Stepper, NoDrive, Format>;
+  using Kernel = Absorber<AtRunTime, Law, Stepper, NoDrive, Format>;
   const auto plan = Kernel::PlanType::make(pair.scene, pair.bounds, pair.step);
   if (plan.status != PlanStatus::ok) return {};
   Kernel absorber(plan);
@@ -105,6 +105,40 @@ TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
 
 // Few steps, in which a prediction misses most. Most of these have no plan: a damping beyond what the step bears.
 TEST(FreeImpacts, Fixed32TakesTheFastestInFewSteps) { expect_within<Moment>(5e-6, {2.5, 5, 0.5}, scenes / 50); }
+
+// From a damping that has no place left to the largest that the step bears.
+template <class Law, class Stepper>
+void expect_every_damping(double step) {
+  Pair pair{};
+  Scene& scene = pair.scene;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
+  scene.stops = Stops::right;
+  scene.v2 = 1.9;
+  pair.step = step;
+  scene.x2 = scene.clearance / 2 - 0.4 * scene.v2 * pair.step;
+  pair.bounds.displacement = 0.3;
+  pair.bounds.force = 1e-9;
+  int compared = 0;
+  for (double damping = 1e-18; damping < 1e4; damping *= 1.3) {
+    scene.contact_damping = damping;
+    const auto exact = energy_left<Float64, Stepper, Law>(pair, longest_contact),
+               found = energy_left<Fixed32, Stepper, Law>(pair, longest_contact);
+    if (!exact && !found) continue;
+    ASSERT_TRUE(exact && found) << damping;
+    ++compared;
+    ASSERT_NEAR(*found, *exact, 1e-5) << damping;
+  }
+  EXPECT_GT(compared, 50);
+}
+TEST(FreeImpacts, Fixed32TakesADampingOfAnySize) {
+  expect_every_damping<HuntCrossley, Moment>(4e-3);
+  expect_every_damping<HuntCrossley, SubsteppedMoment<4>>(4e-3);
+  expect_every_damping<HuntCrossley, EnergyConsistent>(4e-3);
+  expect_every_damping<HuntCrossley, LinearAcceleration>(1e-3);
+  expect_every_damping<HookeNewton, Moment>(1e-3);
+  expect_every_damping<HookeNewton, EnergyConsistent>(1e-3);
+  expect_every_damping<HookeNewton, LinearAcceleration>(1e-3);
+}
 
 }  // namespace
 }  // namespace impact::host

@@ -122,7 +122,11 @@ struct Fixed32Numbers {
     if (-1 - e > 30) return {0, 0};
     return {static_cast<int32_t>(mantissa), -1 - e};
   }
-  static constexpr Weight weight(double factor, int from, int to) { return {gain(factor, from, to)}; }
+  // Below 2^-30 it is 0: product_of_sum() shifts to the right by two places more than the weight's own.
+  static constexpr Weight weight(double factor, int from, int to) {
+    const Gain found = gain(factor, from, to);
+    return found.shift < 30 ? Weight{found} : Weight{};
+  }
   // A Value that counts in 2^from as one that counts in 2^(from + places).
   static constexpr Value moved(Value x, int places) {
     if constexpr (is_wide)

@@ -105,13 +105,15 @@ class Meeting : protected Machine<Source, Features...> {
     return true;
   }
 
-  // The ball that has left one stop comes to the other in the same step, at the rate that it left with.
+  // The ball that has left one stop comes to the other in the same step, as if it had flown freely up to the rate that
+  // it left with. (No plan has it cross the cavity in a field.)
   [[gnu::noinline]] constexpr void cross(Value increment, bool left) {
     StopApproach approach{};
     if (!finds_contact(approach, left)) return;
     state_.at_left = left;
-    approach.travel = approach.rate = relative_rate(left);
-    approach.before = approach.penetration - approach.rate;
+    approach.rate = relative_rate(left);
+    approach.travel = approach.rate + Format::value(half(mirrored(plan.units.increment_of_rate(increment), left)));
+    approach.before = approach.penetration - approach.travel;
     if (is_positive(approach.before) && !put_back(plan.units, state_, approach, left)) return;
     push(approach, increment, left);
   }

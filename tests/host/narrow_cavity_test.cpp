@@ -1,0 +1,111 @@
+// A ball that is nearly never free: it crosses its cavity in a small part of a step, so that most impacts begin in the
+// step that ends the last one, beside a main mass that its spring brakes meanwhile. Nothing dissipates, and nothing may
+// gain more than the response's terms of third order in w0 h let it: 1e-3 of the energy in 2000 steps at 0.16, with the
+// fourth power of w0 h (moment.hpp).
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <impact/absorber.hpp>
+#include <random>
+
+#include "host_ref/extremes.hpp"
+
+namespace impact::host {
+namespace {
+
+constexpr int scenes = 300, steps = 2000, last_steps = 200;
+constexpr double step = 1e-3;
+
+struct Cavity {
+  Scene scene;
+  Bounds bounds;
+};
+
+template <class Law>
+Cavity random_cavity(unsigned seed, double phase) {
+  std::mt19937_64 engine(seed);
+  const auto between = [&](double least, double most) {
+    return least * std::pow(most / least, std::uniform_real_distribution<double>(0, 1)(engine));
+  };
+  Cavity cavity{};
+  Scene& scene = cavity.scene;
+  scene.main_mass = 1;
+  scene.ball_mass = between(0.01, 100);
+  scene.main_stiffness = scene.main_mass * (phase / step) * (phase / step);
+  scene.main_damping = scene.contact_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+  cavity.bounds.speed = 1;
+  cavity.bounds.force = 1e-9;
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), fastest = 2 * cavity.bounds.speed;
+  // An undamped linear impact gains by itself 1e-5 of its energy at 8 steps, with the sixth power: here 4e-8.
+  const double fewest = Law::is_linear ? 20 : 8;
+  const double contact_time = between(fewest, 2.5 * fewest) * step, pi = 3.141592653589793;
+  double deepest = 0;
+  if constexpr (Law::is_linear) {
+    scene.contact_stiffness = mu * pi * pi / (contact_time * contact_time);
+    deepest = fastest * contact_time / pi;
+  } else {
+    scene.contact_stiffness = mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(fastest);
+    deepest = std::pow(1.25 * mu * fastest * fastest / scene.contact_stiffness, 0.4);
+  }
+  scene.clearance = deepest * between(1e-3, 0.1);
+  // With all of it the main mass is within Bounds::speed.
+  scene.v2 = between(0.1, 0.99) / larger(1.0, std::sqrt(scene.ball_mass / scene.main_mass));
+  scene.x2 = scene.clearance * between(0.01, 0.49);
+  cavity.bounds.displacement = 4 * (step / phase + deepest + scene.clearance);
+  return cavity;
+}
+
+template <class Law, class Reading>
+double energy(const Scene& scene, const Reading& at) {
+  const double inside = larger(std::abs(at.x2 - at.x1) - scene.clearance / 2, 0.0), k = scene.contact_stiffness;
+  const double stored = Law::is_linear ? k * inside * inside / 2 : 0.4 * k * std::pow(inside, 2.5);
+  return (scene.main_mass * at.v1 * at.v1 + scene.main_stiffness * at.x1 * at.x1 + scene.ball_mass * at.v2 * at.v2) /
+             2 +
+         stored;
+}
+
+// Of the energy, in the mean over the last steps; not a number where the plan refuses.
+template <class Law, class Format>
+double gained(const Cavity& cavity) {
+  using Kernel = Absorber<AtRunTime, Law, Moment, NoDrive, Format>;
+  const auto plan = Kernel::PlanType::make(cavity.scene, cavity.bounds, step);
+  if (plan.status != PlanStatus::ok) return std::nan("");
+  Kernel absorber(plan);
+  const double first = energy<Law>(cavity.scene, absorber.reading());
+  double sum = 0;
+  for (int n = 0; n < steps; ++n) {
+    absorber.step();
+    if (n >= steps - last_steps) sum += energy<Law>(cavity.scene, absorber.reading());
+  }
+  EXPECT_EQ(absorber.fault(), Fault::none);
+  return sum / last_steps / first - 1;
+}
+
+template <class Law, class Format>
+void expect_nothing_gained(double phase) {
+  double largest = -1;
+  int run = 0;
+  for (unsigned seed = 0; seed < scenes; ++seed) {
+    const double gain = gained<Law, Format>(random_cavity<Law>(seed, phase));
+    if (std::isnan(gain)) continue;
+    ++run;
+    largest = larger(largest, gain);
+  }
+  EXPECT_GT(run, scenes * 3 / 4) << phase;
+  const double share = phase / Moment::longest_phase;
+  const double of_linear = Law::is_linear ? 4e-8 * steps / 20 : 0;
+  EXPECT_LE(largest, 1e-3 * share * share * share * share + of_linear) << phase;
+}
+
+TEST(NarrowCavity, GivesNoEnergy) {
+  for (const double phase : {0.159, 0.08, 0.04}) {
+    expect_nothing_gained<Hertz, Float64>(phase);
+    expect_nothing_gained<Hertz, Fixed32>(phase);
+    expect_nothing_gained<HookeNewton, Float64>(phase);
+    expect_nothing_gained<HookeNewton, Fixed32>(phase);
+  }
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -430,6 +430,39 @@ TYPED_TEST(FrictionIn, EndsByAChangeOfPlan) {
   EXPECT_NEAR(absorber.reading().v2, before.v2, 8 * floor_of<TypeParam> / 1e-3);
 }
 
+// Up to the largest friction, which takes the fastest way in a step; at 200 N a step's push is more than the half unit
+// that a displacement per step is held at.
+TYPED_TEST(FrictionIn, StateIsTakenBack) {
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
+  using PlanType = typename Absorber::PlanType;
+  Scene scene;
+  scene.main_mass = 0.05;
+  scene.main_stiffness = 100;
+  scene.contact_stiffness = 2000;
+  scene.contact_damping = 200;
+  scene.v1 = 3.7;
+  scene.v2 = -3.7;
+  Bounds bounds;
+  bounds.speed = 3.8;
+  bounds.displacement = 0.5;
+  double least = 0.1, most = 1e6;
+  for (int n = 0; n < 60; ++n) {
+    scene.ball_friction = (least + most) / 2;
+    (PlanType::make(scene, bounds, 1e-3).status == PlanStatus::ok ? least : most) = scene.ball_friction;
+  }
+  for (const double friction : {1.0, 200.0, least}) {
+    scene.ball_friction = friction;
+    Absorber absorber(PlanType::make(scene, bounds, 1e-3));
+    ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+    int n = 0;
+    for (; n < 1000 && absorber.fault() == Fault::none; ++n) {
+      ASSERT_TRUE(absorber.restore(absorber.save())) << friction << " N, step " << n;
+      absorber.step();
+    }
+    EXPECT_GT(n, 10) << friction;
+  }
+}
+
 TEST(Friction, IsRefusedByName) {
   using Plain = Plan<Fixed32, HuntCrossley, Moment, Sine>;
   using Rubbing = Plan<Fixed32, HuntCrossley, Moment, Sine, NoField, DryFriction>;

@@ -31,7 +31,7 @@ inline double energy_rounded(const CoupledScene& found) {
   const double field = std::abs(scene.gravity) + bounds.base_acceleration;
   const double increment = 2 * (turn * bounds.displacement + h * h * (force / mass + field));
   const double deepest =
-      larger(deepest_penetration(scene, bounds, found.request.law == Law::hooke_newton, 0), 4 * way) + 2 * increment;
+      larger(deepest_penetration(scene, bounds, found.request.law == Law::hooke_newton, 0, 0), 4 * way) + 2 * increment;
   const double push = 4 * deepest;
   const double in_flight = 0x1p-31 * (2 * increment + turn * larger(4 * bounds.displacement, 8 * push)),
                in_contact = 0x1p-31 * 2 * push;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <impact/absorber.hpp>
 #include <impact/law/depth.hpp>
 #include <random>
 #include <string>
@@ -45,7 +46,7 @@ TEST_P(DeepestPenetration, HoldsEveryMotionWithinItsBounds) {
       if (!(reached.penetration > 0)) continue;
       ++contacts;
       const Bounds bounds{seen * reached.displacement, seen * reached.speed, 0, 0, found.base};
-      const double bound = deepest_penetration(found.request.scene, bounds, GetParam() == Law::hooke_newton, 0);
+      const double bound = deepest_penetration(found.request.scene, bounds, GetParam() == Law::hooke_newton, 0, 0);
       EXPECT_LE(reached.penetration, bound) << text_of(found.request);
       closest = larger(closest, reached.penetration / bound);
     }
@@ -53,6 +54,53 @@ TEST_P(DeepestPenetration, HoldsEveryMotionWithinItsBounds) {
   EXPECT_GT(contacts, 200);
   std::printf("  %d scenes with a contact, the deepest at %.2f of its bound\n", contacts, closest);
 }
+// A ball that starts inside a stop has stored energy there already, and no impact has set its damping.
+template <class ContactLaw>
+void expect_start_inside_to_hold() {
+  using Kernel = Absorber<AtRunTime, ContactLaw, Moment, NoDrive, Fixed32>;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> share(0, 1);
+  int started = 0;
+  for (int n = 0; n < 4000; ++n) {
+    Scene scene;
+    scene.main_mass = std::pow(10, 2 * share(random) - 1);
+    scene.ball_mass = 1;
+    scene.main_stiffness = 1e3 * share(random);
+    scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+    scene.contact_stiffness = 1e5 * std::pow(10, share(random));
+    scene.contact_damping = ContactLaw::is_damped ? 300 * share(random) : 0;
+    scene.restitution = share(random);
+    scene.clearance = 0.01;
+    scene.v1 = -0.999 * share(random);
+    scene.v2 = 0.999 * share(random);
+    Bounds bounds;
+    bounds.speed = 1;
+    bounds.displacement = 0.05;
+    bounds.force = 1e-9;
+    const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
+    scene.x2 = scene.clearance / 2 + terms.deepest_start * 0.999 * share(random);
+    const auto plan = Kernel::PlanType::make(scene, bounds, 1e-4);
+    if (plan.status != PlanStatus::ok) continue;
+    ++started;
+    Kernel absorber(plan);
+    for (int step = 0; step < 400; ++step) {
+      absorber.step();
+      const auto now = absorber.reading();
+      const bool is_within =
+          std::abs(now.v1) <= 1 && std::abs(now.v2) <= 1 && std::abs(now.x1) <= 0.05 && std::abs(now.x2) <= 0.05;
+      if (!is_within) break;
+      ASSERT_NE(absorber.fault(), Fault::penetration) << n << ' ' << step;
+    }
+  }
+  EXPECT_GT(started, 1000);
+}
+TEST(DeepestPenetrationFromInside, IsHeld) {
+  expect_start_inside_to_hold<HookeNewton>();
+  expect_start_inside_to_hold<Hertz>();
+  expect_start_inside_to_hold<HuntCrossley>();
+  expect_start_inside_to_hold<Exact>();
+}
+
 INSTANTIATE_TEST_SUITE_P(Laws, DeepestPenetration, testing::Values(Law::hooke_newton, Law::hertz, Law::hunt_crossley),
                          [](const auto& law) {
                            std::string name(name_of(law.param));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <impact/absorber.hpp>
 #include <optional>
@@ -136,6 +137,26 @@ void expect_energy_within(double bound) {
 TEST(CoupledImpacts, Fixed32KeepsTheEnergy) {
   expect_energy_within<Moment>(5e-4);
   expect_energy_within<EnergyConsistent>(1e-3);
+}
+
+// In bounds far wider than any penetration: as long as a plan takes them it counts as in narrow ones.
+TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
+  int refused = 0, compared = 0;
+  for (unsigned seed = 0; seed < scenes; ++seed) {
+    Pair pair = random_pair(seed, {8, 60, 0.05});
+    pair.bounds.displacement = std::min(pair.bounds.displacement * std::pow(1e14, seed / double{scenes}), 1e6);
+    const auto exact = energy_left<Float64, Moment>(pair, longest_contact);
+    if (!exact || std::isnan(*exact)) continue;
+    const auto found = energy_left<Fixed32, Moment>(pair, longest_contact + 10);
+    if (!found) {
+      ++refused;
+      continue;
+    }
+    ++compared;
+    ASSERT_NEAR(*found, *exact, 6e-5) << seed << ' ' << pair.bounds.displacement;
+  }
+  EXPECT_GT(compared, scenes / 4);
+  EXPECT_GT(refused, scenes / 10);
 }
 
 // Few steps, in which a prediction misses most. Most of these have no plan: a damping beyond what the step bears.

@@ -129,10 +129,10 @@ TEST(DeepestPenetration, HoldsABallThatIsPressed) {
   const double load = 1 / (1 / scene.main_mass + 1 / scene.ball_mass) * 100 * 0.1 / 10;
   const double linear = 2 * load / scene.contact_stiffness,
                power = std::pow(2.5 * load / scene.contact_stiffness, 2.0 / 3);
-  EXPECT_GE(deepest_penetration(scene, bounds, true, 0), linear);
-  EXPECT_LE(deepest_penetration(scene, bounds, true, 0), 1.02 * linear);
-  EXPECT_GE(deepest_penetration(scene, bounds, false, 0), power);
-  EXPECT_LE(deepest_penetration(scene, bounds, false, 0), 1.02 * power);
+  EXPECT_GE(deepest_penetration(scene, bounds, true, 0, 0), linear);
+  EXPECT_LE(deepest_penetration(scene, bounds, true, 0, 0), 1.02 * linear);
+  EXPECT_GE(deepest_penetration(scene, bounds, false, 0, 0), power);
+  EXPECT_LE(deepest_penetration(scene, bounds, false, 0, 0), 1.02 * power);
 }
 
 }  // namespace

@@ -59,24 +59,25 @@ constexpr double initial_penetration(const Scene& scene) {
   return apart - scene.clearance / 2;
 }
 
-// `damping` is a for Hunt-Crossley, or 0.
-constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, bool is_linear, double damping) {
+// `damping` is a for Hunt-Crossley, or 0; `start` the depth at which the ball starts, or 0.
+constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, bool is_linear, double damping,
+                                     double start) {
   const double main = scene.main_mass, ball = scene.ball_mass, mu = 1 / (1 / main + 1 / ball);
   const double v = bounds.speed, x = bounds.displacement;
   const double drive = constant::larger(scene.drive_amplitude, bounds.force);
   const double field = constant::magnitude(scene.gravity) + bounds.base_acceleration;
-  const double whole = (main + ball) * (v * v / 2 + 2 * field * x) + scene.main_stiffness * x * x / 2 + 2 * drive * x;
+  const double k1 = scene.contact_stiffness;
+  const double stored = k1 * start * start * (is_linear ? 0.5 : 0.4 * constant::square_root(start));
+  const double whole =
+      stored + (main + ball) * (v * v / 2 + 2 * field * x) + scene.main_stiffness * x * x / 2 + 2 * drive * x;
   const double press = mu * largest_acceleration(scene, bounds, drive);
   const double kept =
       damping > 1e-3 ? 2 * (damping - constant::logarithm_of_one_plus(damping)) / (damping * damping) : 1;
-  const double k1 = scene.contact_stiffness;
-  const double by_energy = constant::smaller(detail::depth_of(k1, whole, 0, is_linear),
-                                             detail::depth_of(k1, kept * 2 * mu * v * v, press, is_linear));
-  const double start = constant::smaller(constant::larger(initial_penetration(scene), 0), by_energy);
-  const double stored = k1 * start * start * (is_linear ? 0.5 : 0.4 * constant::square_root(start));
-  const double by_impulse =
-      detail::depth_of(k1, stored + 4 * ball * v * v, ball * field + scene.ball_friction, is_linear);
-  const double depth = 1.01 * constant::smaller(by_energy, by_impulse);
+  const double of_the_whole = detail::depth_of(k1, whole, 0, is_linear),
+               of_the_approach = detail::depth_of(k1, stored + kept * 2 * mu * v * v, press, is_linear),
+               by_impulse =
+                   detail::depth_of(k1, stored + 4 * ball * v * v, ball * field + scene.ball_friction, is_linear);
+  const double depth = 1.01 * constant::smaller(constant::smaller(of_the_whole, of_the_approach), by_impulse);
   return bounds.penetration > 0 ? constant::smaller(depth, bounds.penetration) : depth;
 }
 

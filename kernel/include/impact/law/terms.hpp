@@ -25,6 +25,7 @@ struct ContactTerms {
   double main_mass = 0, main_stiffness = 0, main_damping = 0;
   double largest_penetration = 0, largest_rate = 0;  // that units have room for, m and m/s
   double deepest = 0;                                // that the bounds allow, m: depth.hpp
+  double deepest_start = 0;                          // and that they allow a ball which starts apart, m
   double pressing = 0;                               // the main mass's largest acceleration, m/s^2: set by the plan
   double field = 0;                                  // the largest acceleration of a field, m/s^2: set by the plan
   double force_unit = 0;                             // N
@@ -71,7 +72,12 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
     terms.damping_time = ContactLaw::is_damped_per_impact ? terms.damping_ratio / terms.largest_rate
                                                           : scene.contact_damping / terms.stiffness;
   const double damping = terms.is_linear ? 0 : terms.damping_time * terms.largest_rate;
-  terms.deepest = deepest_penetration(scene, bounds, terms.is_linear, damping);
+  terms.deepest = terms.deepest_start = deepest_penetration(scene, bounds, terms.is_linear, damping, 0);
+  const double start = constant::smaller(initial_penetration(scene), terms.deepest_start);
+  // A contact that is under way at the start has no impact to set its damping.
+  if (start > 0)
+    terms.deepest =
+        deepest_penetration(scene, bounds, terms.is_linear, ContactLaw::is_damped_per_impact ? 0 : damping, start);
   terms.largest_penetration = bounds.penetration > 0 ? 1.0001 * bounds.penetration : terms.deepest;
   return terms;
 }

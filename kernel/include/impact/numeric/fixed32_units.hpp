@@ -51,12 +51,14 @@ struct Fixed32Units {
   // (coupled_scenes_test.cpp); above 2^19 times the largest way in a step a speed that is read keeps fewer than 12.
   // The spring's force counts in places of a position, half of which a step rounds: w0^2 h times that is what a speed
   // gets wrong. With 2^17 of them to the largest speed that adds up to 1e-4 of its energy within some thousand steps.
+  // And forces are sized by the penetrations' own unit: where theirs is a place of the positions', none has a factor.
   static constexpr Overflow overflow_of(const UnitExponents& e, const UnitBounds& bounds) {
     if (e.force > 20) return Overflow::force;
     if (constant::power_of_two(e.penetration - 14) > bounds.amplitude) return Overflow::penetration;
     if (constant::power_of_two(e.penetration - 19) > bounds.displacement) return Overflow::penetration;
     if (constant::power_of_two(e.position - 14) * bounds.displacement > bounds.amplitude * bounds.amplitude)
       return Overflow::position;
+    if (e.penetration > constant::exponent_above(bounds.penetration)) return Overflow::position;
     return Overflow::none;
   }
 

@@ -119,9 +119,8 @@ class PlanMaking {
         return PlanStatus::step;
       if (!(basis.friction_way <= way)) return PlanStatus::ball_friction;
     }
-    // Deeper than any motion within the bounds leads to, and so than the step is judged at. An impact at an instant
-    // stores nothing, and puts the ball on its stop.
-    if (!Contact::is_instantaneous && initial_penetration(scene) > basis.terms.deepest)
+    // Deeper than a ball gets that starts apart. An impact at an instant stores nothing, and puts the ball on its stop.
+    if (!Contact::is_instantaneous && initial_penetration(scene) > basis.terms.deepest_start)
       return PlanStatus::initial_displacement;
     return PlanStatus::ok;
   }

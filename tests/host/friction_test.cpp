@@ -463,6 +463,42 @@ TYPED_TEST(FrictionIn, StateIsTakenBack) {
   }
 }
 
+// A base presses the ball to a stop, which rubs until the main mass comes to its bound: a displacement per step has
+// room for what acts ahead in it.
+TEST(Friction, APressedBallsStateIsTakenBack) {
+  Scene scene;
+  scene.main_mass = 0.138;
+  scene.main_stiffness = 9.52;
+  scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+  scene.ball_mass = 1.18;
+  scene.clearance = 1.8624e-3;
+  scene.contact_stiffness = 2.468e6;
+  scene.contact_damping = 5.196e5;
+  scene.v1 = 0.742;
+  scene.x2 = -7.2e-4;
+  scene.v2 = -0.756;
+  scene.ball_friction = 81.5;
+  constexpr double step = 2.0766e-4;
+  const Bounds bounds{0.5, 1.1167, 0, 1e-9, 153};
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Fixed32, BaseAcceleration, DryFriction>;
+  const auto plan = Kernel::PlanType::make(scene, bounds, step);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  double fastest = 0;
+  for (int share = -99; share < 100; ++share) {
+    Kernel absorber(plan);
+    const auto base = absorber.base_sample_of(share * 0.01 * bounds.base_acceleration);
+    for (int n = 0; n < 200; ++n) {
+      absorber.step(base);
+      const auto now = absorber.reading();
+      if (std::abs(now.v1) > bounds.speed || std::abs(now.v2) > bounds.speed) break;
+      fastest = std::max(fastest, std::abs(now.v1));
+      ASSERT_EQ(absorber.fault(), Fault::none) << share << ", step " << n;
+      ASSERT_TRUE(absorber.restore(absorber.save())) << share << ", step " << n;
+    }
+  }
+  EXPECT_GT(fastest, 0.999 * bounds.speed);
+}
+
 TEST(Friction, IsRefusedByName) {
   using Plain = Plan<Fixed32, HuntCrossley, Moment, Sine>;
   using Rubbing = Plan<Fixed32, HuntCrossley, Moment, Sine, NoField, DryFriction>;

@@ -134,7 +134,10 @@ class PlanMaking {
     largest.gap = scene.clearance / 2;
     largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
     largest.position = bounds.displacement;
-    largest.displacement = bounds.speed * h;
+    // What spring, damper and drive take of or add to h v in a step, half of a step's change.
+    largest.displacement = bounds.speed * h + h * h / 2 * terms.pressing;
+    // And the half of friction's impulse that acts ahead.
+    if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
     const double way = terms.largest_rate * h * (terms.crosses && !Contact::meets_both_stops ? 2 : 1);
     // Free flight from within a contact ends deeper than contact lets the ball go: with (d/D)^2 + (d'/V)^2 <= 1, for
     // the power laws (d/D)^(5/2), no deeper than (D^2 + (5/4) (h V)^2)^(1/2).

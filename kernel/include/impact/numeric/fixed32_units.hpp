@@ -55,8 +55,8 @@ struct Fixed32Units {
   static constexpr Overflow overflow_of(const UnitExponents& e, const UnitBounds& bounds) {
     if (e.force > 20) return Overflow::force;
     if (constant::power_of_two(e.penetration - 14) > bounds.amplitude) return Overflow::penetration;
-    if (constant::power_of_two(e.penetration - 19) > bounds.displacement) return Overflow::penetration;
-    if (constant::power_of_two(e.position - 14) * bounds.displacement > bounds.amplitude * bounds.amplitude)
+    if (constant::power_of_two(e.penetration - 19) > bounds.way) return Overflow::penetration;
+    if (constant::power_of_two(e.position - 14) * bounds.way > bounds.amplitude * bounds.amplitude)
       return Overflow::position;
     if (e.penetration > constant::exponent_above(bounds.penetration)) return Overflow::position;
     return Overflow::none;

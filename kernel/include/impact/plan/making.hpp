@@ -134,8 +134,9 @@ class PlanMaking {
     largest.gap = scene.clearance / 2;
     largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
     largest.position = bounds.displacement;
+    largest.way = bounds.speed * h;
     // What spring, damper and drive take of or add to h v in a step, half of a step's change.
-    largest.displacement = bounds.speed * h + h * h / 2 * terms.pressing;
+    largest.displacement = largest.way + h * h / 2 * terms.pressing;
     // And the half of friction's impulse that acts ahead.
     if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
     const double way = terms.largest_rate * h * (terms.crosses && !Contact::meets_both_stops ? 2 : 1);
@@ -154,6 +155,7 @@ class PlanMaking {
     largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
     if constexpr (Field::is_field) {
       const double in_field = h * h * Field::largest(scene, bounds);
+      largest.way += in_field;
       largest.displacement += in_field;
       largest.increment += 2 * in_field;
     }

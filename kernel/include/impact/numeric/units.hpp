@@ -19,8 +19,8 @@ struct UnitExponents {
 // Which quantity is too large beside the others for a format of fixed point.
 enum class Overflow { none, force, penetration, position };
 
-// The largest magnitudes in a scene, in the same units, and the way of a mass in a step at its bound; whether the damper takes an eighth of a displacement per step
-// of what the spring adds of a displacement, or less.
+// The largest magnitudes in a scene, in the same units, and the way of a mass in a step at its bound; whether the
+// damper takes an eighth of a displacement per step of what the spring adds of a displacement, or less.
 struct UnitBounds {
   double gap, amplitude, way, position, displacement, increment, push, penetration, force_factor;
   bool is_lightly_damped;

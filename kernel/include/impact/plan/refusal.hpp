@@ -58,7 +58,7 @@ constexpr bool check() {
   static_assert(status != PlanStatus::initial_velocity, "Rig::scene.v1 and v2: -1e3 to 1e3 m/s");
   static_assert(status != PlanStatus::displacement_bound,
                 "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements, and in Fixed32 not so "
-                "wide beside Bounds::speed that the spring's force has no places");
+                "wide beside Bounds::speed that the spring's force, or a penetration, has no places");
   static_assert(status != PlanStatus::speed_bound,
                 "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, and in Fixed32 with c1/k1 times "
                 "it below 2^20");

@@ -25,11 +25,11 @@
 // The step is taken up to q = 2.5 and h omega = 0.9 (5 steps a contact), where both are well inside.
 // The response of the main mass (moment/response.hpp) leaves out terms of third order in w0 h. Of the energy of both
 // masses a contact without damping creates by them up to 8e-5 at 0.16, with the fourth power of w0 h (coupled to a ball
-// of 1e-1 to 1e2 main masses, 8 to 20 steps a contact). Beside a ball that is
-// hardly ever free, since it crosses its clearance in a small part of a step, a machine without any damping gains 0.5 %
-// in 2000 steps at 0.16 (of 10000 random ones; a search found 1.4 % at 5 steps a contact, and growing on), with the
-// fourth power of w0 h; in Hooke-Newton contacts of 20 steps 0.3 %, with the second (narrow_cavity_test.cpp). With a
-// damped main mass none was found to gain.
+// of 1e-1 to 1e2 main masses, 8 to 20 steps a contact). Beside a ball that is hardly ever
+// free, since it crosses its clearance in a small part of a step, a machine without any damping gains 0.5 % in 2000
+// steps at 0.16 (of 10000 random ones; a search found 1.4 % at 5 steps a contact, and growing on), with the fourth
+// power of w0 h; in Hooke-Newton contacts of 20 steps 0.3 %, with the second (narrow_cavity_test.cpp). With a damped
+// main mass none was found to gain.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>

@@ -491,7 +491,7 @@ TEST(Friction, APressedBallsStateIsTakenBack) {
       absorber.step(base);
       const auto now = absorber.reading();
       if (std::abs(now.v1) > bounds.speed || std::abs(now.v2) > bounds.speed) break;
-      fastest = std::max(fastest, std::abs(now.v1));
+      fastest = larger(fastest, std::abs(now.v1));
       ASSERT_EQ(absorber.fault(), Fault::none) << share << ", step " << n;
       ASSERT_TRUE(absorber.restore(absorber.save())) << share << ", step " << n;
     }

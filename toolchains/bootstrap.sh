@@ -47,6 +47,8 @@ clang-tidy clang-tidy
 cppcheck cppcheck
 gnuplot gnuplot-nox
 /usr/include/newlib/string.h libnewlib-dev
+powerpc-linux-gnu-g++ g++-powerpc-linux-gnu
+qemu-ppc qemu-user
 END
       ;;
   esac

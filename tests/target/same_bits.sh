@@ -1,8 +1,12 @@
 #!/bin/sh
-# The trajectories on a host, compiled by any compiler with any flags: same_bits.sh PROJECT COMPILER FLAG...
+# The trajectories and the self-test on a host, compiled by any compiler with any flags, those of a big-endian PowerPC
+# under an emulator: same_bits.sh PROJECT COMPILER FLAG...
 set -eu
 project=$1 compiler=$2 && shift 2
-command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
+emulator="" && [ "$compiler" != powerpc-linux-gnu-g++ ] || emulator=qemu-ppc
+for command in "$compiler" $emulator; do
+  command -v "$command" >/dev/null || { echo "skipped: $command is not installed" && exit 77; }
+done
 case "$*" in *-mfma*) grep -qw fma /proc/cpuinfo || { echo "skipped: this processor has no FMA" && exit 77; } ;; esac
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
@@ -10,4 +14,4 @@ trap 'rm -r "$folder"' EXIT
   -DIMPACT_NUMERICS=impact::Fixed32,impact::Float32,impact::Float32Plain -I "$project/kernel/include" \
   -I "$project/toolchains" "$project/tests/target/trajectory_test.cpp" \
   "$project/tests/target/host_console.cpp" -o "$folder/trajectory_test"
-"$folder/trajectory_test"
+$emulator "$folder/trajectory_test"

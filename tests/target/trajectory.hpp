@@ -1,8 +1,8 @@
 #pragma once
-// A trajectory's fingerprint: FNV-1a, 64 bits, taken word by word over the bytes of the whole state after every step,
-// with eight of its bits kept every 16 steps, so that a difference shows where it began.
+// A trajectory's fingerprint: FNV-1a, 64 bits, over the values of x1, dx1, x2, dx2, the contact's phase and the fault
+// after every step, with eight of its bits kept every 16 steps, so that a difference shows where it began. How they lie
+// in memory does not matter: neither the order of bytes nor what else the state has.
 
-#include <stddef.h>
 #include <stdint.h>
 
 namespace impact::target {
@@ -14,20 +14,18 @@ struct Fingerprint {
   char digits[2 * blocks + 1] = {};  // two hexadecimal digits a block
 };
 
+struct Values {
+  uint32_t words[9], count;
+
+  void add(uint32_t word) { words[count++] = word; }
+};
+
 // A machine that makes steps, whatever its type: what the type adds to an image is its step alone.
 struct Trajectory {
   const char* label;
-  void* state;
-  const void* start;  // the state before the first step
-  uint32_t words;     // of the state
-  void (*advance)(void* state, uint32_t index);
-
-  void restart() const { __builtin_memcpy(state, start, 4 * words); }
-  uint32_t word(uint32_t index) const {
-    uint32_t value;
-    __builtin_memcpy(&value, static_cast<const char*>(state) + 4 * index, 4);
-    return value;
-  }
+  void (*restart)();
+  void (*advance)(uint32_t index);
+  Values (*values)();
 };
 
 inline Fingerprint fingerprint(const Trajectory& trajectory) {
@@ -35,9 +33,10 @@ inline Fingerprint fingerprint(const Trajectory& trajectory) {
   trajectory.restart();
   for (uint32_t block = 0; block < blocks; ++block) {
     for (uint32_t i = 0; i < steps_per_block; ++i) {
-      trajectory.advance(trajectory.state, block * steps_per_block + i);
-      for (uint32_t word = 0; word < trajectory.words; ++word)
-        result.hash = (result.hash ^ trajectory.word(word)) * 0x100000001b3;
+      trajectory.advance(block * steps_per_block + i);
+      const Values values = trajectory.values();
+      for (uint32_t word = 0; word < values.count; ++word)
+        result.hash = (result.hash ^ values.words[word]) * 0x100000001b3;
     }
     result.digits[2 * block] = "0123456789abcdef"[result.hash >> 60];
     result.digits[2 * block + 1] = "0123456789abcdef"[(result.hash >> 56) & 15];

@@ -40,21 +40,24 @@ const Golden* golden_for(const char* label) {
 template <class Configuration>
 struct TrajectoryOf {
   using Absorber = typename Configuration::template Absorber<1000>;
-  static_assert(sizeof(Absorber) % 4 == 0);
 
-  // Both static, so that the padding between members is zero.
-  static Absorber absorber;
-  static const Absorber start;
-  static void advance(void* state, uint32_t index) {
+  inline static Absorber absorber;
+  inline static const Absorber start;
+  static void restart() { absorber = start; }
+  static void advance(uint32_t index) {
     Configuration::sample(index);
-    Configuration::advance(*static_cast<Absorber*>(state));
+    Configuration::advance(absorber);
   }
-  static constexpr Trajectory trajectory{Configuration::label.text, &absorber, &start, sizeof(Absorber) / 4, advance};
+  static Values values() {
+    const auto& state = absorber.state();
+    Values values{};
+    const typename Absorber::Format::Long numbers[] = {state.x1, state.dx1, state.x2, state.dx2};
+    for (const auto number : numbers) impact::detail::add_words(number, [&](uint32_t word) { values.add(word); });
+    values.add(static_cast<uint32_t>(state.contact.phase) << 16 | static_cast<uint32_t>(state.fault));
+    return values;
+  }
+  static constexpr Trajectory trajectory{Configuration::label.text, restart, advance, values};
 };
-template <class Configuration>
-typename TrajectoryOf<Configuration>::Absorber TrajectoryOf<Configuration>::absorber;
-template <class Configuration>
-const typename TrajectoryOf<Configuration>::Absorber TrajectoryOf<Configuration>::start;
 
 template <class List>
 struct All;
@@ -77,12 +80,13 @@ void print(const char* label, const Fingerprint& fingerprint) {
 void print_states(const Trajectory& trajectory, uint32_t block) {
   trajectory.restart();
   for (uint32_t index = 0; index < (block + 1) * steps_per_block; ++index) {
-    trajectory.advance(trajectory.state, index);
+    trajectory.advance(index);
     if (index < block * steps_per_block) continue;
     board::print("# step ");
     board::print(index + 1);
-    for (uint32_t word = 0; word < trajectory.words; ++word)
-      board::print(" "), board::print_hexadecimal(trajectory.word(word));
+    const Values values = trajectory.values();
+    for (uint32_t word = 0; word < values.count; ++word)
+      board::print(" "), board::print_hexadecimal(values.words[word]);
     board::print("\n");
   }
 }

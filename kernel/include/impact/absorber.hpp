@@ -46,6 +46,7 @@
 #include <impact/plan/source.hpp>
 #include <impact/scene.hpp>
 #include <impact/snapshot.hpp>
+#include <impact/step/restart.hpp>
 #include <impact/step/step.hpp>
 #include <impact/stepper/energy.hpp>
 #include <impact/stepper/impulsive.hpp>
@@ -83,11 +84,11 @@ using CheckedSource =
 
 template <class Rig, class Law_, class Stepper_, class Drive_, class Format_, class... Features>
 class Absorber
-    : private Step<detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>,
-                   contract::KeptFeature<Features>...>,
+    : private Machine<detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>,
+                      contract::KeptFeature<Features>...>,
       private SnapshotWindow<typename contract::KeptFormat<Format_>::Value, detail::is_one_of<Snapshots, Features...>> {
   using Source = detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>;
-  using Steps = Step<Source, contract::KeptFeature<Features>...>;
+  using Machine = impact::Machine<Source, contract::KeptFeature<Features>...>;
 
   // impact/contracts.hpp; one message for one mistake.
   static constexpr bool is_at_run_time = detail::is_one_of<Rig, AtRunTime>, has_scene = contract::has_scene<Rig>,
@@ -126,7 +127,7 @@ class Absorber
   using Long = typename Format::Long;
   using Contact = typename PlanType::ContactType;
   using Source::plan;
-  using typename Steps::State;
+  using typename Machine::State;
 
   // The SI value of a native 1.0, which is a raw 2^31 in Fixed32; 1 in floating point. Of displacements in m, of
   // velocities in m/s, of contact forces and, of a Sampled drive, of samples in N. Constants of the type, but where the
@@ -143,17 +144,17 @@ class Absorber
   using Source::base_sample_unit;
 
   constexpr Absorber() {
-    start();
+    Begin::start(machine());
     if constexpr (publishes) see(Window::first());
   }
-  explicit constexpr Absorber(const PlanType& next) : Steps(next) {
-    start();
+  explicit constexpr Absorber(const PlanType& next) : Machine(next) {
+    Begin::start(machine());
     if constexpr (publishes) see(Window::first());
   }
 
   // Back to the scene's initial state, without fault.
   constexpr void reset() {
-    start();
+    Begin::start(machine());
     publish();
   }
 
@@ -166,7 +167,7 @@ class Absorber
     static_assert(!Field::is_sampled || sizeof...(Nothing) > 0,
                   "step() without a sample, but the base accelerates: pass its acceleration at the step's end, as "
                   "step(absorber.base_sample_of(acceleration)), behind the force where the drive is Sampled");
-    advance(Value{}, Value{});
+    Steps::step(machine(), Value{}, Value{});
     publish();
   }
   // Advances a sampled drive, or a base that accelerates, by one step, with the sample at the step's end: newtons or
@@ -185,10 +186,10 @@ class Absorber
         "step(absorber.base_sample_of(acceleration)), a converter's counts through FromCounts (converter.hpp), "
         "a float in Float32 and Float32Plain, or in Fixed32 step({raw}) of a fraction of the bound in Q1.31");
     if constexpr (is_value && Drive::is_sampled) {
-      advance(sample, Value{});
+      Steps::step(machine(), sample, Value{});
       publish();
     } else if constexpr (is_value && Field::is_sampled) {
-      advance(Value{}, sample);
+      Steps::step(machine(), Value{}, sample);
       publish();
     }
   }
@@ -196,27 +197,27 @@ class Absorber
   constexpr void step(Value force, Value acceleration) {
     static_assert(Drive::is_sampled && Field::is_sampled,
                   "step(force, acceleration): the drive must be Sampled, and BaseAcceleration among the parts");
-    advance(force, acceleration);
+    Steps::step(machine(), force, acceleration);
     publish();
   }
 
   // As of the last step, in native numbers, of the main mass and of the ball: in the context that steps. In any other
   // snapshot().
-  constexpr Value displacement() const { return plan.units.position(place(state_.x1)); }
+  constexpr Value displacement() const { return plan.units.position(Machine::position_of(Machine::state.x1)); }
   constexpr Value velocity() const {
-    Value rate = plan.units.as_displacement(rate_ahead());
+    Value rate = plan.units.as_displacement(Machine::rate_ahead());
     if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
     if constexpr (Friction::is_friction)
-      rate = rate - plan.units.as_displacement(plan.friction.main_rate_ahead * state_.impulse);
-    return plan.units.velocity(plan.units.displacement(state_.dx1) + rate);
+      rate = rate - plan.units.as_displacement(plan.friction.main_rate_ahead * Machine::state.impulse);
+    return plan.units.velocity(plan.units.displacement(Machine::state.dx1) + rate);
   }
-  constexpr Value ball_displacement() const { return plan.units.position(place(state_.x2)); }
+  constexpr Value ball_displacement() const { return plan.units.position(Machine::position_of(Machine::state.x2)); }
   constexpr Value ball_velocity() const {
-    Value rate = plan.units.displacement(state_.dx2);
+    Value rate = plan.units.displacement(Machine::state.dx2);
     if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.dx2_share);
-    if constexpr (Field::is_field) rate = rate - plan.units.as_displacement(Field::ball_rate(plan, state_));
+    if constexpr (Field::is_field) rate = rate - plan.units.as_displacement(Field::ball_rate(plan, Machine::state));
     if constexpr (Friction::is_friction)
-      rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * state_.impulse);
+      rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * Machine::state.impulse);
     return plan.units.velocity(rate);
   }
   // On the main mass, along x, the mean of the last step; the ball feels the opposite.
@@ -224,22 +225,22 @@ class Absorber
     constexpr bool is_named = detail::is_one_of<ContactForce, Features...>;
     static_assert(is_named, "contact_force() needs the feature ContactForce: append it to the absorber's type");
     if constexpr (is_named)
-      return plan.units.native_force(state_.contact_force);
+      return plan.units.native_force(Machine::state.contact_force);
     else
       return {};
   }
   // Whether the last step ended in contact; not for a ball that is let go but still inside.
-  constexpr bool is_touching() const { return state_.contact.phase == Phase::touching; }
-  constexpr const State& state() const { return state_; }
+  constexpr bool is_touching() const { return Machine::state.contact.phase == Phase::touching; }
+  constexpr const State& state() const { return Machine::state; }
 
   // Safe to ask and to wait for in any context: one aligned half word, read anew at each call.
   Fault fault() const {
     if (Source::is_refused()) return Fault::plan;
-    return *static_cast<const volatile Fault*>(&state_.fault);
+    return *static_cast<const volatile Fault*>(&Machine::state.fault);
   }
   // In the context that steps; the state stays as it is.
   constexpr void clear_fault() {
-    state_.fault = Fault::none;
+    Machine::state.fault = Fault::none;
     publish();
   }
 
@@ -263,18 +264,18 @@ class Absorber
     if (Source::is_refused()) return;
     const auto& units = plan.units;
     Value du = units.per_step(dv);
-    if (units.hold_correction(dx)) raise(Fault::displacement);
-    if (units.hold_correction(du)) raise(Fault::speed);
-    leave_rubbing();
-    units.add_position(state_.x1, dx);
-    units.add_displacement(state_.dx1, du);
-    units.add(state_.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
-    begin_to_rub();
-    if (!hold_in_range()) {
-      if (state_.contact.phase != Phase::apart) touch_anew();
-      if (state_.contact.phase == Phase::apart) push_out();
+    if (units.hold_correction(dx)) Machine::raise(Fault::displacement);
+    if (units.hold_correction(du)) Machine::raise(Fault::speed);
+    Rub::stop(machine());
+    units.add_position(Machine::state.x1, dx);
+    units.add_displacement(Machine::state.dx1, du);
+    units.add(Machine::state.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
+    Rub::start(machine());
+    if (!Machine::clamp_to_range()) {
+      if (Machine::state.contact.phase != Phase::apart) Begin::restart_contact(machine());
+      if (Machine::state.contact.phase == Phase::apart) Begin::push_out(machine());
     }
-    (Features::after_correction(plan, state_), ...);
+    Machine::record_correction();
     publish();
   }
 
@@ -290,11 +291,11 @@ class Absorber
     uint32_t version, plan_identity;
     State state;
   };
-  constexpr Saved save() const { return {state_version, identity(), state_}; }
+  constexpr Saved save() const { return {state_version, identity(), Machine::state}; }
   constexpr bool restore(const Saved& saved) {
     if (Source::is_refused() || saved.version != state_version || saved.plan_identity != identity()) return false;
     if (!is_sound(saved.state)) return false;
-    state_ = saved.state;
+    Machine::state = saved.state;
     publish();
     return true;
   }
@@ -310,19 +311,19 @@ class Absorber
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
     constexpr bool is_bound = Contact::keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
-    if (is_bound && state_.contact.phase != Phase::apart) return false;
-    leave_rubbing();
+    if (is_bound && Machine::state.contact.phase != Phase::apart) return false;
+    Rub::stop(machine());
     const bool is_other_contact = next.handover.contact != plan.handover.contact;
-    hand_over(plan, next, state_);
+    hand_over(plan, next, Machine::state);
     if constexpr (!Source::is_constant) plan = next;
-    hold_in_range();
+    Machine::clamp_to_range();
     (restart<Features>(), ...);
-    if constexpr (counts_slid_way) state_.slid = {};
-    begin_to_rub();
-    if (is_other_contact && state_.contact.phase != Phase::apart) {
-      state_.contact.stand_at(depth_in(contact_is_left()));
-      touch_anew();
-      load_contact();
+    if constexpr (counts_slid_way) Machine::state.slid = {};
+    Rub::start(machine());
+    if (is_other_contact && Machine::state.contact.phase != Phase::apart) {
+      Machine::state.contact.stand_at(Machine::depth_in(Machine::contact_is_left()));
+      Begin::restart_contact(machine());
+      Begin::load_contact(machine());
     }
     publish();
     return true;
@@ -331,8 +332,8 @@ class Absorber
   // J by dry friction since the start, for a host: double arithmetic.
   constexpr double friction_dissipated() const {
     if constexpr (counts_slid_way) {
-      if (!rubs()) return 0;
-      const double taken = state_.slid.total() - plan.units.fraction(still_to_rub());
+      if (!Rub::acts(machine())) return 0;
+      const double taken = Machine::state.slid.total() - plan.units.fraction(Rub::still_to_work(machine()));
       return plan.friction.force * plan.units.si_penetration_unit() * taken;
     } else {
       return 0;
@@ -345,34 +346,38 @@ class Absorber
   };
   constexpr Reading reading() const {
     if (Source::is_refused()) return {};
-    double u1 = plan.units.si(state_.dx1) + plan.units.si_penetration(rate_ahead()), u2 = plan.units.si(state_.dx2);
-    if constexpr (Field::is_field) u2 -= plan.units.si_penetration(Field::ball_rate(plan, state_));
+    double u1 = plan.units.si(Machine::state.dx1) + plan.units.si_penetration(Machine::rate_ahead()),
+           u2 = plan.units.si(Machine::state.dx2);
+    if constexpr (Field::is_field) u2 -= plan.units.si_penetration(Field::ball_rate(plan, Machine::state));
     if constexpr (Friction::is_friction) {
-      u1 -= plan.units.si_penetration(plan.friction.main_rate_ahead * state_.impulse);
-      u2 += plan.units.si_penetration(plan.friction.ball_ahead * state_.impulse);
+      u1 -= plan.units.si_penetration(plan.friction.main_rate_ahead * Machine::state.impulse);
+      u2 += plan.units.si_penetration(plan.friction.ball_ahead * Machine::state.impulse);
     }
     if constexpr (Contact::keeps_force) {
-      const double side = state_.at_left ? -1 : 1;
-      u1 -= side * plan.units.si_penetration(plan.contact.dx1_share * state_.contact.force);
-      u2 += side * plan.units.si_penetration(plan.contact.dx2_share * state_.contact.force);
+      const double side = Machine::state.at_left ? -1 : 1;
+      u1 -= side * plan.units.si_penetration(plan.contact.dx1_share * Machine::state.contact.force);
+      u2 += side * plan.units.si_penetration(plan.contact.dx2_share * Machine::state.contact.force);
     }
-    return {plan.units.si_at(place(state_.x1)), u1 / plan.step, plan.units.si_at(place(state_.x2)), u2 / plan.step};
+    return {plan.units.si_at(Machine::position_of(Machine::state.x1)), u1 / plan.step,
+            plan.units.si_at(Machine::position_of(Machine::state.x2)), u2 / plan.step};
   }
 
  private:
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
-  using Steps::advance, Steps::begin_to_rub, Steps::hold_in_range, Steps::leave_rubbing, Steps::load_contact;
-  using Steps::contact_is_left, Steps::depth_in, Steps::place, Steps::rate_ahead;
-  using Steps::counts_slid_way, Steps::has_own_damping, Steps::state_;
-  using Steps::push_out, Steps::raise, Steps::rubs, Steps::start, Steps::still_to_rub, Steps::touch_anew;
+  using Steps = Step<Machine>;
+  using Rub = FrictionImpulse<Machine>;
+  using Begin = Restart<Machine>;
+  using Machine::counts_slid_way, Machine::has_own_damping;
+  constexpr Machine& machine() { return *this; }
+  constexpr const Machine& machine() const { return *this; }
 
   // What records starts anew.
   template <class Feature>
   constexpr void restart() {
     if constexpr (!__is_base_of(ScenePart, Feature)) {
-      static_cast<typename Feature::template State<Format>&>(state_) = {};
-      Feature::start(plan, state_);
+      static_cast<typename Feature::template State<Format>&>(Machine::state) = {};
+      Feature::start(plan, Machine::state);
     }
   }
   constexpr void publish() {
@@ -384,14 +389,14 @@ class Absorber
     now.ball_displacement = ball_displacement();
     now.ball_velocity = ball_velocity();
     if constexpr (detail::is_one_of<ContactForce, Features...>) now.contact_force = contact_force();
-    now.steps = state_.steps;
-    now.fault = Source::is_refused() ? Fault::plan : state_.fault;
+    now.steps = Machine::state.steps;
+    now.fault = Source::is_refused() ? Fault::plan : Machine::state.fault;
     now.is_touching = is_touching();
   }
 
   // A kept force's share of the displacement that the coming step makes: along x, as displacements count.
   constexpr Value carried(typename Format::Gain share) const {
-    return plan.units.as_displacement(mirrored(share * state_.contact.force, contact_is_left()));
+    return plan.units.as_displacement(mirrored(share * Machine::state.contact.force, Machine::contact_is_left()));
   }
 
   // Scene, bounds, step, types and features.

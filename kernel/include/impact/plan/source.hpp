@@ -30,9 +30,10 @@ class PlanSource {
     return plan.base_sample_of(acceleration);
   }
 
- protected:
   static constexpr bool is_refused() { return false; }
   static constexpr bool is_constant = true;
+
+ protected:
   constexpr PlanSource() { (void)refusal::check<Rig, PlanType, plan.status>(); }
 };
 
@@ -56,10 +57,11 @@ class PlanSource<AtRunTime, PlanType_> {
     return plan.base_sample_of(acceleration);
   }
 
- protected:
   static constexpr bool is_constant = false;
-  // Of such a plan only the status means anything.
+  // If the plan is refused, only its status is valid.
   constexpr bool is_refused() const { return plan.status != PlanStatus::ok; }
+
+ protected:
   explicit constexpr PlanSource(const PlanType& next) : plan(next) {}
   constexpr PlanSource() : plan{} {
     static_assert(

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The machine between two steps: its plan, the state that a step changes, and what both say of it: positions, rates,
-// the stop that the ball would be in. And how a state beyond its range is held.
+// What a step works on: the plan's constants and the state that a step changes. And what both say together: positions,
+// rates, which stop the ball would be in and how deep, and how a state beyond its range is clamped.
+//
+// `left` names the stop of which a function speaks; rates and depths are positive into that stop.
 
 #include <stdint.h>
 
 #include <impact/fault.hpp>
 #include <impact/features.hpp>
+#include <impact/law/impact_damping.hpp>
 #include <impact/motion/friction.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/stepper/contact_step.hpp>
 
 namespace impact {
 
-// `Source` is a PlanSource.
+// `Source` has the plan (plan/source.hpp): a constant of the image, or a member.
 template <class Source, class... Features>
-class Machine : protected Source {
- protected:
+struct Machine : Source {
   using Source::plan;
   using Source::Source;
 
@@ -29,102 +31,105 @@ class Machine : protected Source {
   using Value = typename Format::Value;
   using Long = typename Format::Long;
 
-  // Beside an EnergyLedger, or a feature derived from it.
+  // Whether a feature records the steps in contact.
+  static constexpr bool records = (!__is_base_of(ScenePart, Features) || ...);
+  // Whether friction's work is counted: beside an EnergyLedger, or a feature derived from it.
   static constexpr bool counts_slid_way = Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
+  static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
 
   // All that changes from step to step. Plain: it can be copied, kept and given back.
   struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
-    // Displacement, as place() reads it, and displacement per step, the one that the coming step will make
-    // (motion/linear_flow.hpp): main mass, ball.
+    // Of the main mass and of the ball: displacement, as position_of() reads it, and the displacement that the coming
+    // step will make (motion/linear_flow.hpp).
     Long x1, dx1, x2, dx2;
     typename Drive::template State<Format> drive;
     Contact contact;
     uint16_t at_left;  // the stop of the contact under way or last
     Fault fault;
   };
+  State state{};
+
+  constexpr void start_features() { (Features::start(plan, state), ...); }
+  template <class Seen>
+  constexpr void record_contact(const Seen& seen) {
+    (Features::after_contact(plan, state, seen), ...);
+  }
+  constexpr void record_step() { (Features::after_step(plan, state), ...); }
+  constexpr void record_correction() { (Features::after_correction(plan, state), ...); }
 
   // A position, of what the state keeps in its stead: in a sampled field less what the last sample gave at once.
-  constexpr Long place(Long x) const { return Field::place(plan, state_, x); }
+  constexpr Long position_of(Long x) const { return Field::place(plan, state, x); }
 
   // h v1 less the displacement that the coming step will make, as penetrations count: what spring, damper, drive and
-  // field take of h v1, in the mean over that step.
-  constexpr Value rate_ahead() const { return rate_ahead_but_field() - Field::main_rate(plan, state_); }
-  constexpr Value rate_ahead_but_field() const {
+  // field take of h v1, on average over that step.
+  constexpr Value rate_ahead_without_field() const {
     Value ahead =
-        plan.rate_by_dx1 * plan.units.displacement(state_.dx1) + plan.rate_by_x1 * plan.units.position(state_.x1);
-    if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state_.drive.rate(plan.drive);
+        plan.rate_by_dx1 * plan.units.displacement(state.dx1) + plan.rate_by_x1 * plan.units.position(state.x1);
+    if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state.drive.rate(plan.drive);
     return ahead;
+  }
+  constexpr Value rate_ahead() const { return rate_ahead_without_field() - Field::main_rate(plan, state); }
+  // Rate of penetration.
+  constexpr Value relative_rate(bool left) const {
+    return mirrored(
+        plan.units.relative(state.dx2, state.dx1) - rate_ahead_without_field() - Field::rate_apart(plan, state), left);
   }
 
   constexpr bool contact_is_left() const {
-    return plan.left_stop && plan.right_stop ? state_.at_left & 1 : plan.left_stop;
+    return plan.left_stop && plan.right_stop ? state.at_left & 1 : plan.left_stop;
   }
-
   constexpr bool is_beyond_stop() const {
-    if (plan.left_stop && plan.right_stop) return plan.units.beyond_stops(state_.x2, state_.x1);
-    return plan.left_stop ? plan.units.beyond_stop(state_.x1, state_.x2) : plan.units.beyond_stop(state_.x2, state_.x1);
+    const auto &x1 = state.x1, &x2 = state.x2;
+    if (plan.left_stop && plan.right_stop) return plan.units.beyond_stops(x2, x1);
+    return plan.left_stop ? plan.units.beyond_stop(x1, x2) : plan.units.beyond_stop(x2, x1);
   }
-
   // The stop that the ball would be in: of two the one on its side.
   constexpr bool ball_is_left() const {
-    return plan.left_stop && (!plan.right_stop || (state_.x2 - state_.x1).is_negative());
+    return plan.left_stop && (!plan.right_stop || (state.x2 - state.x1).is_negative());
   }
+  constexpr Value depth_in(bool left) const { return plan.units.penetration(mirrored(state.x2 - state.x1, left)); }
+  // 0 unless the ball is inside a stop. (The difference of both positions counts modulo 2^64 in Fixed32: a ball far
+  // from the only stop may seem deep inside it.)
+  constexpr Value depth_beyond_stop() const { return is_beyond_stop() ? depth_in(ball_is_left()) : Value{}; }
 
-  // How deep the ball is in this stop.
-  constexpr Value depth_in(bool left) const { return plan.units.penetration(mirrored(state_.x2 - state_.x1, left)); }
-  // And without a contact in any. (The difference of both positions counts modulo 2^64 in Fixed32: a ball far from the
-  // only stop may seem deep inside it.)
-  constexpr Value depth_beyond_stop() const {
-    if (!is_beyond_stop()) return {};
-    return depth_in(ball_is_left());
-  }
-
-  // Rate of penetration, for the state as it stands.
-  constexpr Value relative_rate(bool left) const {
-    return mirrored(
-        plan.units.relative(state_.dx2, state_.dx1) - rate_ahead_but_field() - Field::rate_apart(plan, state_), left);
-  }
-
-  // To a way of the main mass what the samples at its end add at once; from a way of the ball beside it.
-  constexpr void add_at_once([[maybe_unused]] Long& way, [[maybe_unused]] Value sample, [[maybe_unused]] Value base,
-                             [[maybe_unused]] bool is_ball) const {
-    if constexpr (Drive::is_sampled) plan.units.add(way, mirrored(state_.drive.at_once(plan.drive, sample), is_ball));
+  // Adds to a way of the main mass what the samples at its end add at once; subtracts it from the ball's way beside it.
+  constexpr void add_at_once([[maybe_unused]] Long& way, [[maybe_unused]] Value force,
+                             [[maybe_unused]] Value acceleration, [[maybe_unused]] bool is_ball) const {
+    if constexpr (Drive::is_sampled) plan.units.add(way, mirrored(state.drive.at_once(plan.drive, force), is_ball));
     if constexpr (Field::is_sampled)
-      if (Field::acts_at_once(plan)) plan.units.add(way, mirrored(Field::at_once(plan, base), is_ball));
+      if (Field::acts_at_once(plan)) plan.units.add(way, mirrored(Field::at_once(plan, acceleration), is_ball));
   }
   // What the coming step adds to x2 - x1, as the last samples say.
   constexpr Long way_ahead() const {
-    Long way = state_.dx2 - state_.dx1;
-    Value sample{}, base{};
-    if constexpr (Drive::is_sampled) sample = state_.drive.sample;
-    if constexpr (Field::is_sampled) base = state_.by_field;
-    add_at_once(way, sample, base, true);
+    Long way = state.dx2 - state.dx1;
+    Value force{}, acceleration{};
+    if constexpr (Drive::is_sampled) force = state.drive.sample;
+    if constexpr (Field::is_sampled) acceleration = state.by_field;
+    add_at_once(way, force, acceleration, true);
     return way;
   }
   // What a step's flight has added to x2 - x1.
-  constexpr Value flown(Long main_travel) const {
-    return plan.units.travel(Field::ball_travel(plan, state_), main_travel);
+  constexpr Value way_flown(Long main_travel) const {
+    return plan.units.travel(Field::ball_travel(plan, state), main_travel);
   }
 
-  // Holds a state that is beyond its range, with a fault. Whether it was.
-  constexpr bool hold_in_range() {
-    if (plan.units.in_range(state_.x1, state_.x2, state_.dx1, state_.dx2)) return false;
-    hold();
-    return true;
+  constexpr void raise(Fault fault) {
+    if (state.fault == Fault::none) state.fault = fault;
   }
-  __attribute__((noinline)) constexpr void hold() {
-    const bool is_far = plan.units.hold_position(state_.x1), is_ball_far = plan.units.hold_position(state_.x2);
-    plan.units.hold_displacement(state_.dx1);
-    plan.units.hold_displacement(state_.dx2);
-    state_.contact.phase = Phase::apart;  // and no more: to clear it all is a call of memset on a Cortex-M0
-    state_.contact.drop_force();
+  [[gnu::noinline]] constexpr void clamp() {
+    const bool is_far = plan.units.hold_position(state.x1), is_ball_far = plan.units.hold_position(state.x2);
+    plan.units.hold_displacement(state.dx1);
+    plan.units.hold_displacement(state.dx2);
+    state.contact.phase = Phase::apart;
+    state.contact.drop_force();
     raise(is_far || is_ball_far ? Fault::displacement : Fault::speed);
   }
-  constexpr void raise(Fault fault) {
-    if (state_.fault == Fault::none) state_.fault = fault;
+  // Returns true if the state was beyond its range.
+  constexpr bool clamp_to_range() {
+    if (plan.units.in_range(state.x1, state.x2, state.dx1, state.dx2)) return false;
+    clamp();
+    return true;
   }
-
-  State state_{};
 };
 
 }  // namespace impact

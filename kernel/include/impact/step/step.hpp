@@ -1,126 +1,220 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A step. Both masses fly freely to its end (motion/linear_flow.hpp), with the drive's share s,
+// A step, from top to bottom. Both masses fly freely to its end (motion/linear_flow.hpp), with the drive's share s,
 //
 //     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2
 //
-// of x1 the new one, of dx1 the old. Where the ball then stands inside a stop it meets that (step/meeting.hpp), and dry
-// friction rubs at the step's end (step/rubbing.hpp). And the state that the first step starts from.
+// of x1 the new one, of dx1 the old. Where the ball then stands inside a stop, the contact (stepper/treatment.hpp)
+// finds the impulse J0 and the moment J1 of its force within the step, and both masses respond to them. Dry friction
+// acts at the step's end. What compilers must be told stands in compiler.hpp.
 
-#include <impact/step/rubbing.hpp>
+#include <impact/compiler.hpp>
+#include <impact/step/friction_impulse.hpp>
+#include <impact/step/machine.hpp>
+#include <impact/stepper/contact_step.hpp>
+#include <impact/stepper/treatment.hpp>
+#include <impact/types.hpp>
 
 namespace impact {
 
-template <class Source, class... Features>
-class Step : protected Rubbing<Source, Features...> {
-  using Base = Rubbing<Source, Features...>;
+template <class M>
+struct Step {
+  using Format = typename M::Format;
+  using Drive = typename M::Drive;
+  using Field = typename M::Field;
+  using Friction = typename M::Friction;
+  using Contact = typename M::Contact;
+  using Value = typename M::Value;
+  using Long = typename M::Long;
 
- protected:
-  using Base::add_at_once, Base::begin_to_rub, Base::load_contact, Base::rub, Base::rub_at_stop, Base::rubs,
-      Base::touch;
-  using Base::Base, Base::plan, Base::state_;
-  using Base::checks_range_once, Base::depth_beyond_stop, Base::ball_is_left, Base::is_beyond_stop, Base::is_refused,
-      Base::relative_rate;
-  using Base::hold, Base::raise;
-  using typename Base::Contact, typename Base::Drive, typename Base::Field, typename Base::Format;
-  using typename Base::Friction, typename Base::Long, typename Base::State, typename Base::Value;
+  using Rub = FrictionImpulse<M>;
 
-  constexpr void start() {
-    state_ = State{};
-    state_.contact.phase = Phase::apart;  // once more: GCC 12 cannot read them in a constructor otherwise
-    state_.contact.drop_force();
-    if (is_refused()) return;
-    state_.x1 = plan.x1;
-    state_.dx1 = plan.dx1;
-    state_.x2 = plan.x2;
-    state_.dx2 = plan.dx2;
-    state_.drive = decltype(state_.drive)::start(plan.drive);
-    if constexpr (Field::is_sampled) Field::begin(plan, state_);
-    const Value depth = depth_beyond_stop();
-    if (is_positive(depth)) {
-      const bool left = ball_is_left();
-      state_.at_left = left;
-      state_.contact.start(plan.contact, plan.units, depth, relative_rate(left));
-      load_contact();
-    }
-    begin_to_rub();
-    (Features::start(plan, state_), ...);
-  }
-
-  // `sample` and `base` are read where the drive and the field are sampled.
-  constexpr void advance(Value sample, Value base) {
-    if (is_refused()) return;
-    accept(sample, base);
-    // Both masses fly to the step's end, as if nothing touched.
-    Long main_travel = state_.dx1;
-    add_at_once(main_travel, sample, base, false);
-    state_.x1.advance(main_travel);
-    if constexpr (!Field::is_field) state_.x2.advance(state_.dx2);
-    [[maybe_unused]] const auto drive_before = state_.drive.before();
-    Value increment = -Format::term(plan.stiffness, plan.units.position(state_.x1)) -
-                      Format::term(plan.damping, plan.units.damped(state_.dx1));
-    if constexpr (Drive::is_sine) increment = increment + state_.drive.advance(plan.drive);
-    if constexpr (Drive::is_sampled) increment = increment + state_.drive.advance(plan.drive, sample);
-    if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state_, base);
-    plan.units.add(state_.dx1, increment);
-    if constexpr (Field::is_field) Field::fly(plan, state_, base);
-    if (!checks_range_once() && !is_flight_in_range()) {
-      hold();
-    } else if (state_.contact.phase != Phase::apart || is_beyond_stop()) {
+  // `force` and `acceleration` are the samples at the step's end; read where the drive and the field are sampled.
+  static constexpr void step(M& m, Value force, Value acceleration) {
+    if (m.is_refused()) return;
+    accept_samples(m, force, acceleration);
+    [[maybe_unused]] const auto drive_before = m.state.drive.before();
+    Long main_travel = m.state.dx1;  // in this step
+    m.add_at_once(main_travel, force, acceleration, false);
+    const Value increment = fly(m, main_travel, force, acceleration);  // of dx1
+    if (!checks_range_after_contact(m) && !flight_is_in_range(m)) {
+      m.clamp();
+    } else if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
       DriveChange<Value> change{};
-      if constexpr (Contact::sees_change) change = state_.drive.change(plan.drive, drive_before);
-      meet_stop(increment, main_travel, change);
-    } else if (checks_range_once() && !is_flight_in_range()) {
-      hold();
+      if constexpr (Contact::sees_change) change = m.state.drive.change(m.plan.drive, drive_before);
+      contact(m, increment, main_travel, change);
+    } else if (checks_range_after_contact(m) && !flight_is_in_range(m)) {
+      m.clamp();
     } else if constexpr (Friction::is_friction) {
-      rub(main_travel);
+      Rub::after_flight(m, main_travel);
     }
-    (Features::after_step(plan, state_), ...);
+    m.record_step();
   }
 
- private:
-  // Samples as they count: a bad one is held, with a fault.
-  [[gnu::always_inline]] constexpr void accept(Value& sample, Value& base) {
+  // A sample beyond its bound, or that is no number, is clamped with a fault.
+  [[gnu::always_inline]] static constexpr void accept_samples([[maybe_unused]] M& m, [[maybe_unused]] Value& force,
+                                                              [[maybe_unused]] Value& acceleration) {
     if constexpr (Drive::is_sampled)
-      if (!state_.drive.accepts(plan.drive, sample)) hold_sample(sample);
+      if (!m.state.drive.accepts(m.plan.drive, force)) clamp_force_sample(m, force);
     if constexpr (Field::is_sampled) {
-      if (!Field::accepts(plan, base)) {
-        base = Field::held(plan, base);
-        raise(Fault::sample);
+      if (!Field::accepts(m.plan, acceleration)) {
+        acceleration = Field::held(m.plan, acceleration);
+        m.raise(Fault::sample);
       }
-      base = Field::at_end(plan, base);
+      acceleration = Field::at_end(m.plan, acceleration);
     }
   }
-  // Friction need not be looked at: it brings both rates nearer to each other.
-  [[gnu::always_inline]] constexpr bool is_flight_in_range() const {
+  [[gnu::noinline]] static constexpr void clamp_force_sample(M& m, Value& force) {
+    force = m.state.drive.held(m.plan.drive, force);
+    m.raise(Fault::sample);
+  }
+
+  // Both masses to the step's end, as if nothing touched.
+  [[gnu::always_inline]] static constexpr Value fly(M& m, const Long& main_travel, [[maybe_unused]] Value force,
+                                                    [[maybe_unused]] Value acceleration) {
+    const auto& plan = m.plan;
+    auto& state = m.state;
+    state.x1.advance(main_travel);
+    if constexpr (!Field::is_field) state.x2.advance(state.dx2);
+    Value increment = -Format::term(plan.stiffness, plan.units.position(state.x1)) -
+                      Format::term(plan.damping, plan.units.damped(state.dx1));
+    if constexpr (Drive::is_sine) increment = increment + state.drive.advance(plan.drive);
+    if constexpr (Drive::is_sampled) increment = increment + state.drive.advance(plan.drive, force);
+    if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state, acceleration);
+    plan.units.add(state.dx1, increment);
+    if constexpr (Field::is_field) Field::fly(plan, state, acceleration);
+    return increment;
+  }
+  // (Friction brings both rates nearer to each other and need not be looked at.)
+  [[gnu::always_inline]] static constexpr bool flight_is_in_range(const M& m) {
+    const auto& state = m.state;
     if constexpr (Field::is_field)
-      return plan.units.in_range_in_field(state_.x1, state_.x2, state_.dx1, state_.dx2);
+      return m.plan.units.in_range_in_field(state.x1, state.x2, state.dx1, state.dx2);
     else
-      return plan.units.in_flight_range(state_.x1, state_.x2, state_.dx1, plan.left_stop && plan.right_stop);
+      return m.plan.units.in_flight_range(state.x1, state.x2, state.dx1, m.plan.left_stop && m.plan.right_stop);
   }
-  [[gnu::always_inline]] constexpr void meet_stop(Value increment, Long main_travel, DriveChange<Value> change) {
+  // Whether the range check after flight may wait until after contact: the response cannot wrap a state that was in
+  // range before the step. (A shared one changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a
+  // quarter.)
+  static constexpr bool checks_range_after_contact(const M& m) {
+    if constexpr (decltype(M::PlanType::contact.response)::is_shared)
+      return !Contact::is_sudden(m.plan.contact);
+    else
+      return false;
+  }
+
+  // The one call boundary of a step, in the formats that ask for it (compiler.hpp).
+  [[gnu::always_inline]] static constexpr void contact(M& m, Value increment, Long main_travel,
+                                                       DriveChange<Value> change) {
     if constexpr (Format::calls_contact)
-      call_meet_stop_and_rub(increment, main_travel, change);
+      call_contact(m, increment, main_travel, change);
     else
-      meet_stop_and_rub(increment, main_travel, change);
+      contact_and_friction(m, increment, main_travel, change);
   }
-  [[gnu::noinline]] constexpr void call_meet_stop_and_rub(Value increment, Long main_travel,
-                                                          DriveChange<Value> change) {
-    meet_stop_and_rub(increment, main_travel, change);
+  [[gnu::noinline]] static constexpr void call_contact(M& m, Value increment, Long main_travel,
+                                                       DriveChange<Value> change) {
+    contact_and_friction(m, increment, main_travel, change);
   }
-  [[gnu::always_inline]] constexpr void meet_stop_and_rub(Value increment, Long main_travel,
-                                                          DriveChange<Value> change) {
+  [[gnu::always_inline]] static constexpr void contact_and_friction(M& m, Value increment, Long main_travel,
+                                                                    DriveChange<Value> change) {
     if constexpr (Friction::is_friction) {
-      const Long flight = Field::ball_travel(plan, state_) - main_travel, distance = state_.x2 - state_.x1;
-      touch(increment, main_travel, change);
-      if (rubs()) rub_at_stop(flight, distance - (state_.x2 - state_.x1));
+      const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
+      solve_contact(m, increment, main_travel, change);
+      if (Rub::acts(m)) Rub::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
     } else {
-      touch(increment, main_travel, change);
+      solve_contact(m, increment, main_travel, change);
     }
   }
-  __attribute__((noinline)) constexpr void hold_sample(Value& sample) {
-    sample = state_.drive.held(plan.drive, sample);
-    raise(Fault::sample);
+
+  // The step as the stop sees it.
+  using InField = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
+  using UnderChange = typename detail::Either<Contact::sees_change, ApproachUnderChange<InField, Value>, InField>::Type;
+  using StopApproach =
+      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<InField, Value>, UnderChange>::Type;
+
+  [[gnu::always_inline]] static constexpr void solve_contact(M& m, Value increment, Long main_travel,
+                                                             DriveChange<Value> change) {
+    const auto& plan = m.plan;
+    auto& state = m.state;
+    if (state.contact.phase == Phase::apart) state.at_left = m.ball_is_left();
+    const bool left = m.contact_is_left();
+    state.contact.carry_over(plan.contact, plan.units, state, left);
+    StopApproach approach{};
+    if (!find_contact(m, approach, left)) return clamp_unchecked(m);
+    if constexpr (Contact::reads_rate || M::records) approach.rate = m.relative_rate(left);
+    approach.travel = mirrored(m.way_flown(main_travel), left);
+    approach.before = approach.penetration - approach.travel;
+    if constexpr (Contact::sees_change) approach.half_change = -mirrored(change.half, left);
+    if constexpr (Contact::is_instantaneous) {
+      approach.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
+      increment = increment + change.to_end;
+    }
+    if (apply_contact(m, approach, increment, left) && plan.crosses && state.contact.phase == Phase::apart)
+      cross_cavity(m, increment, !left);
+  }
+  // The ball that has left one stop comes to the other in the same step, as if it had flown freely up to the rate that
+  // it left with. (No plan has it cross the cavity in a field.)
+  [[gnu::noinline]] static constexpr void cross_cavity(M& m, Value increment, bool left) {
+    StopApproach approach{};
+    if (!find_contact(m, approach, left)) return;
+    m.state.at_left = left;
+    approach.rate = m.relative_rate(left);
+    approach.travel = approach.rate + Format::value(half(mirrored(m.plan.units.increment_of_rate(increment), left)));
+    approach.before = approach.penetration - approach.travel;
+    if (is_positive(approach.before) && !put_back(m.plan.units, m.state, approach, left)) return;
+    apply_contact(m, approach, increment, left);
+  }
+
+  // Writes the penetration at the step's end. Returns true where a contact is under way or begins; raises a fault
+  // beyond the penetration's bound.
+  [[gnu::always_inline]] static constexpr bool find_contact(M& m, Approach<Value>& approach, bool left) {
+    const auto relative_displacement = mirrored(m.state.x2 - m.state.x1, left);
+    approach.penetration = m.plan.units.penetration(relative_displacement);
+    if (m.state.contact.phase == Phase::apart && !is_positive(approach.penetration)) return false;
+    if (!m.plan.units.fits(relative_displacement)) m.raise(Fault::penetration);
+    return true;
+  }
+
+  // The contact's impulse on both masses. Returns false where the ball was put back to its stop or the state was
+  // clamped.
+  [[gnu::always_inline]] static constexpr bool apply_contact(M& m, StopApproach& approach, Value increment, bool left) {
+    const auto& plan = m.plan;
+    auto& state = m.state;
+    Contact& contact = state.contact;
+    if (contact.phase == Phase::apart && is_positive(approach.before) &&
+        !contact.begin_inside(plan.units, state, approach, left)) {
+      reload_state<M>(state);
+      clamp_unchecked(m);
+      return false;
+    }
+    if constexpr (Field::is_field) {
+      const auto ball = Field::ball_increment(plan, state);
+      approach.ball_increment = left ? -ball : ball;
+      approach.increment = minus_mirrored(increment - ball, left);
+    } else {
+      approach.increment = minus_mirrored(increment, left);
+    }
+    if constexpr (Contact::is_instantaneous)
+      approach.main_rate = mirrored(plan.units.relative(state.dx1) + m.rate_ahead(), left);
+    // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
+    [[maybe_unused]] const auto rate = approach.rate;
+    if constexpr (Friction::is_friction && Contact::keeps_force)
+      approach.rate = rate - mirrored(Format::value(half(state.impulse)), left);
+    const Contact contact_before = contact;
+    auto impulse = contact.resolve(plan.contact, plan.units, approach);
+    reload_state<M>(state);
+    plan.contact.response.answer(plan.units, state, mirrored(impulse, left));
+    contact.place_ball(plan.contact, plan.units, state, left);
+    if (m.clamp_to_range()) return false;
+    if constexpr (M::records) {
+      approach.rate = rate;
+      m.record_contact(contact.record(plan.contact, plan.units, approach, contact_before, impulse));
+    }
+    return true;
+  }
+  // The range check that was to follow a contact, where there is none.
+  [[gnu::always_inline]] static constexpr void clamp_unchecked(M& m) {
+    if (checks_range_after_contact(m)) m.clamp_to_range();
   }
 };
 

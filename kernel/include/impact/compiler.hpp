@@ -3,11 +3,11 @@
 // What GCC 12 must be told about a step, in one place. Each was measured by `ctest -R step_cost` on the target named.
 //
 //     call boundary     Format::calls_contact: a step in contact is a call of its own (call_touch_and_rub in
-//                       step/step.hpp). Otherwise a free step saves the registers of the contact: Cortex-M, RISC-V.
+//                       step/step.hpp). Otherwise a free step saves the registers of the contact: Cortex-Model, RISC-V.
 //     reload_state      after a contact was solved the state is read from memory again. Otherwise copies of it are kept
 //                       on the stack meanwhile: all cores without a large register file (Format::has_spare_registers).
 //     not const         an impulse that several branches make is not a `const` local: GCC keeps such a one in memory.
-//     small approach    StopApproach<M> has only the members that a contact reads; Phase::apart is assigned where a
+//     small approach    StopApproach<Model> has only the members that a contact reads; Phase::apart is assigned where a
 //                       contact could be cleared as a whole. Otherwise each contact calls memset: Cortex-M0.
 //     start()           writes the contact's phase again behind `state = {}`: without it GCC 12 cannot evaluate an
 //                       absorber's constructor as a constant expression.
@@ -16,9 +16,9 @@
 
 namespace impact {
 
-template <class M>
-[[gnu::always_inline]] constexpr void reload_state(typename M::State& state) {
-  if constexpr (!M::Format::has_spare_registers) reload(state);
+template <class Model>
+[[gnu::always_inline]] constexpr void reload_state(typename Model::State& state) {
+  if constexpr (!Model::Format::has_spare_registers) reload(state);
 }
 
 }  // namespace impact

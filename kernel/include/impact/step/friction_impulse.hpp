@@ -8,17 +8,17 @@
 
 namespace impact {
 
-template <class M>
+template <class Model>
 struct FrictionImpulse {
-  using Format = typename M::Format;
-  using Field = typename M::Field;
-  using Friction = typename M::Friction;
-  using Contact = typename M::Contact;
-  using Value = typename M::Value;
-  using Long = typename M::Long;
+  using Format = typename Model::Format;
+  using Field = typename Model::Field;
+  using Friction = typename Model::Friction;
+  using Contact = typename Model::Contact;
+  using Value = typename Model::Value;
+  using Long = typename Model::Long;
 
   // A plan AtRunTime may have a friction of 0: then nothing is done, and the bits are those without DryFriction.
-  static constexpr bool acts([[maybe_unused]] const M& m) {
+  static constexpr bool acts([[maybe_unused]] const Model& m) {
     if constexpr (Friction::is_friction)
       return is_positive(m.plan.friction.full);
     else
@@ -26,7 +26,7 @@ struct FrictionImpulse {
   }
 
   // The rate that friction works against.
-  static constexpr Value rubbing_rate(const M& m) {
+  static constexpr Value rubbing_rate(const Model& m) {
     Value main = m.plan.units.relative(m.state.dx1) + m.rate_ahead(), sliding = m.relative_rate(false);
     if constexpr (Contact::keeps_force) {
       const Value main_carried = m.plan.contact.dx1_share * m.state.contact.force,
@@ -37,7 +37,7 @@ struct FrictionImpulse {
     return Friction::rubbing_rate(m.plan, sliding, main);
   }
   // The work of the half of the last impulse that acts in the step ahead.
-  static constexpr auto still_to_work(const M& m) {
+  static constexpr auto still_to_work(const Model& m) {
     const Value impulse = m.state.impulse;
     const Value main = m.plan.friction.main_rate_ahead * impulse, ball = m.plan.friction.ball_ahead * impulse;
     const Value more = Friction::rubbing_rate(m.plan, main + ball, -main);
@@ -45,18 +45,18 @@ struct FrictionImpulse {
   }
 
   // Adds the half impulse that acts in the step ahead.
-  static constexpr void start([[maybe_unused]] M& m) {
+  static constexpr void start([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
       Friction::begin(m.plan, m.state, m.plan.units.relative(m.way_ahead()));
-      if constexpr (M::counts_slid_way) m.state.slid.add(still_to_work(m));
+      if constexpr (Model::counts_slid_way) m.state.slid.add(still_to_work(m));
     }
   }
   // Takes it out again.
-  static constexpr void stop([[maybe_unused]] M& m) {
+  static constexpr void stop([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
-      if constexpr (M::counts_slid_way) {
+      if constexpr (Model::counts_slid_way) {
         const auto work = still_to_work(m);
         m.state.slid.add(decltype(work){} - work);
       }
@@ -66,41 +66,41 @@ struct FrictionImpulse {
 
   // The impulse of a step in which the ball has slid by `slid`, and slides on by `ahead` unless friction stops it.
   template <class Allowed>
-  [[gnu::noinline]] static constexpr void apply_anew(M& m, Value slid, Long ahead, Allowed allowed) {
+  [[gnu::noinline]] static constexpr void apply_anew(Model& m, Value slid, Long ahead, Allowed allowed) {
     Friction::rub(m.plan, m.state, slid, ahead, allowed);
   }
   // The work of an impulse is at the mean of the rates before and after it: what both masses lose, exactly.
-  static constexpr void count_work(M& m, Value rate_before) {
+  static constexpr void count_work(Model& m, Value rate_before) {
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rate_before));
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rubbing_rate(m)));
   }
 
   // At the end of a step in flight.
-  [[gnu::always_inline]] static constexpr void after_flight(M& m, Long main_travel) {
+  [[gnu::always_inline]] static constexpr void after_flight(Model& m, Long main_travel) {
     if (!acts(m)) return;
     [[maybe_unused]] Value rate{};
-    if constexpr (M::counts_slid_way) rate = rubbing_rate(m);
+    if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
     if (!Friction::slides_on(m.plan, m.state, m.state.dx2))
       apply_anew(m, m.way_flown(main_travel), m.way_ahead(), typename Friction::Any{});
-    if constexpr (M::counts_slid_way) count_work(m, rate);
+    if constexpr (Model::counts_slid_way) count_work(m, rate);
   }
   // And of one in which the ball has met a stop. Where it still touches it, contact will take as much of x2 - x1 in the
   // coming step, `taken`, as it did in this one.
-  [[gnu::always_inline]] static constexpr void after_contact(M& m, Long flight, Long taken) {
+  [[gnu::always_inline]] static constexpr void after_contact(Model& m, Long flight, Long taken) {
     const Long slid = flight - taken;
     const bool touches = m.state.contact.phase != Phase::apart;
     if (!touches) taken = {};
     [[maybe_unused]] Value rate{};
-    if constexpr (M::counts_slid_way) rate = rubbing_rate(m);
+    if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
     if (Contact::is_sudden(m.plan.contact))
       apply_anew(m, m.plan.units.relative(slid), m.way_ahead() - taken, Friction::passive(m.plan, rubbing_rate(m)));
     else if (!Friction::slides_on(m.plan, m.state, m.state.dx2 - taken))
       apply_anew(m, m.plan.units.relative(slid), m.way_ahead() - taken, typename Friction::Any{});
-    if constexpr (M::counts_slid_way) count_work(m, rate);
+    if constexpr (Model::counts_slid_way) count_work(m, rate);
     if (!touches) return;
     const Value towards_stop = mirrored(-m.state.impulse, m.contact_is_left());
     m.state.contact.change_rate(m.plan.contact, towards_stop);
-    if constexpr (M::counts_slid_way) m.state.contact_rate = m.state.contact_rate + towards_stop;
+    if constexpr (Model::counts_slid_way) m.state.contact_rate = m.state.contact_rate + towards_stop;
   }
 };
 

@@ -8,22 +8,22 @@
 
 namespace impact {
 
-template <class M>
+template <class Model>
 struct Restart {
-  using Field = typename M::Field;
-  using Contact = typename M::Contact;
-  using Value = typename M::Value;
+  using Field = typename Model::Field;
+  using Contact = typename Model::Contact;
+  using Value = typename Model::Value;
 
   // Tells the contact by how much spring, drive and field change its rate in a step.
-  static constexpr void load_contact(M& m) {
+  static constexpr void load_contact(Model& m) {
     const Value in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), m.contact_is_left());
     m.state.contact.bear(m.plan.contact, in_half_a_step + in_half_a_step);
   }
 
   // The scene's initial state.
-  static constexpr void start(M& m) {
+  static constexpr void start(Model& m) {
     auto& state = m.state;
-    state = typename M::State{};
+    state = typename Model::State{};
     state.contact.phase = Phase::apart;  // compiler.hpp
     state.contact.drop_force();
     if (m.is_refused()) return;
@@ -40,12 +40,12 @@ struct Restart {
       state.contact.start(m.plan.contact, m.plan.units, depth, m.relative_rate(left));
       load_contact(m);
     }
-    FrictionImpulse<M>::start(m);
+    FrictionImpulse<Model>::start(m);
     m.start_features();
   }
 
   // Restarts the contact at its present penetration. Its load stays, and its damping, up to what a step tolerates.
-  static constexpr void restart_contact(M& m) {
+  static constexpr void restart_contact(Model& m) {
     auto& state = m.state;
     Contact& contact = state.contact;
     const bool left = m.contact_is_left();
@@ -55,7 +55,7 @@ struct Restart {
     if (is_positive(found - inside)) m.plan.units.displace(state.x2, -mirrored(found - inside, left));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = m.relative_rate(left);
-      if constexpr (M::has_own_damping) contact.hold_damping(m.plan.contact, inside, rate);
+      if constexpr (Model::has_own_damping) contact.hold_damping(m.plan.contact, inside, rate);
       contact.start(m.plan.contact, m.plan.units, inside, rate);
       contact.phase = phase;
       if (!contact.is_sound(m.plan.contact, m.plan.units)) m.clamp();
@@ -65,7 +65,7 @@ struct Restart {
     }
   }
   // A ball that a correction has put into a stop without touching it stands at it.
-  static constexpr void push_out(M& m) {
+  static constexpr void push_out(Model& m) {
     if (is_positive(m.depth_beyond_stop())) m.state.x2 = m.plan.units.stop(m.state.x1, m.ball_is_left());
   }
 };

@@ -17,20 +17,20 @@
 
 namespace impact {
 
-template <class M>
+template <class Model>
 struct Step {
-  using Format = typename M::Format;
-  using Drive = typename M::Drive;
-  using Field = typename M::Field;
-  using Friction = typename M::Friction;
-  using Contact = typename M::Contact;
-  using Value = typename M::Value;
-  using Long = typename M::Long;
+  using Format = typename Model::Format;
+  using Drive = typename Model::Drive;
+  using Field = typename Model::Field;
+  using Friction = typename Model::Friction;
+  using Contact = typename Model::Contact;
+  using Value = typename Model::Value;
+  using Long = typename Model::Long;
 
-  using Rub = FrictionImpulse<M>;
+  using Rub = FrictionImpulse<Model>;
 
   // `force` and `acceleration` are the samples at the step's end; read where the drive and the field are sampled.
-  static constexpr void step(M& m, Value force, Value acceleration) {
+  static constexpr void step(Model& m, Value force, Value acceleration) {
     if (m.is_refused()) return;
     accept_samples(m, force, acceleration);
     [[maybe_unused]] const auto drive_before = m.state.drive.before();
@@ -52,7 +52,7 @@ struct Step {
   }
 
   // A sample beyond its bound, or that is no number, is clamped with a fault.
-  [[gnu::always_inline]] static constexpr void accept_samples([[maybe_unused]] M& m, [[maybe_unused]] Value& force,
+  [[gnu::always_inline]] static constexpr void accept_samples([[maybe_unused]] Model& m, [[maybe_unused]] Value& force,
                                                               [[maybe_unused]] Value& acceleration) {
     if constexpr (Drive::is_sampled)
       if (!m.state.drive.accepts(m.plan.drive, force)) clamp_force_sample(m, force);
@@ -64,13 +64,13 @@ struct Step {
       acceleration = Field::at_end(m.plan, acceleration);
     }
   }
-  [[gnu::noinline]] static constexpr void clamp_force_sample(M& m, Value& force) {
+  [[gnu::noinline]] static constexpr void clamp_force_sample(Model& m, Value& force) {
     force = m.state.drive.held(m.plan.drive, force);
     m.raise(Fault::sample);
   }
 
   // Both masses to the step's end, as if nothing touched.
-  [[gnu::always_inline]] static constexpr Value fly(M& m, const Long& main_travel, [[maybe_unused]] Value force,
+  [[gnu::always_inline]] static constexpr Value fly(Model& m, const Long& main_travel, [[maybe_unused]] Value force,
                                                     [[maybe_unused]] Value acceleration) {
     const auto& plan = m.plan;
     auto& state = m.state;
@@ -86,7 +86,7 @@ struct Step {
     return increment;
   }
   // (Friction brings both rates nearer to each other and need not be looked at.)
-  [[gnu::always_inline]] static constexpr bool flight_is_in_range(const M& m) {
+  [[gnu::always_inline]] static constexpr bool flight_is_in_range(const Model& m) {
     const auto& state = m.state;
     if constexpr (Field::is_field)
       return m.plan.units.in_range_in_field(state.x1, state.x2, state.dx1, state.dx2);
@@ -96,26 +96,26 @@ struct Step {
   // Whether the range check after flight may wait until after contact: the response cannot wrap a state that was in
   // range before the step. (A shared one changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a
   // quarter.)
-  static constexpr bool checks_range_after_contact(const M& m) {
-    if constexpr (decltype(M::PlanType::contact.response)::is_shared)
+  static constexpr bool checks_range_after_contact(const Model& m) {
+    if constexpr (decltype(Model::PlanType::contact.response)::is_shared)
       return !Contact::is_sudden(m.plan.contact);
     else
       return false;
   }
 
   // The one call boundary of a step, in the formats that ask for it (compiler.hpp).
-  [[gnu::always_inline]] static constexpr void contact(M& m, Value increment, Long main_travel,
+  [[gnu::always_inline]] static constexpr void contact(Model& m, Value increment, Long main_travel,
                                                        DriveChange<Value> change) {
     if constexpr (Format::calls_contact)
       call_contact(m, increment, main_travel, change);
     else
       contact_and_friction(m, increment, main_travel, change);
   }
-  [[gnu::noinline]] static constexpr void call_contact(M& m, Value increment, Long main_travel,
+  [[gnu::noinline]] static constexpr void call_contact(Model& m, Value increment, Long main_travel,
                                                        DriveChange<Value> change) {
     contact_and_friction(m, increment, main_travel, change);
   }
-  [[gnu::always_inline]] static constexpr void contact_and_friction(M& m, Value increment, Long main_travel,
+  [[gnu::always_inline]] static constexpr void contact_and_friction(Model& m, Value increment, Long main_travel,
                                                                     DriveChange<Value> change) {
     if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
@@ -132,7 +132,7 @@ struct Step {
   using StopApproach =
       typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<InField, Value>, UnderChange>::Type;
 
-  [[gnu::always_inline]] static constexpr void solve_contact(M& m, Value increment, Long main_travel,
+  [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Value increment, Long main_travel,
                                                              DriveChange<Value> change) {
     const auto& plan = m.plan;
     auto& state = m.state;
@@ -141,7 +141,7 @@ struct Step {
     state.contact.carry_over(plan.contact, plan.units, state, left);
     StopApproach approach{};
     if (!find_contact(m, approach, left)) return clamp_unchecked(m);
-    if constexpr (Contact::reads_rate || M::records) approach.rate = m.relative_rate(left);
+    if constexpr (Contact::reads_rate || Model::records) approach.rate = m.relative_rate(left);
     approach.travel = mirrored(m.way_flown(main_travel), left);
     approach.before = approach.penetration - approach.travel;
     if constexpr (Contact::sees_change) approach.half_change = -mirrored(change.half, left);
@@ -154,7 +154,7 @@ struct Step {
   }
   // The ball that has left one stop comes to the other in the same step, as if it had flown freely up to the rate that
   // it left with. (No plan has it cross the cavity in a field.)
-  [[gnu::noinline]] static constexpr void cross_cavity(M& m, Value increment, bool left) {
+  [[gnu::noinline]] static constexpr void cross_cavity(Model& m, Value increment, bool left) {
     StopApproach approach{};
     if (!find_contact(m, approach, left)) return;
     m.state.at_left = left;
@@ -167,7 +167,7 @@ struct Step {
 
   // Writes the penetration at the step's end. Returns true where a contact is under way or begins; raises a fault
   // beyond the penetration's bound.
-  [[gnu::always_inline]] static constexpr bool find_contact(M& m, Approach<Value>& approach, bool left) {
+  [[gnu::always_inline]] static constexpr bool find_contact(Model& m, Approach<Value>& approach, bool left) {
     const auto relative_displacement = mirrored(m.state.x2 - m.state.x1, left);
     approach.penetration = m.plan.units.penetration(relative_displacement);
     if (m.state.contact.phase == Phase::apart && !is_positive(approach.penetration)) return false;
@@ -177,13 +177,14 @@ struct Step {
 
   // The contact's impulse on both masses. Returns false where the ball was put back to its stop or the state was
   // clamped.
-  [[gnu::always_inline]] static constexpr bool apply_contact(M& m, StopApproach& approach, Value increment, bool left) {
+  [[gnu::always_inline]] static constexpr bool apply_contact(Model& m, StopApproach& approach, Value increment,
+                                                             bool left) {
     const auto& plan = m.plan;
     auto& state = m.state;
     Contact& contact = state.contact;
     if (contact.phase == Phase::apart && is_positive(approach.before) &&
         !contact.begin_inside(plan.units, state, approach, left)) {
-      reload_state<M>(state);
+      reload_state<Model>(state);
       clamp_unchecked(m);
       return false;
     }
@@ -202,18 +203,18 @@ struct Step {
       approach.rate = rate - mirrored(Format::value(half(state.impulse)), left);
     const Contact contact_before = contact;
     auto impulse = contact.resolve(plan.contact, plan.units, approach);
-    reload_state<M>(state);
+    reload_state<Model>(state);
     plan.contact.response.answer(plan.units, state, mirrored(impulse, left));
     contact.place_ball(plan.contact, plan.units, state, left);
     if (m.clamp_to_range()) return false;
-    if constexpr (M::records) {
+    if constexpr (Model::records) {
       approach.rate = rate;
       m.record_contact(contact.record(plan.contact, plan.units, approach, contact_before, impulse));
     }
     return true;
   }
   // The range check that was to follow a contact, where there is none.
-  [[gnu::always_inline]] static constexpr void clamp_unchecked(M& m) {
+  [[gnu::always_inline]] static constexpr void clamp_unchecked(Model& m) {
     if (checks_range_after_contact(m)) m.clamp_to_range();
   }
 };

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The deepest penetration that any state within the bounds can lead to, in the coupled machine: what a plan has to hold
-// and to be stable at. With V = 2 Bounds::speed the largest rate of approach, mu the reduced mass and W(d) the energy
-// that the law stores, (2/5) k1 d^(5/2) or k1 d^2/2, three balances bound d, and the least of them counts:
+// The deepest penetration, m, that any state within the bounds can lead to, in the coupled machine. With V = 2
+// Bounds::speed, mu the reduced mass and W(d) the energy that the law stores, the least of three balances:
 //
-//     the energy of the whole     W <= (M + m) v^2/2 + k x^2/2 + 2 F x
+//     the energy of the whole     W <= (M + m) v^2/2 + k x^2/2 + 2 F x + 2 (M + m) a x
 //     of the relative motion      W <= mu V^2/2 + P d                        P = mu (k x + c v + F)/M
 //     the ball's momentum         W <= W0 + m V^2 + (m a + R) d
 //
-// where v, x and F are the bounds of speed, displacement and drive, a that of a field and R the ball's dry friction.
-//
-// The first is all that both masses, the spring and the drive can give up; the second what the approach brings and what
-// the main spring, its damper and the drive press on the way. A field adds 2 (M + m) a x to the first, and nothing to
-// the second, in which it is the same for both masses. Damping and friction only take: Hunt-Crossley's,
-// a = c1 V/k1, leaves 2 (a - ln(1 + a))/a^2 of the approach's energy to the law's first integral (law/free_impact.hpp).
-//
-// The third is what a stiff main spring cannot do: its force reaches the ball through the contact alone, whose impulse
-// turns the ball from v to -v at most. From the last time at which field and friction held the ball, at ds or at the
-// start's W0, the impulse of f - (m a + R) is 2 v m or less; a penetration grows by no more than V dt, so that this is
-// (W(d) - W(ds) - (m a + R)(d - ds))/V or more. What damping adds to f only makes it more.
-//
-// A hundredth is added for rounding. Bounds::penetration, where it is stated, limits it further, and
-// units leave it 1e-4 of room.
+// where v, x and F are the bounds of speed, displacement and drive, a that of a field and R the ball's dry friction. A
+// hundredth is added for rounding. Bounds::penetration, where it is stated, limits it further. Derivation:
+// docs/contact.md.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>

@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A field of acceleration a(t) along x on both masses: weight, or what a base that shakes gives them in coordinates
-// relative to it. The main mass feels the force M a, the ball m a:
+// A field of acceleration a(t), m/s^2 along x, on both masses: weight, or what a base that shakes gives them in
+// coordinates relative to it. The main mass feels the force M a, the ball m a:
 //
 //     Gravity             a = Scene::gravity
-//     BaseAcceleration    a = Scene::gravity - the base's acceleration, a sample a step, linear between samples
+//     BaseAcceleration    a = Scene::gravity - the base's acceleration, a sample per step, linear between samples
 //
-// Exact with the exact flow. Under a constant field a displacement per step starts at h v + a h^2/2 and grows by a h^2;
-// the main mass's by its flow's response to a constant force. The accelerations vanish from the relative motion of two
-// free masses: contact sees the difference of both increments.
-//
-// Between samples a0 and a1 the ball moves by h v + (a0/3 + a1/6) h^2. Of X = x - a h^2/6, from which the last sample's
-// part is taken that comes at once with it, this is the same as under a constant field:
-//
-//     X' = X + w        w' = w + h^2 a1        w = h v + a0 h^2/2
-//
-// Positions of both masses are kept so, and their difference is x2 - x1 (with Newmark's beta for 1/6). To the main
-// mass a sample gives a little less at once, by spring and damper. Where that is below a place of a position, its X is
-// x less its own part; otherwise the rest comes with the sample.
-//
-// A sample becomes h^2 a as it comes, in Fixed32 rounded down by less than 2^-28 of the largest: for both masses alike,
-// since w takes that as it is, and what the main mass and contact see of it are products of it.
+// Exact with the exact flow. In a sampled field the state keeps X = x - a h^2/6, of which a free flight is
+// X' = X + w, w' = w + h^2 a1. A sample becomes h^2 a as it comes, in Fixed32 rounded down by less than 2^-28 of the
+// largest, for both masses alike. Derivation: docs/flight.md.
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/scene_part.hpp>

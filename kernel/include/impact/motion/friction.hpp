@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Dry friction of the ball in its cavity: a force of Scene::ball_friction newtons, R, between ball and main mass
-// against the sliding y', and at rest whatever holds the ball, up to R.
+// against the sliding y'; at rest it holds the ball, up to R.
 //
-// It acts between two steps, for half of either, as an impulse on the velocities alone. A constant force R is the same
-// as an impulse r at every such instant, whose share of each mass is what that force adds to its displacement per step
-// (LinearFlow::constant_increment), r = R h^2 (1/m + 1/M) for two free masses: while the ball slides the step stays
-// exact. Positions are never touched, so that contact goes on as it is. With the way y0 that the ball has slid in this
-// step and the way y that it would slide in the next one without friction, both in the direction of y0,
+// It acts between two steps as an impulse on the velocities alone, with r = R h^2 (1/m + 1/M), y0 the way that the ball
+// has slid in this step and y the way that it would slide in the next one without friction, in the direction of y0:
 //
 //     y - r >= 0           it slides on          p = r
 //     |y - y0| <= r        it sticks             p = y: no way at all
-//     otherwise            it slides back        p = (1 - z) r - z r
+//     otherwise            it slides back        p = (1 - z) r - z r        z = (r - y)/(y0 + r - y)
 //
-// where y counts with the way that contact has added in this step, if the ball still touches the stop, and z is the
-// part of the time left when the rate is 0 that goes linearly from y0 in the middle of one step to y - r in the middle
-// of the next: (r - y)/(y0 + r - y). In a step friction does the work -(p0 + p1)/2 y0 of the impulses at both of its
-// ends: never positive where the ball has slid on until then, p0 = r. A ball at rest has no way; while its load
-// changes, friction takes and gives back up to R^2 h^2/8 (1/m + 1/M). Where a contact turns the rate at once
-// (Treatment::is_sudden) that is not linear in time, and the impulse is held to what takes energy at that instant.
-// Second order where the sliding begins, turns or ends.
-//
-// While the sliding lasts a step adds the same two constants again: they stand in the state.
+// Exact while the ball slides; second order where sliding begins, turns or ends. Its work is never positive where the
+// ball has slid on until then; a ball at rest under a changing load gets and gives up to R^2 h^2/8 (1/m + 1/M).
+// Derivation: docs/flight.md.
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/scene_part.hpp>

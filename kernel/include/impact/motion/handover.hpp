@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Going on under another plan without a jump: positions, velocities and the drive's phase stay as they are. Positions
-// and the ball's dx2 = h v2 are the same numbers under both plans; the main mass's displacement in the coming step is
-// not, because the spring, the damper and the drive have a part in it. With the map of linear_flow.hpp and the drive's
-// share P,
+// Going on under another plan without a jump: positions, velocities and the drive's phase stay as they are. The main
+// mass's displacement in the coming step changes, because spring, damper and drive take part in it. With the map of
+// linear_flow.hpp and the drive's share P,
 //
-//     dx1 = e11 x1 + e12 h v1 + P
 //     ahead(old)  = h v1 - dx1 = (1/e12 - 1) dx1 - (e11/e12) x1 - P/e12
 //     behind(new) = h v1 - dx1 = (1 - e12) h v1 - e11 x1 - P
 //     dx1' = dx1 + ahead(old) - behind(new)
 //
-// A field (field.hpp) has its share in both displacements, as the drive has it in the main mass's.
-//
-// Only the difference is computed in 32 bits: it is of the size of what spring and drive change in half a step, so that
-// its rounding is 2^-31 (Fixed32) or 2^-24 (Float32) of that. Some twenty multiplications and a copy of the plan; no
-// double.
+// Only the difference is computed in 32 bits: its rounding is 2^-31 (Fixed32) or 2^-24 (Float32) of what spring and
+// drive change in half a step. Some twenty multiplications and a copy of the plan; no double. Derivation:
+// docs/flight.md.
 
 #include <stdint.h>
 

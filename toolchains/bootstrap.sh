@@ -54,6 +54,20 @@ END
   esac
 }
 
+# Again for ten minutes while another program holds one of apt's locks, as a new cloud machine's first update does.
+apt_get() {
+  as_root="" && [ "$(id -u)" = 0 ] || as_root=sudo
+  errors=$(mktemp)
+  for _ in $(seq 60); do
+    $as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q "$@" 2>"$errors" && rm "$errors" && return
+    grep -q 'Could not get lock' "$errors" || break
+    echo "bootstrap: waiting for another program to release apt's lock"
+    sleep 10
+  done
+  cat "$errors" >&2
+  exit 1
+}
+
 install_packages() {
   packages="" && absent=""
   while read -r evidence package; do
@@ -70,10 +84,9 @@ END
     exit 1
   fi
   echo "bootstrap: installing with apt-get:$packages"
-  as_root="" && [ "$(id -u)" = 0 ] || as_root=sudo
-  $as_root apt-get update -q
+  apt_get update
   # $packages is a list.
-  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $packages
+  apt_get install -y --no-install-recommends $packages
 }
 
 run_tests() {

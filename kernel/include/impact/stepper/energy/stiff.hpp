@@ -117,10 +117,14 @@ struct StiffContact {
 
   template <bool is_in_field = false>
   [[gnu::always_inline]] constexpr End end() const {
-    // In a unit of the step's own, of which lengths are less than a quarter.
-    const int places =
+    // In a unit of the step's own, of which lengths are less than an eighth: the correction is at most 5.7 times the
+    // longest of them.
+    const int quarters =
         is_in_field ? Format::spare_places(travel, rate, press, field) : Format::spare_places(travel, rate, press);
-    const int least = plan.exponent - places, exponent = is_per_impact ? plan.exponent : least > 2 ? least : 2;
+    const int places = quarters - 1, least = plan.exponent - places,
+              exponent = is_per_impact ? plan.exponent
+                         : least > 2   ? least
+                                       : 2;
     const auto unit = Format::own_unit(places);
     return Scaled{*this,
                   unit,
@@ -301,7 +305,7 @@ struct StiffContact {
       if (!is_positive(least - limit)) return q;
       return Format::value(q * Format::rough_quotient(without_sign(limit), without_sign(least)));
     }
-    // k(x) x/C from x/C
+    // k(x) x/C from x/C, less than 1: x is at most 0.999, where k is 2.8, and x/C at most q.
     [[gnu::always_inline]] constexpr Value correction(Value slowed) const {
       const Value x = number(slowed), most = most_slowing();
       return Format::value(twice(

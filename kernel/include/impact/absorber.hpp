@@ -74,20 +74,29 @@ template <class... Features>
 using FrictionOf = typename Either<is_one_of<DryFriction, Features...>, DryFriction, NoFriction>::Type;
 
 // Each argument as the contracts let it through.
-template <class Rig, class ContactLaw, class Stepper, class Drive, class Format, class... Features>
+template <uint32_t identity, class Rig, class ContactLaw, class Stepper, class Drive, class Format, class... Features>
 using CheckedSource =
     PlanSource<contract::KeptRig<Rig>,
                Plan<contract::KeptFormat<Format>, contract::KeptLaw<ContactLaw>,
                     contract::KeptStepper<Stepper, contract::KeptFormat<Format>, contract::KeptLaw<ContactLaw>>,
-                    contract::KeptDrive<Drive>, FieldOf<Features...>, FrictionOf<Features...>>>;
-}  // namespace detail
+                    contract::KeptDrive<Drive>, FieldOf<Features...>, FrictionOf<Features...>>,
+               identity>;
 
-template <class Rig, class Law_, class Stepper_, class Drive_, class Format_, class... Features>
-class Absorber
-    : private Machine<detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>,
+template <class Rig>
+constexpr uint32_t identity_of() {
+  if constexpr (is_one_of<Rig, AtRunTime>)
+    return 0;
+  else
+    return fingerprint_of_rig(Rig::scene, Rig::bounds, Rig::step);
+}
+
+// impact::Absorber, with the rig's identity.
+template <uint32_t identity, class Rig, class Law_, class Stepper_, class Drive_, class Format_, class... Features>
+class AbsorberOf
+    : private Machine<CheckedSource<identity, Rig, Law_, Stepper_, Drive_, Format_, Features...>,
                       contract::KeptFeature<Features>...>,
-      private SnapshotWindow<typename contract::KeptFormat<Format_>::Value, detail::is_one_of<Snapshots, Features...>> {
-  using Source = detail::CheckedSource<Rig, Law_, Stepper_, Drive_, Format_, Features...>;
+      private SnapshotWindow<typename contract::KeptFormat<Format_>::Value, is_one_of<Snapshots, Features...>> {
+  using Source = CheckedSource<identity, Rig, Law_, Stepper_, Drive_, Format_, Features...>;
   using Machine = impact::Machine<Source, contract::KeptFeature<Features>...>;
 
   // impact/contracts.hpp; one message for one mistake.
@@ -143,11 +152,11 @@ class Absorber
   using Source::base_sample_of;
   using Source::base_sample_unit;
 
-  constexpr Absorber() {
+  constexpr AbsorberOf() {
     Begin::start(machine());
     if constexpr (publishes) see(Window::first());
   }
-  explicit constexpr Absorber(const PlanType& next) : Machine(next) {
+  explicit constexpr AbsorberOf(const PlanType& next) : Machine(next) {
     Begin::start(machine());
     if constexpr (publishes) see(Window::first());
   }
@@ -291,9 +300,9 @@ class Absorber
     uint32_t version, plan_identity;
     State state;
   };
-  constexpr Saved save() const { return {state_version, identity(), Machine::state}; }
+  constexpr Saved save() const { return {state_version, saved_identity(), Machine::state}; }
   constexpr bool restore(const Saved& saved) {
-    if (Source::is_refused() || saved.version != state_version || saved.plan_identity != identity()) return false;
+    if (Source::is_refused() || saved.version != state_version || saved.plan_identity != saved_identity()) return false;
     if (!is_sound(saved.state)) return false;
     Machine::state = saved.state;
     publish();
@@ -400,7 +409,7 @@ class Absorber
   }
 
   // Scene, bounds, step, types and features.
-  constexpr uint32_t identity() const {
+  constexpr uint32_t saved_identity() const {
     if constexpr (sizeof...(Features) == 0) {
       return plan.identity;
     } else {
@@ -423,5 +432,11 @@ class Absorber
            (Features::is_sound(plan, state) && ...);
   }
 };
+}  // namespace detail
+
+// What the rig states is in the type beside the rig's name: two files of one program may each have a Rig of its own.
+template <class Rig, class ContactLaw, class Stepper, class Drive, class Format, class... Features>
+using Absorber = detail::AbsorberOf<detail::identity_of<contract::KeptRig<Rig>>(), Rig, ContactLaw, Stepper, Drive,
+                                    Format, Features...>;
 
 }  // namespace impact

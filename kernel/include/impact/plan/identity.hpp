@@ -37,6 +37,13 @@ constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, d
   fingerprint.add(static_cast<uint32_t>(scene.tension));
   return fingerprint;
 }
+// All that a rig states, whether a plan reads it or not.
+constexpr uint32_t fingerprint_of_rig(const Scene& scene, const Bounds& bounds, double step) {
+  const double numbers[] = {scene.gravity, scene.ball_friction, bounds.base_acceleration};
+  Fingerprint fingerprint = fingerprint_of(scene, bounds, step, scene.restitution, 0);
+  for (double number : numbers) fingerprint.add_number(number);
+  return fingerprint.value;
+}
 // What a state counts in. A base's samples count in their bound, and at once in what gravity counts in.
 template <class Field>
 constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bounds, double h,

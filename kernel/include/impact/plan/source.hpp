@@ -10,7 +10,9 @@ namespace impact {
 
 struct AtRunTime {};
 
-template <class Rig, class PlanType_>
+// `identity` is the rig's fingerprint. It is in the names of all that is compiled for a rig, because a linker takes
+// functions and constants of one name for the same, and two files of one program may each have a `Rig` of its own.
+template <class Rig, class PlanType_, uint32_t identity>
 class PlanSource {
  public:
   using PlanType = PlanType_;
@@ -37,8 +39,8 @@ class PlanSource {
   constexpr PlanSource() { (void)refusal::check<Rig, PlanType, plan.status>(); }
 };
 
-template <class PlanType_>
-class PlanSource<AtRunTime, PlanType_> {
+template <class PlanType_, uint32_t identity>
+class PlanSource<AtRunTime, PlanType_, identity> {
  public:
   using PlanType = PlanType_;
   PlanType plan;

@@ -1,0 +1,55 @@
+#!/bin/sh
+# Two files of one program, each with a rig of its own of the same name, step two machines: two_rigs.sh COMPILER PROJECT
+# What they print in one program is what each prints in a program of its own.
+set -eu
+compiler=$1 project=$2
+command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+cd "$folder"
+for name in a:40 b:20; do
+  cat >"${name%:*}.cpp" <<END
+#include <impact/absorber.hpp>
+struct Rig {
+  static constexpr impact::Scene scene = [] {
+    impact::Scene scene;
+    scene.drive_pulsation = ${name#*:};
+    return scene;
+  }();
+  static constexpr impact::Bounds bounds{};
+  static constexpr double step = 1e-4;
+};
+static impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sine, impact::Fixed32> absorber;
+void warm_${name%:*}() {
+  for (int n = 0; n < 10; ++n) absorber.step();
+  absorber.reset();
+}
+int ${name%:*}() {
+  warm_${name%:*}();
+  for (int n = 0; n < 1000; ++n) absorber.step();
+  return absorber.displacement().raw;
+}
+END
+  printf '#include <cstdio>\nint %s();\nint main() { std::printf("%s %%d\\n", %s()); }\n' \
+    "${name%:*}" "${name%:*}" "${name%:*}" >"only_${name%:*}.cpp"
+done
+cat >both.cpp <<'END'
+#include <cstdio>
+int a();
+int b();
+int main() {
+  const int of_a = a(), of_b = b();
+  std::printf("a %d\nb %d\n", of_a, of_b);
+}
+END
+build() { "$compiler" -std=c++17 -ffp-contract=off -Wall -Wextra -Werror -I "$project/kernel/include" "$@"; }
+build -O2 a.cpp only_a.cpp -o only && ./only >right
+build -O2 b.cpp only_b.cpp -o only && ./only >>right
+cat right
+failures=0
+for options in -O0 -Os -O2 "-O2 -flto"; do
+  [ "$compiler $options" != "clang++ -O2 -flto" ] || options="$options -fuse-ld=lld"
+  build $options a.cpp b.cpp both.cpp -o both && ./both >found
+  cmp -s right found || { echo "with $options:" $(cat found) && failures=1; }
+done
+exit $failures

@@ -6,7 +6,7 @@ set format '10^{%T}'
 set terminal svg size 520,560 dynamic font 'sans-serif,14' enhanced
 set xlabel 'step, s' offset 0,0.3
 set ylabel 'largest error of x1 over 1 s, m'
-set key below center width -4 maxcols 2 samplen 2.5 font ',12' noenhanced height 1
+set key below center width -2 maxcols 2 samplen 2.5 font ',12' noenhanced height 1
 set xrange [1e-5:1e-2]
 set yrange [1e-12:1e-1]
 shown = 'moment average'

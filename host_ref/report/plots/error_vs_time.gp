@@ -7,7 +7,7 @@ set format y '10^{%T}'
 set terminal svg size 560,620 dynamic font 'sans-serif,14' enhanced
 set xlabel host ? 'nanoseconds per simulated second, this host' : 'instructions per simulated second, ' . target
 set ylabel 'largest error of x1 over 1 s, m'
-set key below center maxcols 2 samplen 2.5 width -4 font ',12' noenhanced height 1
+set key below center maxcols 2 samplen 2.5 width -2 font ',12' noenhanced height 1
 set xlabel offset 0,0.3
 
 series(m, f) = host ? strcol(1) eq law && strcol(2) eq m && strcol(3) eq f \

@@ -7,7 +7,7 @@ set format '10^{%T}'
 set terminal svg size 500,410 dynamic font 'sans-serif,14' enhanced
 set xlabel what . ' per simulated second' offset 0,0.3 noenhanced
 set ylabel 'largest error of x1 over 1 s, m'
-set key above center maxrows 1 samplen 1.6 width -5 height 0.5
+set key above center maxrows 2 samplen 1.6 height 0.5
 set yrange [what eq 'nanoseconds' ? 1e-16 : 1e-10 : 1e-1]  # the host has double
 pick(s) = strcol(1) eq s ? column(3) : NaN
 set offsets graph 0.03, graph 0.03, 0, 0

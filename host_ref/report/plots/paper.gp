@@ -1,7 +1,7 @@
 # paper.gp OUTPUT TRACES RESTITUTIONS FIGURE: the paper's figure 2, 4, 6, 7, 8, 9 or 10.
 output = ARG1; traces = ARG2; restitutions = ARG3; figure = int(ARG4)
 load 'style.gp'
-set key below center maxcols 2 samplen 2.5 width -4 font ',12' height 1
+set key below center maxcols 2 samplen 2.5 width -2 font ',12' height 1
 set xlabel 'time, s' offset 0,0.3
 ink = 'black'; hn = '#E69F00'; hz = '#009E73'; hc = '#0072B2'; reference = '#D55E00'
 if (figure == 2 || figure == 4 || figure == 6) {

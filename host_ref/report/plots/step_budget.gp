@@ -9,7 +9,7 @@ set yrange [0.2:3000]
 set rmargin 8
 set xrange [0.5:7.5]
 set xtics rotate by -25 left font ',12'
-set key below center maxcols 1 samplen 1.5 width -4 font ',12'
+set key below center maxcols 1 samplen 1.5 width -2 font ',12'
 do for [rate in '1 10 50'] {
   set arrow from 0.5, 1000.0 / rate to 7.5, 1000.0 / rate nohead linecolor rgb 'black' dashtype 2 linewidth 0.6
   set label sprintf('%s kHz', rate) at 7.6, 1000.0 / rate left font ',12'

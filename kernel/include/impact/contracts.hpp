@@ -22,7 +22,8 @@
 //
 // Treatment a base                     Treatment or ResolvedForces of stepper/treatment.hpp, which have the rest
 //           is_instantaneous           an impact takes no time: its forces are not judged by their size in a step
-//           reads_rate, sees_change    the approach says the rate at the step's end, and by what the drive changes
+//           reads_rate, sees_change    the approach says the rate at the step's end; its increment is of a drive as it
+//                                      is there
 //           keeps_force                then `force`, which acts in the next step too, with dx1_share and dx2_share
 //           Plan                       its constants, with `response`: what an impulse and a moment do to the state
 //           make_plan(terms, flow, exponents)      SI in, law/terms.hpp

@@ -119,7 +119,7 @@ struct ImpactLog : SilentFeature {
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     if (step.begins) {
       ++state.impacts;
-      state.impact_rate = step.rate_at_impact;
+      state.impact_rate = step.rate_at_touch;
     }
     if (is_positive(step.force.j0 - state.peak_force)) state.peak_force = step.force.j0;
   }

@@ -135,6 +135,8 @@ struct Fixed32Numbers {
   }
 
   static constexpr Value last_place() { return {1}; }
+  // A small difference: none where it is no more than what its terms are rounded by.
+  static constexpr Value beyond_rounding(Value x) { return {static_cast<uint32_t>(x.raw) + 4 > 8 ? x.raw : 0}; }
   // Numbers in a unit 2^places times as fine for a while, where places < 0 as coarse.
   struct OwnUnit {
     int left, right;

@@ -237,6 +237,7 @@ struct RealFormat {
   }
   // Of a number of any size: none.
   static constexpr Value last_place() { return 0; }
+  static constexpr Value beyond_rounding(Value x) { return x; }
   static constexpr Value moved(Value x, int) { return x; }
   struct OwnUnit {
     static constexpr Value own(Value x) { return x; }

@@ -12,6 +12,7 @@
 #include <impact/step/friction_impulse.hpp>
 #include <impact/step/machine.hpp>
 #include <impact/stepper/contact_step.hpp>
+#include <impact/stepper/touch.hpp>
 #include <impact/stepper/treatment.hpp>
 #include <impact/types.hpp>
 
@@ -41,7 +42,7 @@ struct Step {
       m.clamp();
     } else if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
       DriveChange<Value> change{};
-      if constexpr (Contact::sees_change) change = m.state.drive.change(m.plan.drive, drive_before);
+      if constexpr (Contact::sees_change || Model::records) change = m.state.drive.change(m.plan.drive, drive_before);
       contact(m, increment, main_travel, change);
     } else if (checks_range_after_contact(m) && !flight_is_in_range(m)) {
       m.clamp();
@@ -128,9 +129,8 @@ struct Step {
 
   // The step as the stop sees it.
   using InField = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
-  using UnderChange = typename detail::Either<Contact::sees_change, ApproachUnderChange<InField, Value>, InField>::Type;
   using StopApproach =
-      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<InField, Value>, UnderChange>::Type;
+      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<InField, Value>, InField>::Type;
 
   [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Value increment, Long main_travel,
                                                              DriveChange<Value> change) {
@@ -144,12 +144,13 @@ struct Step {
     if constexpr (Contact::reads_rate || Model::records) approach.rate = m.relative_rate(left);
     approach.travel = mirrored(m.way_flown(main_travel), left);
     approach.before = approach.penetration - approach.travel;
-    if constexpr (Contact::sees_change) approach.half_change = -mirrored(change.half, left);
+    if constexpr (Contact::sees_change) increment = increment + change.to_end;
     if constexpr (Contact::is_instantaneous) {
+      approach.half_change = -mirrored(change.half, left);
       approach.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
-      increment = increment + change.to_end;
     }
-    if (apply_contact(m, approach, increment, left) && plan.crosses && state.contact.phase == Phase::apart)
+    if (apply_contact(m, approach, increment, left, change.to_end) && plan.crosses &&
+        state.contact.phase == Phase::apart)
       cross_cavity(m, increment, !left);
   }
   // The ball that has left one stop comes to the other in the same step, as if it had flown freely up to the rate that
@@ -162,7 +163,7 @@ struct Step {
     approach.travel = approach.rate + Format::value(half(mirrored(m.plan.units.increment_of_rate(increment), left)));
     approach.before = approach.penetration - approach.travel;
     if (is_positive(approach.before) && !put_back(m.plan.units, m.state, approach, left)) return;
-    apply_contact(m, approach, increment, left);
+    apply_contact(m, approach, increment, left, {});
   }
 
   // Writes the penetration at the step's end. Returns true where a contact is under way or begins; raises a fault
@@ -178,7 +179,7 @@ struct Step {
   // The contact's impulse on both masses. Returns false where the ball was put back to its stop or the state was
   // clamped.
   [[gnu::always_inline]] static constexpr bool apply_contact(Model& m, StopApproach& approach, Value increment,
-                                                             bool left) {
+                                                             bool left, [[maybe_unused]] Value to_end) {
     const auto& plan = m.plan;
     auto& state = m.state;
     Contact& contact = state.contact;
@@ -209,9 +210,21 @@ struct Step {
     if (m.clamp_to_range()) return false;
     if constexpr (Model::records) {
       approach.rate = rate;
-      m.record_contact(contact.record(plan.contact, plan.units, approach, contact_before, impulse));
+      auto seen = contact.record(plan.contact, plan.units, approach, contact_before, impulse);
+      if (seen.begins) {
+        if (!Contact::sees_change) approach.increment = approach.increment + minus_mirrored(to_end, left);
+        seen.rate_at_touch = touch_rate(plan.units, approach);
+      }
+      m.record_contact(seen);
     }
     return true;
+  }
+  template <class Units>
+  static constexpr Value touch_rate(const Units& units, const Approach<Value>& approach) {
+    if (is_positive(approach.before) || !is_positive(approach.penetration)) return approach.rate;
+    const auto way = Format::divisor(without_sign(approach.travel));
+    return rate_at_touch<Format>(way, way.share(without_sign(approach.penetration)), approach.travel, approach.rate,
+                                 units.increment_of_rate(approach.increment), 0);
   }
   // The range check that was to follow a contact, where there is none.
   [[gnu::always_inline]] static constexpr void clamp_unchecked(Model& m) {

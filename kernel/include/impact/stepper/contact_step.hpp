@@ -20,7 +20,8 @@ struct Approach {
   Value penetration, rate;  // at the end of the step
   Value travel;             // of the penetration in the step
   Value before;             // at its start
-  Value increment;          // of the rate by spring, drive and field from this step's end to the next one's
+  Value increment;          // of the rate by spring, drive and field from this step's end to the next one's, of a
+                            // drive as it is at the end where the treatment sees_change
 
   // As if the rate were linear in time.
   [[gnu::always_inline]] constexpr Value rate_at_start() const { return travel + travel - rate; }
@@ -32,17 +33,12 @@ struct ApproachInField : Approach<Value> {
   Value ball_increment;  // the ball's part of the increment
 };
 
-// Either, for a step that goes on from a rate within it, which a drive that changes has made.
+// Either, for an impact at an instant.
 template <class Seen, class Value>
-struct ApproachUnderChange : Seen {
+struct ApproachAtInstant : Seen {
   Value half_change;  // of what the drive adds to the rate in a step, from the step's start to its end
-};
-
-// The same for an impact at an instant.
-template <class Seen, class Value>
-struct ApproachAtInstant : ApproachUnderChange<Seen, Value> {
-  Value damped;     // the damper's part of the increment
-  Value main_rate;  // of the main mass at the end
+  Value damped;       // the damper's part of the increment
+  Value main_rate;    // of the main mass at the end
 };
 
 // The impulse of the contact's force in a step, and its moment about the step's end.
@@ -77,8 +73,8 @@ constexpr const Impulse<Value>& felt_by_ball(const SplitImpulse<Value>& impulse)
 
 // A step in contact as the features see it: the force's impulse and moment, the energy stored at its end, the rate of
 // penetration at both ends (the one at the start in the first step of a contact; a later one begins where the last
-// ended). A treatment whose force is constant knows how far the contact moved in the step, its way, and with it the
-// work to rounding.
+// ended), and in the first step the rate at the touch. A treatment whose force is constant knows how far the contact
+// moved in the step, its way, and with it the work to rounding.
 template <class Value>
 struct ContactStep {
   Impulse<Value> force;
@@ -87,6 +83,7 @@ struct ContactStep {
   bool begins, follows;
   bool has_way = false;
   Value way{};
+  Value rate_at_touch{};
 };
 
 }  // namespace impact

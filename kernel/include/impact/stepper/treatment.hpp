@@ -18,7 +18,7 @@ struct Treatment {
   static constexpr bool meets_both_stops = false;
   // Whether it reads the rate at the step's end, which costs the main mass's own to know.
   static constexpr bool reads_rate = true;
-  // Whether it asks what the drive changes by in a step.
+  // Whether it asks for the increment of a drive as it is at the step's end, not as it has changed in the step.
   static constexpr bool sees_change = false;
   // Whether it keeps a force from step to step, in its plan's units.
   static constexpr bool keeps_force = false;

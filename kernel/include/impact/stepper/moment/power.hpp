@@ -25,6 +25,7 @@
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/moment/response.hpp>
+#include <impact/stepper/touch.hpp>
 #include <impact/stepper/treatment.hpp>
 
 namespace impact {
@@ -73,7 +74,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             decltype(Plan::limit)::make(terms, unit, largest_damping_of_moment)};
   }
 
-  static constexpr bool meets_both_stops = true, reads_rate = false;
+  static constexpr bool meets_both_stops = true, reads_rate = ContactLaw::is_damped_per_impact,
+                        sees_change = ContactLaw::is_damped_per_impact;
 
   // While touching, at the start of the step: the change is that of the rate in a step around it, without contact.
   Value penetration, change;
@@ -102,12 +104,13 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const Value after = Format::moved(step.increment, plan.change_places);
     const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
     change = after;
-    return respond(plan, trial, before, g);
+    return respond(plan, trial, before, step.rate, g);
   }
 
  private:
-  [[gnu::always_inline]] constexpr Impulse<Value> respond(const Plan& plan, Value trial, Value before, Value g) {
-    if (phase == Phase::apart) return enter(plan, trial, before, g);
+  [[gnu::always_inline]] constexpr Impulse<Value> respond(const Plan& plan, Value trial, Value before, Value trial_rate,
+                                                          Value g) {
+    if (phase == Phase::apart) return enter(plan, trial, before, trial_rate, g);
     const Value rate = trial - penetration - Format::value(half(travel(plan, g)));
     const Prediction predicted = predict(plan, rate, g);
     const Value d = trial - travel(plan, predicted.moment);
@@ -156,15 +159,20 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     return ended(plan, trial, {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))}, end);
   }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, Value trial, Value before, Value g) {
+  [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, Value trial, Value before,
+                                                        [[maybe_unused]] Value trial_rate, Value g) {
     const auto d = without_sign(trial);
     const auto end = Format::known_root(trial);
     const auto s = end.at_point();
+    auto u = Format::constant(0);
     if constexpr (ContactLaw::is_damped_per_impact) {
-      this->begin(plan.damping, trial - before - Format::value(half(travel(plan, g))));
+      const auto way = Format::divisor(without_sign(trial - before));
+      u = way.share(d);
+      this->begin(plan.damping, rate_at_touch<Format>(way, u, trial - before, trial_rate, g, plan.travel_places));
       this->limit(plan.limit, plan.damping, s * d);
+    } else {
+      u = Format::quotient(d, without_sign(trial - before));
     }
-    const auto u = Format::quotient(d, without_sign(trial - before));
     const auto later = u * Format::short_constant(2.0 / 7);
     const auto su = plan.part_stiffness * s * u;
     const Value elastic = Format::value(su * d);

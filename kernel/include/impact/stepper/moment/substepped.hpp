@@ -61,7 +61,7 @@ struct SubsteppedMoment {
       Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // the main mass's flow over a sub-step, less (1 1; 0 1)
       Gain main_x, main_u, main_u_by_moment, ball;      // of a sub-step's impulse
       Gain to_penetration;                              // n, from impulses to penetrations
-      Gain late;                                        // what a change of the drive makes of the rate at the start
+      int increment_places;                             // from increments to penetrations
       Gain force;                                       // from the ball's impulse to the force's impulse
       int travel_places;
     };
@@ -109,8 +109,7 @@ struct SubsteppedMoment {
       plan.main_u_by_moment = Format::gain(scale * answer.hg1, from, unit.recoil);
       plan.ball = Format::gain(of_ball, from, unit.recoil);
       plan.to_penetration = Format::gain(n, unit.recoil, unit.penetration);
-      plan.late = Format::gain(terms.step * terms.step / (3 * terms.main_mass * flow.constant_increment()),
-                               unit.increment, unit.penetration);
+      plan.increment_places = unit.penetration - unit.increment;
       plan.force = Format::gain(per_ball, unit.recoil, 0);
       plan.travel_places = unit.penetration - unit.recoil;
       return plan;
@@ -149,8 +148,12 @@ struct SubsteppedMoment {
       const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
       const bool begins = this->phase == Phase::apart;
       Value at = begins ? before : this->penetration;
-      const Value rate_before =
-          begins ? (trial - before) + (trial - before) - trial_rate + plan.late * step.half_change : step_rate;
+      Value rate_before = step_rate;
+      if (begins) {
+        const Value less = trial - before - trial_rate;
+        rate_before =
+            trial - before + less + less + Format::value(half(Format::moved(step.increment, plan.increment_places)));
+      }
       const Value curving = trial - at - rate_before, rate_change = trial_rate - rate_before;
       const Value second = plan.square * (curving + curving + curving - rate_change),
                   third = plan.cube * (rate_change - curving - curving);

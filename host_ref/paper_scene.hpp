@@ -1,6 +1,6 @@
 #pragma once
-// The paper's scene under each contact law. Table 2's is what a Scene holds by itself; of Hooke-Newton table 1 gives
-// c1.
+// The paper's scene under each contact law: what a Scene holds by itself, and c1 of table 1 for Hooke-Newton, of table 2
+// for the others.
 
 #include <impact/scene.hpp>
 
@@ -9,7 +9,7 @@ namespace impact {
 constexpr Scene paper_scene(Law law, Tension tension = Tension::clamp) {
   Scene scene;
   scene.tension = tension;
-  if (law == Law::hooke_newton) scene.contact_damping = 20.81;  // N s/m
+  scene.contact_damping = law == Law::hooke_newton ? 20.81 : 19560;
   return scene;
 }
 

@@ -24,7 +24,7 @@ namespace impact::host {
 // way at t = 0 has Scene::contact_damping, and without one (0) every contact has.
 struct Case {
   Law law = Law::hunt_crossley;
-  Scene scene{};
+  Scene scene = paper_scene(Law::hunt_crossley);
   DriveKind drive = DriveKind::sine;
   std::vector<double> samples{};       // N
   double sample_step = 0;              // s

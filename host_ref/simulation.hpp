@@ -12,6 +12,7 @@
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
+#include "host_ref/paper_scene.hpp"
 
 namespace impact::host {
 
@@ -25,7 +26,7 @@ struct Request {
   Numeric numeric = Numeric::float64;
   DriveKind drive = DriveKind::sine;
   Damping damping = Damping::constant;  // of Hunt-Crossley; all but constant by Scene::restitution
-  Scene scene{};
+  Scene scene = paper_scene(Law::hunt_crossley);
   bool damping_is_by_restitution = false;  // Scene::contact_damping is what --restitution asks for
   double step = 1e-4;                      // h, s
   std::optional<Bounds> bounds{};          // when absent, they are looked for: see below

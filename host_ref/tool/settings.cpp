@@ -53,7 +53,7 @@ double default_damping(Law law) {
     case Law::hunt_crossley:
       break;
   }
-  return Scene{}.contact_damping;
+  return 19560;
 }
 
 }  // namespace

@@ -81,9 +81,12 @@ scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large'
 scene 1 'Rig::scene.gravity: -1e6 to 1e6 m/s^2, and in Fixed32 not so large' 's.gravity = -1e6;' HuntCrossley 1e-3 '' Gravity
 scene 1 'Bounds::displacement: no less than main_mass * gravity / main_stiffness' 's.gravity = -9.81; s.main_stiffness = 90;' \
   HuntCrossley 1e-4 '' Gravity
-# Another law's c1.
-scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' '' HookeNewton
-scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' 's.contact_stiffness = 1e5;' HookeNewton
+# Another law's c1, and one that nobody stated beside a law or a stiffness that somebody did.
+scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' 's.contact_damping = 19560;' HookeNewton
+unstated='Rig::scene.contact_damping is not stated, and its default is of HuntCrossley with the default contact_stiffness: state c1'
+scene 1 "$unstated" '' HookeNewton
+scene 1 "$unstated" 's.contact_stiffness = 1e5;' HookeNewton
+scene 1 "$unstated" 's.contact_stiffness = 1e6;'
 
 # chosen MESSAGE CHANGES [LAW [STEP [BOUNDS [FORMAT]]]]: with the stepper of the rule and the manual's converters, the same message alone.
 chosen() {

@@ -38,6 +38,20 @@ constexpr Explanation negative = changed<Fixed>(Parameter::main_mass, -1);
 static_assert(negative.parameter == Parameter::main_mass && negative.value == -1);
 static_assert(negative.allowed.least == mass_range.least && negative.allowed.most == mass_range.most);
 
+// A c1 that nobody stated is the paper's with the paper's law and stiffness, and no other's.
+template <class Law>
+constexpr PlanStatus unstated_at(double stiffness) {
+  Scene scene;
+  scene.contact_stiffness = stiffness;
+  return Plan<Fixed32, Law, Moment, Sine>::make(scene, Bounds{}, 1e-4).status;
+}
+static_assert(unstated_at<HuntCrossley>(32600) == PlanStatus::ok);
+static_assert(unstated_at<HuntCrossley>(32601) == PlanStatus::contact_damping_unstated);
+static_assert(unstated_at<HookeNewton>(32600) == PlanStatus::contact_damping_unstated);
+static_assert(unstated_at<Hertz>(1e5) == PlanStatus::ok && unstated_at<Exact>(1e5) == PlanStatus::ok);
+constexpr Explanation nearly_elastic = changed<Fixed>(Parameter::contact_stiffness, 1e6, 1e-4);
+static_assert(nearly_elastic.parameter == Parameter::contact_damping && nearly_elastic.allowed.holds(0.7 * 19560));
+
 // A start beyond a bound: the bound that holds it.
 constexpr Explanation beyond = [] {
   Scene scene;

@@ -507,6 +507,7 @@ TYPED_TEST(ImpulsiveStep, StartsDeepInsideAStop) {
 TYPED_TEST(ImpulsiveStep, GoesOnFromASavedState) {
   Scene scene;
   scene.contact_stiffness = 1e10;
+  scene.contact_damping = 19560;
   using Absorber = Kernel<TypeParam, HuntCrossley, Sine>;
   const auto plan = Absorber::PlanType::make(scene, {}, 1e-3);
   Absorber first(plan), second(plan);

@@ -44,6 +44,7 @@ template <class ContactLaw, class Stepper>
 constexpr Scene scene_of() {
   Scene scene;
   if (std::is_same_v<Stepper, Impulsive>) scene.contact_stiffness = 1e9;
+  scene.contact_damping = 19560;
   if (ContactLaw::law == Law::hooke_newton) scene.contact_damping = 20.81;
   scene.restitution = 0.7;
   return scene;
@@ -372,6 +373,7 @@ template <class Kernel>
 Kernel run(double stiffness = 32600) {
   Scene scene;
   scene.contact_stiffness = stiffness;
+  scene.contact_damping = 19560;
   scene.restitution = 0.7;
   Kernel kernel(Kernel::PlanType::make(scene, Bounds{}, h));
   EXPECT_EQ(kernel.fault(), Fault::none);

@@ -143,6 +143,8 @@ constexpr Explanation explain(PlanStatus status, Values values) {
     case PlanStatus::contact_stiffness:
     case PlanStatus::contact_time:
       return of(Parameter::contact_stiffness);
+    case PlanStatus::contact_damping_unstated:
+      return of(Parameter::contact_damping);
     case PlanStatus::contact_damping: {
       Explanation explanation = of(Parameter::contact_damping);
       if (explanation.allowed.holds(explanation.value)) explanation.allowed.most = largest_linear_damping(scene);

@@ -38,6 +38,7 @@ enum class PlanStatus : uint8_t {
   gravity_not_named,  // stated, but its part is not among the absorber's
   base_acceleration_not_named,
   ball_friction_not_named,
+  contact_damping_unstated,  // of a stiffness or a law that is not the default
 };
 
 // What is allowed, both ends included.

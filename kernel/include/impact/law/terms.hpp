@@ -46,6 +46,14 @@ struct ContactTerms {
   }
 };
 
+// Whether a law reads a c1 that nobody stated, beside a stiffness or a law that is not the default one.
+template <class ContactLaw>
+constexpr bool lacks_damping(const Scene& scene) {
+  const bool is_read = ContactLaw::is_damped && !ContactLaw::is_damped_per_impact,
+             is_default = !ContactLaw::is_linear && scene.contact_stiffness == Scene{}.contact_stiffness;
+  return is_read && !is_default && scene.contact_damping == unstated_damping;
+}
+
 template <class ContactLaw>
 constexpr double damping_ratio(const Scene& scene) {
   if constexpr (ContactLaw::is_damped_per_impact)

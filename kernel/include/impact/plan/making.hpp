@@ -53,9 +53,10 @@ class PlanMaking {
     double friction_way;  // of the sliding, by friction's force in a step, m
   };
 
-  static constexpr Plan made(const Scene& scene, const Bounds& bounds, double h) {
+  static constexpr Plan made(Scene scene, const Bounds& bounds, double h) {
     PlanStatus status = status_of_values(scene, bounds, h);
     if (status != PlanStatus::ok) return Plan::refused(status);
+    if (scene.contact_damping == unstated_damping) scene.contact_damping = 19560;
     Basis basis = basis_of(scene, bounds, h);
     status = status_of_motion(scene, bounds, basis);
     if (status != PlanStatus::ok) return Plan::refused(status);
@@ -85,6 +86,7 @@ class PlanMaking {
     if (status == PlanStatus::ok) status = status_of(scene, bounds);
     if (status == PlanStatus::ok) status = status_of_parts(scene, bounds);
     if (status != PlanStatus::ok) return status;
+    if (lacks_damping<ContactLaw>(scene)) return PlanStatus::contact_damping_unstated;
     if (!damping_ratio_range.holds(damping_ratio<ContactLaw>(scene))) return PlanStatus::restitution;
     if (ContactLaw::is_linear && scene.contact_damping > largest_linear_damping(scene))
       return PlanStatus::contact_damping;

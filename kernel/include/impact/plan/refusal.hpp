@@ -44,10 +44,13 @@ constexpr bool check() {
                 "a longer step, tighter Bounds or Float32");
   constexpr bool is_damping = contact_damping_range.holds(Rig::scene.contact_damping);
   static_assert(status != PlanStatus::contact_damping || !is_damping,
-                "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m: the "
-                "default, 19560, is HuntCrossley's in N s/m^(5/2)");
+                "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m");
   static_assert(status != PlanStatus::contact_damping || is_damping,
                 "Rig::scene.contact_damping: 0 to 1e18, in N s/m for HookeNewton and N s/m^(5/2) for HuntCrossley");
+  static_assert(status != PlanStatus::contact_damping_unstated,
+                "Rig::scene.contact_damping is not stated, and its default is of HuntCrossley with the default "
+                "contact_stiffness: state c1, in N s/m for HookeNewton and N s/m^(5/2) for HuntCrossley, which "
+                "impact-sim --restitution finds");
   static_assert(status != PlanStatus::restitution, "Rig::scene.restitution: 0.01 to 1, and within the law's own range");
   static_assert(status != PlanStatus::drive_amplitude, "Rig::scene.drive_amplitude: 0 to 1e9 N");
   static_assert(status != PlanStatus::drive_pulsation,

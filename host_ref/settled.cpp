@@ -86,7 +86,8 @@ Bounds estimated_bounds(const Request& request) {
   const double start = std::max(std::abs(scene.x1), std::abs(scene.x2));
   const double speed = held(std::max(
       {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2)}));
-  const double reach = held(start + speed / std::max(natural, slowest));
+  const double stop = scene.stops == Stops::none ? 0 : scene.clearance / 4;
+  const double reach = held(std::max(start + speed / std::max(natural, slowest), stop));
   return {reach, speed, reach, force_bound(request), base_bound(request)};
 }
 

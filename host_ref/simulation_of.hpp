@@ -151,6 +151,7 @@ class KernelSimulation final : public Simulation {
     const double gap = scene_.clearance / 2;
     constexpr bool is_impulse = detail::is_one_of<ContactForce, Parts...> || Kernel::Contact::is_instantaneous;
     if (!is_impulse && kernel_.is_touching()) return (kernel_.state().at_left ? -1 : 1) * y - gap;
+    if (scene_.stops == Stops::none) return -gap;
     return scene_.stops == Stops::right ? y - gap : scene_.stops == Stops::left ? -y - gap : std::abs(y) - gap;
   }
   // The mean force of an impact that may have come and gone within a step is had from what the ball has felt.

@@ -31,6 +31,7 @@ Request without_absorber(const Request& request) {
   bare.scene.drive_pulsation = request.scene.drive_pulsation;
   bare.scene.x1 = request.scene.x1;
   bare.scene.v1 = request.scene.v1;
+  bare.scene.stops = Stops::none;
   bare.scene.clearance = clearance_range.most;
   bare.scene.contact_stiffness = contact_stiffness_range.least;
   bare.scene.contact_damping = 0;

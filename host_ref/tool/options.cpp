@@ -173,7 +173,8 @@ const std::vector<Option>& options() {
       number("ball-mass", "kg", mass_range, field(&Scene::ball_mass), "the absorber's ball"),
       number("clearance", "m", clearance_range, field(&Scene::clearance),
              "the ball's whole free travel, from stop to stop"),
-      choice<Stops>("stops", {{"both", Stops::both}, {"left", Stops::left}, {"right", Stops::right}},
+      choice<Stops>("stops",
+                    {{"both", Stops::both}, {"left", Stops::left}, {"right", Stops::right}, {"none", Stops::none}},
                     field(&Scene::stops), "stops that are there"),
 
       number("contact-stiffness", "N/m^p", contact_stiffness_range, field(&Scene::contact_stiffness),

@@ -97,7 +97,9 @@ std::string parts(const Request& request) {
   return text;
 }
 
-const char* stops_name(Stops stops) { return stops == Stops::both ? "both" : stops == Stops::left ? "left" : "right"; }
+const char* stops_name(Stops stops) {
+  return stops == Stops::both ? "both" : stops == Stops::left ? "left" : stops == Stops::right ? "right" : "none";
+}
 
 std::string line(const std::string& name, const std::string& value, const std::string& unit) {
   const std::string statement = "    " + name + " = " + value + ";";

@@ -52,6 +52,11 @@ static_assert(unstated_at<Hertz>(1e5) == PlanStatus::ok && unstated_at<Exact>(1e
 constexpr Explanation nearly_elastic = changed<Fixed>(Parameter::contact_stiffness, 1e6, 1e-4);
 static_assert(nearly_elastic.parameter == Parameter::contact_damping && nearly_elastic.allowed.holds(0.7 * 19560));
 
+// A stop that no ball within the bound of 0.1 m meets: half of the clearance is more than 0.2 m.
+constexpr Explanation in_millimetres = changed<Fixed>(Parameter::clearance, 12);
+static_assert(in_millimetres.parameter == Parameter::clearance && in_millimetres.allowed.most > 0.3999);
+static_assert(accepts<Fixed>(Parameter::clearance, 0.4) && !accepts<Fixed>(Parameter::clearance, 0.401));
+
 // A start beyond a bound: the bound that holds it.
 constexpr Explanation beyond = [] {
   Scene scene;

@@ -143,6 +143,11 @@ constexpr Explanation explain(PlanStatus status, Values values) {
     case PlanStatus::contact_stiffness:
     case PlanStatus::contact_time:
       return of(Parameter::contact_stiffness);
+    case PlanStatus::stop_out_of_reach: {
+      Explanation explanation = of(Parameter::clearance);
+      explanation.allowed.most = largest_clearance(values.bounds);
+      return explanation;
+    }
     case PlanStatus::contact_damping_unstated:
       return of(Parameter::contact_damping);
     case PlanStatus::contact_damping: {

@@ -20,7 +20,8 @@ namespace impact {
 // Hunt-Crossley: Fc = delta^(3/2) (k1 + c1 delta')      (2.7)
 enum class Law { hooke_newton, hertz, hunt_crossley };
 
-enum class Stops { both, left, right };
+// None: the ball meets nothing, whatever the clearance.
+enum class Stops { both, left, right, none };
 
 // What a negative contact force means: `clamp` lets the ball go at zero force (a stop cannot pull); `allow` keeps the
 // law as the paper writes it, with separation at zero penetration. Hooke-Newton's alone: the others never pull.

@@ -38,6 +38,7 @@ enum class PlanStatus : uint8_t {
   gravity_not_named,  // stated, but its part is not among the absorber's
   base_acceleration_not_named,
   ball_friction_not_named,
+  stop_out_of_reach,         // no ball within Bounds::displacement meets one
   contact_damping_unstated,  // of a stiffness or a law that is not the default
 };
 
@@ -107,11 +108,15 @@ constexpr PlanStatus status_of(const Scene& scene, double step, double phase) {
   return PlanStatus::ok;
 }
 
+// x2 - x1 of two masses within their bounds reaches half of it.
+constexpr double largest_clearance(const Bounds& bounds) { return 4 * bounds.displacement; }
+
 constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
   const auto within = [](double x, double bound) { return x >= -bound && x <= bound; };
   if (!bound_range.holds(bounds.displacement)) return PlanStatus::displacement_bound;
   if (!within(scene.x1, bounds.displacement) || !within(scene.x2, bounds.displacement))
     return PlanStatus::displacement_bound;
+  if (scene.stops != Stops::none && scene.clearance > largest_clearance(bounds)) return PlanStatus::stop_out_of_reach;
   if (!bound_range.holds(bounds.speed)) return PlanStatus::speed_bound;
   if (!within(scene.v1, bounds.speed) || !within(scene.v2, bounds.speed)) return PlanStatus::speed_bound;
   if (bounds.penetration != 0 && !bound_range.holds(bounds.penetration)) return PlanStatus::penetration_bound;

@@ -41,6 +41,7 @@ constexpr double largest_acceleration(const Scene& scene, const Bounds& bounds, 
 
 // Of the ball at the start.
 constexpr double initial_penetration(const Scene& scene) {
+  if (scene.stops == Stops::none) return -scene.clearance;
   const double right = scene.x2 - scene.x1, apart = scene.stops == Stops::right  ? right
                                                     : scene.stops == Stops::left ? -right
                                                                                  : constant::magnitude(right);

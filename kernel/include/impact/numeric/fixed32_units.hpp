@@ -81,6 +81,11 @@ struct Fixed32Units {
             e.force};
   }
 
+  // Further than two positions in range are apart.
+  static constexpr double out_of_reach(const UnitExponents& e) {
+    return constant::power_of_two(e.position) * (1 - 0x1p-53);
+  }
+
   constexpr Long state(double x) const {
     const double raw = x * constant::power_of_two(63 - position_exponent), most = 0x1p62;
     return {static_cast<int64_t>(constant::larger(-most, constant::smaller(raw, most)))};

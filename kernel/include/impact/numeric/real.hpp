@@ -136,6 +136,9 @@ struct RealFormat {
     static constexpr void add_position(Long& x, Value by) { x.add(by); }
     static constexpr void add_displacement(Long& w, Value by) { w.add(by); }
 
+    // Further than two positions in range are apart.
+    static constexpr double out_of_reach(const UnitExponents&) { return 0x1p22; }
+
     static constexpr Long state(double x) {
       Long result{};
       result.sum = static_cast<Real>(x);

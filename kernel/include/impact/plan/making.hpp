@@ -133,7 +133,7 @@ class PlanMaking {
     const ContactTerms& terms = basis.terms;
     const double h = terms.step;
     UnitBounds largest{};
-    largest.gap = scene.clearance / 2;
+    largest.gap = scene.stops == Stops::none ? 0 : scene.clearance / 2;
     largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
     largest.position = bounds.displacement;
     largest.way = bounds.speed * h;
@@ -196,7 +196,8 @@ class PlanMaking {
     const LinearFlow &flow = basis.flow, &ball = basis.ball;
     const ContactTerms& terms = basis.terms;
     const double h = terms.step;
-    const auto units = Format::Units::make(exponents, scene.clearance / 2, h, terms.force_unit);
+    const double gap = scene.stops == Stops::none ? Format::Units::out_of_reach(exponents) : scene.clearance / 2;
+    const auto units = Format::Units::make(exponents, gap, h, terms.force_unit);
     Plan plan{};
     plan.status = PlanStatus::ok;
     plan.step = h;
@@ -209,7 +210,7 @@ class PlanMaking {
     plan.contact = Contact::make_plan(terms, flow, exponents);
     plan.force_scale = terms.force_unit;
     plan.drive_scale = Drive::template force_unit<Format>(scene, bounds);
-    plan.left_stop = scene.stops != Stops::right;
+    plan.left_stop = scene.stops == Stops::both || scene.stops == Stops::left;
     plan.right_stop = scene.stops != Stops::left;
     plan.crosses = terms.crosses && Contact::meets_both_stops;
     plan.x1 = units.state_at(scene.x1);

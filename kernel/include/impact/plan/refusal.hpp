@@ -27,6 +27,13 @@ struct StepsPerContact {
                 "the stepper of the rule is impact::Chosen<Rig, Law> of impact/choice.hpp");
 };
 
+template <int64_t largest_clearance_in_micrometres, bool is_in_range>
+struct StopInReach {
+  static_assert(is_in_range,
+                "Rig::scene.clearance: no ball within Bounds::displacement reaches a stop; in metres, up to the "
+                "largest_clearance_in_micrometres named here, or scene.stops = impact::Stops::none");
+};
+
 template <class Rig, class PlanType, PlanStatus status>
 constexpr bool check() {
   static_assert(status != PlanStatus::main_mass, "Rig::scene.main_mass: 1e-9 to 1e9 kg");
@@ -111,6 +118,8 @@ constexpr bool check() {
 
   using Stepper = typename PlanType::StepperType;
   using ContactLaw = typename PlanType::LawType;
+  if constexpr (status == PlanStatus::stop_out_of_reach)
+    (void)sizeof(StopInReach<static_cast<int64_t>(largest_clearance(Rig::bounds) * 1e6), false>);
   if constexpr (status == PlanStatus::step) {
     constexpr double longest = longest_step(Rig::scene, Stepper::longest_phase);
     (void)sizeof(Step<static_cast<int64_t>(longest * 1e9), false>);

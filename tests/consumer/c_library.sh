@@ -144,7 +144,7 @@ int main() {
   for (int n = 0; n < 5000; ++n) {
     const Absorber::Value acceleration = {(n / 300) % 2 ? -900000000 : 900000000};
     if constexpr (Absorber::Drive::is_sampled)
-      absorber.step({acceleration.raw / 3}, acceleration);
+      absorber.step(Absorber::Value{acceleration.raw / 3}, acceleration);
     else
       absorber.step(acceleration);
   }

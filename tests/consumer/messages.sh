@@ -112,13 +112,13 @@ using Law = impact::${3:-Exact};
 using Absorber = impact::Absorber<Rig, Law, impact::Chosen<Rig, Law>, impact::Sampled, impact::${6:-Fixed32}, impact::ContactForce>;
 static Absorber absorber;
 constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095}, adc{2048, 2048 / 10.0, 0, 4095};
-constexpr impact::ToCounts<Absorber::Format> to_dac(dac, Absorber::displacement_unit());
-constexpr impact::ToCounts<Absorber::Format> to_motor(dac, Absorber::force_unit());
-constexpr impact::FromCounts<Absorber::Format> from_adc(adc, Absorber::sample_unit());
+constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_dac(dac);
+constexpr impact::ToCounts<Absorber, impact::Quantity::contact_force> to_motor(dac);
+constexpr impact::FromCounts<Absorber> from_adc(adc);
 constexpr auto push = Absorber::sample_of(2.5);
 int tick(int counts) {
   absorber.step(from_adc(counts));
-  return to_dac(absorber.displacement()) + to_motor(absorber.contact_force());
+  return to_dac(absorber) + to_motor(absorber);
 }
 END
 }
@@ -192,19 +192,39 @@ absorber 1 'retune() of an absorber whose plan is a constant' 'Rig, HuntCrossley
 absorber 1 'contact_force() needs the feature ContactForce' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.contact_force();'
 absorber 1 'snapshot() needs the feature Snapshots' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.snapshot();'
 
+# A number in braces, another quantity, and a value where a converter reads its own.
+sampled='Rig, HuntCrossley, Moment, Sampled, Fixed32'
+absorber 1 'step({..}): a number in braces, such as a converter' "$sampled" 'absorber.step({100});'
+absorber 1 'a sample of another quantity: of a force take FromCounts<Absorber>' "$sampled" \
+  'using A = decltype(absorber); FromCounts<A, Quantity::displacement> from({2048, 20480, 0, 4095}); absorber.step(from(7));'
+absorber 1 'a converter reads its own quantity: pass the absorber or its snapshot()' "$sampled" \
+  'ToCounts<decltype(absorber), Quantity::displacement> to({2048, 40940, 0, 4095}); to(absorber.velocity());'
+absorber 1 'the drive takes no samples: name Sampled as the drive' 'Rig, HuntCrossley, Moment, Sine, Float32' \
+  'FromCounts<decltype(absorber)> from({2048, 204.8, 0, 4095});'
+
 # A converter as its circuit cannot have it. Clang names the call in a note.
 converter() {
   message=$1
   case $compiler in *clang*) message='must be initialized by a constant expression' ;; esac
   wrong any "$message" <<END
-#include <impact/converter.hpp>
-#include <impact/numeric/fixed32.hpp>
-constexpr impact::$3<impact::Fixed32> convert($2, 0.25);
+#include <impact/absorber.hpp>
+struct Rig {
+  static constexpr impact::Scene scene{};
+  static constexpr impact::Bounds bounds{};
+  static constexpr double step = 1e-4;
+};
+using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::${4:-Fixed32}>;
+constexpr impact::$3 convert({$2});
 END
+  grep -q "$1" "$folder/errors" || { echo "nowhere named: $1" && failures=1; }
+  echo "$1" >>"$folder/seen"
 }
-for way in ToCounts FromCounts; do
-  converter a_converters_least_count_is_above_its_most '{2048, 40940, 4095, 0}' $way
-  converter a_converter_has_no_counts_per_si_unit '{2048, 0, 0, 4095}' $way
+for way in 'ToCounts<Absorber, impact::Quantity::displacement>' 'FromCounts<Absorber>'; do
+  converter a_converters_least_count_is_above_its_most '2048, 40940, 4095, 0' "$way"
+  converter a_converter_has_no_counts_per_si_unit '2048, 0, 0, 4095' "$way"
+done
+for format in Fixed32 Float32; do  # 200 N where Bounds::force is 10
+  converter a_converters_end_is_more_than_the_bound_of_its_quantity '2048, 2048 / 200.0, 0, 4095' 'FromCounts<Absorber>' $format
 done
 
 # The compiler's own setting.

@@ -116,8 +116,9 @@ template <class Law, class Stepper, class Drive, class... Features>
 void kernel(Bytes& bytes) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, Drive, Numeric, Features...>;
   using Plan = typename Kernel::PlanType;
-  const Scene scene = scene_from<Kernel>(bytes);
+  Scene scene = scene_from<Kernel>(bytes);
   const Bounds bounds = bounds_from<Kernel>(bytes);
+  if (scene.clearance > largest_clearance(bounds)) scene.stops = Stops::none;
   const double h = bytes.number({1e-7, 0.1});
   const Plan plan = Plan::make(scene, bounds, h);
   if (plan.status != PlanStatus::ok) return;

@@ -122,6 +122,30 @@ TYPED_TEST(Faults, ABallOutOfRange) {
   EXPECT_TRUE(absorber.restore(absorber.save()));
 }
 
+// Without stops the main mass moves as beside stops that nothing meets, and the ball passes where they would be.
+TYPED_TEST(Faults, NoStopIsMet) {
+  Scene none;
+  none.main_stiffness = none.main_damping = 0;
+  none.contact_damping = 20;
+  none.clearance = 1e-3;
+  none.stops = Stops::none;
+  none.drive_amplitude = 0.01;
+  none.v2 = 0.05;
+  Scene far = none;
+  far.stops = Stops::both;
+  far.clearance = 0.4;
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>;
+  Kernel of_none = made<Kernel>(none, {0.2, 0.2, 0, 0}, 1e-3), of_far = made<Kernel>(far, {0.2, 0.2, 0, 0}, 1e-3);
+  for (int n = 0; n < 3000; ++n) {
+    of_none.step(), of_far.step();
+    ASSERT_FALSE(of_none.is_touching());
+  }
+  const double rounded = 3000 * 0x1p-27;  // half a last place of a float beside 0.15, a step
+  EXPECT_NEAR(of_none.reading().x1, of_far.reading().x1, rounded);
+  EXPECT_NEAR(of_none.reading().x2, 0.15, rounded);
+  EXPECT_EQ(of_none.fault(), Fault::none);
+}
+
 // Fixed32: the same resonance with room for displacements. Floating point: only a contact that the stepper cannot
 // resolve gets there, here with 1e15 N and more on a ball of 1e-9 kg.
 TYPED_TEST(Faults, ASpeedOutOfRange) {
@@ -166,7 +190,7 @@ TYPED_TEST(Faults, ASampleOutOfRange) {
     // A fraction of the bound: all of its bits are good.
     const auto moved = [&fresh](int32_t raw) {
       Kernel absorber = fresh;
-      for (int n = 0; n < 10; ++n) absorber.step({raw});
+      for (int n = 0; n < 10; ++n) absorber.step(Fixed32::Value{raw});
       EXPECT_EQ(absorber.fault(), Fault::none);
       return absorber.reading().x1;
     };

@@ -305,16 +305,16 @@ TYPED_TEST(Formats, CountsOutAreTheNearestAndHeldAtTheEnds) {
   for (const double full_scale : {0.05, 0.1, -0.07})
     for (const int32_t bits : {8, 12, 16}) {
       const int32_t zero = 1 << (bits - 1), most = (1 << bits) - 1;
-      const ToCounts<TypeParam> to_counts({zero, zero / full_scale, 0, most}, unit);
+      const detail::CountsOut<TypeParam> to_counts({zero, zero / full_scale, 0, most}, unit);
       for (int n = -1000; n <= 1000; ++n) {
         const auto x = native<TypeParam>(n * 0.11e-3 + 1e-9, unit);
         const double exact = zero + si(x, unit) * zero / full_scale;
         const double held = std::min(std::max(exact, 0.0), static_cast<double>(most));
-        ASSERT_NEAR(to_counts(x), held, 0.5 + 1e-2) << n;
+        ASSERT_NEAR(to_counts.of(x), held, 0.5 + 1e-2) << n;
       }
     }
-  const ToCounts<TypeParam> whole({0, -0x1p31, -INT32_MAX, INT32_MAX}, 1);
-  EXPECT_NEAR(whole(native<TypeParam>(0.5, 1)), -(1 << 30), 128);
+  const detail::CountsOut<TypeParam> whole({0, -0x1p31, -INT32_MAX, INT32_MAX}, 1);
+  EXPECT_NEAR(whole.of(native<TypeParam>(0.5, 1)), -(1 << 30), 128);
 }
 
 TYPED_TEST(Formats, CountsInAreSamples) {
@@ -322,7 +322,7 @@ TYPED_TEST(Formats, CountsInAreSamples) {
   for (const double full_scale : {10.0, 8.0, -12.5})
     for (const int32_t bits : {8, 12, 16, 24}) {
       const int32_t zero = 1 << (bits - 1);
-      const FromCounts<TypeParam> from_counts({zero, zero / full_scale, 0, 2 * zero - 1}, unit);
+      const detail::CountsIn<TypeParam> from_counts({zero, zero / full_scale, 0, 2 * zero - 1}, unit);
       for (int32_t n = 0; n <= 4096; ++n) {
         const auto counts = static_cast<int32_t>(static_cast<int64_t>(n) * (2 * zero - 1) / 4096);
         double exact = (counts - zero) * full_scale / zero;
@@ -330,10 +330,10 @@ TYPED_TEST(Formats, CountsInAreSamples) {
         const double most = (std::ceil(unit * zero / std::abs(full_scale)) - 1) * std::abs(full_scale) / zero;
         if (std::is_same_v<TypeParam, Fixed32>) exact = std::min(std::max(exact, -most), most);
         const double place = std::is_same_v<TypeParam, Fixed32> ? 10 * 0x1p-29 : std::abs(exact) * 0x1p-22;
-        ASSERT_NEAR(si(from_counts(counts), unit), exact, place) << n << " of " << bits << " bits";
+        ASSERT_NEAR(si(from_counts.of(counts), unit), exact, place) << n << " of " << bits << " bits";
       }
       for (const int32_t wild : {INT32_MIN, INT32_MAX})
-        ASSERT_GT(std::abs(si(from_counts(wild), unit)), std::min(std::abs(full_scale), unit) * 0.99);
+        ASSERT_GT(std::abs(si(from_counts.of(wild), unit)), std::min(std::abs(full_scale), unit) * 0.99);
     }
 }
 
@@ -342,9 +342,9 @@ TYPED_TEST(Formats, CountsInAreSamples) {
 TEST(FromCountsInFixed32, KeepTheSignAtTheUnit) {
   for (const double per_unit : {2199.0000011817065, 98525.00006975689, 336723.00039717258, 557301916.26383638}) {
     for (const double direction : {1.0, -1.0}) {
-      const FromCounts<Fixed32> from_counts({0, direction * per_unit, 0, 0}, 1);
-      EXPECT_GT(direction * from_counts(INT32_MAX).raw, 0.999 * 0x1p31) << per_unit;
-      EXPECT_LT(direction * from_counts(-INT32_MAX).raw, -0.999 * 0x1p31) << per_unit;
+      const detail::CountsIn<Fixed32> from_counts({0, direction * per_unit, 0, 0}, 1);
+      EXPECT_GT(direction * from_counts.of(INT32_MAX).raw, 0.999 * 0x1p31) << per_unit;
+      EXPECT_LT(direction * from_counts.of(-INT32_MAX).raw, -0.999 * 0x1p31) << per_unit;
     }
   }
 }

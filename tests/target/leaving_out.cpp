@@ -49,7 +49,7 @@ Absorber<Rig, LAW, NEWMARK, DRIVE, NUMERIC> absorber;
 
 [[gnu::noinline]] void step() {
   if constexpr (DRIVE::is_sampled || decltype(absorber)::Field::is_sampled)
-    absorber.step({});
+    absorber.step(decltype(absorber)::Value{});
   else
     absorber.step();
 }

@@ -48,8 +48,7 @@ void print_largest(const char* format, const char* quantity, Act act) {
 
 template <class Format>
 void print_costs(const char* format) {
-  static constexpr ToCounts<Format> to_dac({2048, 2047 / 0.05, 0, 4095},
-                                           decltype(absorber<Format>)::displacement_unit());
+  static constexpr ToCounts<decltype(absorber<Format>), Quantity::displacement> to_dac({2048, 2047 / 0.05, 0, 4095});
   print_largest(format, "step", [] { absorber<Format>.step(); });
   print_largest(format, "with_contact_force", [] { absorber<Format, ContactForce>.step(); });
   print_largest(format, "with_snapshots", [] { absorber<Format, Snapshots>.step(); });
@@ -60,7 +59,7 @@ void print_costs(const char* format) {
     sink = seen.is_whole;
   });
   print_largest(format, "velocity", [] { keep(absorber<Format>.velocity()); });
-  print_largest(format, "counts", [] { keep(to_dac(absorber<Format>.displacement())); });
+  print_largest(format, "counts", [] { keep(to_dac(absorber<Format>)); });
   print_largest(format, "correct", [] { absorber<Format>.correct({}, {}); });
   absorber<Format>.reset();
   uint32_t sum = 0;

@@ -15,7 +15,7 @@ struct Rig {
 using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sine, impact::Fixed32>;
 
 constexpr impact::Converter pwm{128, 127 / 0.05, 0, 255};  // the middle is 0 m, full scale 0.05 m
-constexpr impact::ToCounts<Absorber::Format> to_pwm(pwm, Absorber::displacement_unit());
+constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_pwm(pwm);
 
 Absorber absorber;
 unsigned long due;
@@ -26,7 +26,7 @@ void loop() {
   if (micros() - due < 1000) return;
   due += 1000;
   absorber.step();
-  analogWrite(A0, to_pwm(absorber.displacement()));
+  analogWrite(A0, to_pwm(absorber));
   if (absorber.fault() != impact::Fault::none) {
     Serial.println(F("out of range"));
     absorber.reset();

@@ -42,7 +42,7 @@ volatile bool has_finished;  // whenever this says so
 
 void control_interrupt() {
   static uint32_t rest = 0;
-  absorber.step({board::converters.force});  // Q1.31: a converter's counts go through FromCounts
+  absorber.step(Absorber::Value{board::converters.force});  // Q1.31: counts go through FromCounts
   if (absorber.fault() != impact::Fault::none) {
     absorber.reset();
     rest = steps_at_rest;

@@ -31,7 +31,7 @@ static_assert(plans[0].status == impact::PlanStatus::ok && plans[1].status == im
 Absorber absorber(plans[0]);  // the interrupt's own
 
 constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095};
-constexpr impact::ToCounts<Absorber::Format> to_dac(dac, plans[0].displacement_unit());
+constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_dac(dac, plans[0]);
 volatile int32_t dac_register;  // stands for the converter's
 
 // Wishes: one word each, written by tasks and fulfilled by the interrupt.
@@ -42,7 +42,7 @@ uint8_t plan_in_use;
 
 extern "C" void TIM2_IRQHandler() {
   absorber.step();
-  dac_register = to_dac(absorber.displacement());
+  dac_register = to_dac(absorber);
   if (wanted_plan != plan_in_use && absorber.retune(plans[wanted_plan])) plan_in_use = wanted_plan;
   if (has_to_begin_anew) {
     absorber.reset();

@@ -9,7 +9,7 @@
 //     };
 //     using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sine, impact::Fixed32>;
 //     Absorber absorber;
-//     void timer_interrupt() { absorber.step(); write_dac(absorber.displacement()); }
+//     void timer_interrupt() { absorber.step(); write_dac(to_dac(absorber)); }  // converter.hpp
 //
 // A scene is a type. What its template arguments do not name is not compiled: no power table for Hooke-Newton, no
 // oscillator for a sampled drive, no ledger and no log unless asked for.
@@ -44,6 +44,7 @@
 #include <impact/numeric/real.hpp>
 #include <impact/plan/plan.hpp>
 #include <impact/plan/source.hpp>
+#include <impact/quantity.hpp>
 #include <impact/scene.hpp>
 #include <impact/snapshot.hpp>
 #include <impact/step/restart.hpp>
@@ -182,32 +183,37 @@ class AbsorberOf
   // Advances a sampled drive, or a base that accelerates, by one step, with the sample at the step's end: newtons or
   // m/s^2 in a floating-point format, a fraction of Bounds::force or Bounds::base_acceleration in Q1.31 in Fixed32; the
   // sample before the first is 0.
-  template <class Sample = Value>
+  template <class Sample = detail::InBraces>
   constexpr void step(Sample sample) {
-    constexpr bool is_value = detail::is_one_of<Value, Sample>;
+    constexpr Quantity quantity = Drive::is_sampled ? Quantity::force : Quantity::base_acceleration;
+    constexpr bool takes_one = Drive::is_sampled != Field::is_sampled,
+                   is_sample = detail::is_sample<Sample, Value, quantity>;
     static_assert(Drive::is_sampled || Field::is_sampled,
                   "step(sample), but the drive takes none: name Sampled as the drive, or step()");
     static_assert(!(Drive::is_sampled && Field::is_sampled),
                   "step(sample), but both the drive and the base take one: step(force, acceleration)");
-    static_assert(
-        is_value || !(Drive::is_sampled || Field::is_sampled),
-        "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), of a base "
-        "step(absorber.base_sample_of(acceleration)), a converter's counts through FromCounts (converter.hpp), "
-        "a float in Float32 and Float32Plain, or in Fixed32 step({raw}) of a fraction of the bound in Q1.31");
-    if constexpr (is_value && Drive::is_sampled) {
-      Steps::step(machine(), sample, Value{});
-      publish();
-    } else if constexpr (is_value && Field::is_sampled) {
-      Steps::step(machine(), Value{}, sample);
+    check_sample<Sample, quantity, !takes_one>();
+    if constexpr (takes_one && is_sample) {
+      if constexpr (Drive::is_sampled)
+        Steps::step(machine(), sample, Value{});
+      else
+        Steps::step(machine(), Value{}, sample);
       publish();
     }
   }
   // With both samples, at the step's end: the force, and the base's acceleration.
-  constexpr void step(Value force, Value acceleration) {
-    static_assert(Drive::is_sampled && Field::is_sampled,
+  template <class Force = detail::InBraces, class Acceleration = detail::InBraces>
+  constexpr void step(Force force, Acceleration acceleration) {
+    constexpr bool takes_both = Drive::is_sampled && Field::is_sampled;
+    static_assert(takes_both,
                   "step(force, acceleration): the drive must be Sampled, and BaseAcceleration among the parts");
-    Steps::step(machine(), force, acceleration);
-    publish();
+    check_sample<Force, Quantity::force, !takes_both>();
+    check_sample<Acceleration, Quantity::base_acceleration, !takes_both>();
+    if constexpr (takes_both && detail::is_sample<Force, Value, Quantity::force> &&
+                  detail::is_sample<Acceleration, Value, Quantity::base_acceleration>) {
+      Steps::step(machine(), force, acceleration);
+      publish();
+    }
   }
 
   // As of the last step, in native numbers, of the main mass and of the ball: in the context that steps. In any other
@@ -380,6 +386,26 @@ class AbsorberOf
   using Machine::counts_slid_way, Machine::has_own_damping;
   constexpr Machine& machine() { return *this; }
   constexpr const Machine& machine() const { return *this; }
+
+  // One message for one mistake.
+  template <class Sample, Quantity quantity, bool is_excused>
+  static constexpr void check_sample() {
+    constexpr bool is_sample = is_excused || detail::is_sample<Sample, Value, quantity>,
+                   is_in_braces = detail::is_one_of<Sample, detail::InBraces>,
+                   is_of_another = detail::is_native<Sample>;
+    static_assert(is_sample || !is_in_braces,
+                  "step({..}): a number in braces, such as a converter's counts, is no sample: pass counts through "
+                  "FromCounts (converter.hpp), newtons as absorber.sample_of(newtons), and in Fixed32 a fraction of "
+                  "the bound in Q1.31 as Absorber::Value{raw}");
+    static_assert(is_sample || !is_of_another,
+                  "a sample of another quantity: of a force take FromCounts<Absorber>, of a base's acceleration "
+                  "FromCounts<Absorber, Quantity::base_acceleration>");
+    static_assert(is_sample || is_in_braces || is_of_another,
+                  "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), of a base "
+                  "step(absorber.base_sample_of(acceleration)), a converter's counts through FromCounts "
+                  "(converter.hpp), a float in Float32 and Float32Plain, or in Fixed32 a fraction of the bound in "
+                  "Q1.31 as Absorber::Value{raw}");
+  }
 
   // What records starts anew.
   template <class Feature>

@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Between the kernel's numbers and a converter's counts, one multiplication each way, with a constant that the compiler
-// makes:
+// Between an absorber's numbers and a converter's counts, one multiplication each way, with a constant that the
+// compiler makes:
 //
 //     constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095};     // the middle is 0 m, full scale 0.05 m
-//     constexpr impact::ToCounts<Absorber::Format> to_dac(dac, Absorber::displacement_unit());
-//     DAC = to_dac(absorber.displacement());
+//     constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_dac(dac);
+//     DAC = to_dac(absorber);
 //
 //     constexpr impact::Converter adc{2048, 2048 / 10.0, 0, 4095};     // the middle is 0 N, full scale 10 N
-//     constexpr impact::FromCounts<Absorber::Format> from_adc(adc, Absorber::sample_unit());
+//     constexpr impact::FromCounts<Absorber> from_adc(adc);            // the sample of a Sampled drive
 //     absorber.step(from_adc(ADC));
+//
+// A converter reads its own quantity from the absorber, or from its snapshot, and step() takes its own quantity only.
+// Where the plan is AtRunTime its units are the plan's: to_dac(dac, plan).
 //
 // Out: to the nearest count, held at the converter's ends. In: within 2^-29 of the unit (Fixed32) or 2^-22 of
 // itself; in Fixed32 counts are held at the last one below the unit by 2^-28 of it. The ends, and the counts that come,
-// lie less than 2^31 counts from zero.
+// lie less than 2^31 counts from zero. A converter in whose end is more than its quantity's bound does not compile.
 
 #include <stdint.h>
 
 #include <impact/numeric/constant_math.hpp>
+#include <impact/quantity.hpp>
+#include <impact/snapshot.hpp>
+#include <impact/status.hpp>
+#include <impact/types.hpp>
 
 namespace impact {
 
@@ -25,13 +32,14 @@ namespace impact {
 struct Converter {
   int32_t zero;               // counts at 0
   double counts_per_si_unit;  // below 0 where it counts backwards
-  int32_t least, most;        // counts, the ends out
+  int32_t least, most;        // counts, the ends
 };
 
 namespace detail {
 // Not constexpr: where the compiler makes a converter, it names the mistake.
 inline void a_converters_least_count_is_above_its_most() {}
 inline void a_converter_has_no_counts_per_si_unit() {}
+inline void a_converters_end_is_more_than_the_bound_of_its_quantity() {}
 
 constexpr void check(const Converter& converter) {
   if (converter.least > converter.most) a_converters_least_count_is_above_its_most();
@@ -40,14 +48,13 @@ constexpr void check(const Converter& converter) {
 constexpr int32_t held_in_32_bits(double x) {
   return static_cast<int32_t>(constant::larger(-2147483647.0, constant::smaller(x, 2147483647.0)));
 }
-}  // namespace detail
 
 template <class Format>
-class ToCounts {
+class CountsOut {
  public:
   using Value = typename Format::Value;
 
-  constexpr ToCounts(const Converter& converter, double unit)
+  constexpr CountsOut(const Converter& converter, double unit)
       : gain_(Format::count_gain(converter.counts_per_si_unit * unit)),
         zero_(converter.zero),
         least_(detail::held_in_32_bits(static_cast<double>(converter.least) - converter.zero)),
@@ -55,7 +62,8 @@ class ToCounts {
     detail::check(converter);
   }
 
-  constexpr int32_t operator()(Value x) const { return zero_ + Format::counts(gain_, x, least_, most_); }
+  // Of a native value of your own.
+  constexpr int32_t of(Value x) const { return zero_ + Format::counts(gain_, x, least_, most_); }
 
  private:
   typename Format::HeldGain gain_;
@@ -63,11 +71,11 @@ class ToCounts {
 };
 
 template <class Format>
-class FromCounts {
+class CountsIn {
  public:
   using Value = typename Format::Value;
 
-  constexpr FromCounts(const Converter& converter, double unit)
+  constexpr CountsIn(const Converter& converter, double unit)
       : gain_(Format::gain(per_count(converter, unit), Format::count_exponent, 0)),
         zero_(converter.zero),
         least_(detail::held_in_32_bits(static_cast<double>(zero_) - most(converter, unit))),
@@ -75,7 +83,7 @@ class FromCounts {
     detail::check(converter);
   }
 
-  constexpr Value operator()(int32_t counts) const {
+  constexpr Value of(int32_t counts) const {
     return gain_ * Format::counted((counts < least_ ? least_ : counts > most_ ? most_ : counts) - zero_);
   }
 
@@ -92,6 +100,117 @@ class FromCounts {
 
   typename Format::Gain gain_;
   int32_t zero_, least_, most_;
+};
+
+// The SI value of a native 1.0.
+template <Quantity quantity, class Plan>
+constexpr double unit_of(const Plan& plan) {
+  if constexpr (quantity == Quantity::displacement || quantity == Quantity::ball_displacement)
+    return plan.displacement_unit();
+  else if constexpr (quantity == Quantity::velocity || quantity == Quantity::ball_velocity)
+    return plan.velocity_unit();
+  else if constexpr (quantity == Quantity::contact_force)
+    return plan.force_unit();
+  else if constexpr (quantity == Quantity::force)
+    return plan.sample_unit();
+  else
+    return plan.base_sample_unit();
+}
+// The largest that comes in, SI.
+template <Quantity quantity, class Plan>
+constexpr double largest_of(const Plan& plan) {
+  using Units = typename Plan::FormatType::Units;
+  if constexpr (quantity == Quantity::force)
+    return Units::fraction(plan.drive.largest) * plan.sample_unit();
+  else if constexpr (quantity == Quantity::base_acceleration)
+    return Units::fraction(plan.field.largest_base) * plan.base_sample_unit();
+  else
+    return Plan::FormatType::is_real ? 0x1p20 : unit_of<quantity>(plan);
+}
+// Of the absorber's getters or its snapshot's members.
+template <Quantity quantity, class Absorber>
+constexpr auto read(const Absorber& absorber) {
+  if constexpr (quantity == Quantity::displacement)
+    return absorber.displacement();
+  else if constexpr (quantity == Quantity::velocity)
+    return absorber.velocity();
+  else if constexpr (quantity == Quantity::ball_displacement)
+    return absorber.ball_displacement();
+  else if constexpr (quantity == Quantity::ball_velocity)
+    return absorber.ball_velocity();
+  else
+    return absorber.contact_force();
+}
+template <Quantity quantity, class Value>
+constexpr Value read(const Snapshot<Value>& snapshot) {
+  if constexpr (quantity == Quantity::displacement)
+    return snapshot.displacement;
+  else if constexpr (quantity == Quantity::velocity)
+    return snapshot.velocity;
+  else if constexpr (quantity == Quantity::ball_displacement)
+    return snapshot.ball_displacement;
+  else if constexpr (quantity == Quantity::ball_velocity)
+    return snapshot.ball_velocity;
+  else
+    return snapshot.contact_force;
+}
+}  // namespace detail
+
+template <class Absorber, Quantity quantity>
+class ToCounts : public detail::CountsOut<typename Absorber::Format> {
+  static_assert(quantity != Quantity::force && quantity != Quantity::base_acceleration,
+                "a sample goes in: FromCounts; a contact's force out is Quantity::contact_force");
+  using Base = detail::CountsOut<typename Absorber::Format>;
+
+ public:
+  using typename Base::Value;
+
+  template <class Owner = Absorber>
+  explicit constexpr ToCounts(const Converter& converter) : ToCounts(converter, Owner::plan) {}
+  constexpr ToCounts(const Converter& converter, const typename Absorber::PlanType& plan)
+      : Base(converter, detail::unit_of<quantity>(plan)) {}
+
+  template <class Source>
+  constexpr int32_t operator()(const Source& source) const {
+    constexpr bool is_source = detail::is_one_of<Source, Absorber, Snapshot<Value>>;
+    static_assert(is_source,
+                  "a converter reads its own quantity: pass the absorber or its snapshot(), as "
+                  "to_dac(absorber); a native value of your own to_dac.of(value)");
+    if constexpr (is_source)
+      return this->of(detail::read<quantity>(source));
+    else
+      return 0;
+  }
+};
+
+template <class Absorber, Quantity quantity = Quantity::force>
+class FromCounts : public detail::CountsIn<typename Absorber::Format> {
+  static_assert(quantity != Quantity::force || Absorber::Drive::is_sampled,
+                "the drive takes no samples: name Sampled as the drive");
+  using Base = detail::CountsIn<typename Absorber::Format>;
+
+ public:
+  using typename Base::Value;
+
+  template <class Owner = Absorber>
+  explicit constexpr FromCounts(const Converter& converter) : FromCounts(converter, Owner::plan) {}
+  constexpr FromCounts(const Converter& converter, const typename Absorber::PlanType& plan)
+      : Base(converter, detail::unit_of<quantity>(plan)) {
+    if (plan.status == PlanStatus::ok) check_ends(converter, detail::largest_of<quantity>(plan));
+  }
+
+  constexpr Native<quantity, Value> operator()(int32_t counts) const { return {this->of(counts)}; }
+
+ private:
+  // To a count, and to what a float rounds.
+  static constexpr void check_ends(const Converter& converter, double largest) {
+    const auto is_beyond = [&](int32_t end) {
+      const double counts = constant::magnitude(static_cast<double>(end) - converter.zero);
+      return counts - 1 > 1.000001 * largest * constant::magnitude(converter.counts_per_si_unit);
+    };
+    if (is_beyond(converter.least) || is_beyond(converter.most))
+      detail::a_converters_end_is_more_than_the_bound_of_its_quantity();
+  }
 };
 
 }  // namespace impact

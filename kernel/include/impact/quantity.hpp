@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a native number is of.
+
+#include <stdint.h>
+
+namespace impact {
+
+enum class Quantity {
+  displacement,  // out, and in for correct()
+  velocity,
+  ball_displacement,
+  ball_velocity,
+  contact_force,      // with the feature ContactForce
+  force,              // in: the sample of a Sampled drive
+  base_acceleration,  // in: the sample of BaseAcceleration
+};
+
+// A native number that says what it is of; a number like others but for step().
+template <Quantity, class Value, bool is_class = __is_class(Value)>
+struct Native {
+  Value value;
+  constexpr operator Value() const { return value; }
+};
+template <Quantity quantity, class Value>
+struct Native<quantity, Value, true> : Value {};
+
+namespace detail {
+// Whether a sample may be given for this quantity: one of it, or a native number that does not say.
+template <class Sample, class Value, Quantity quantity>
+inline constexpr bool is_sample = false;
+template <class Value, Quantity quantity>
+inline constexpr bool is_sample<Value, Value, quantity> = true;
+template <class Value, Quantity quantity>
+inline constexpr bool is_sample<Native<quantity, Value>, Value, quantity> = true;
+template <class Sample>
+inline constexpr bool is_native = false;
+template <Quantity quantity, class Value>
+inline constexpr bool is_native<Native<quantity, Value>> = true;
+// What braces around a number make: step({counts}).
+struct InBraces {
+  int32_t number;
+};
+}  // namespace detail
+
+}  // namespace impact

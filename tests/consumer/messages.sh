@@ -94,7 +94,6 @@ scene 1 "$unstated" 's.contact_stiffness = 1e6;'
 chosen() {
   wrong 1 "$1" <<END
 #include <impact/absorber.hpp>
-#include <impact/choice.hpp>
 struct Rig {
   static constexpr impact::Scene scene = [] {
     impact::Scene s;
@@ -109,7 +108,7 @@ struct Rig {
   static constexpr double step = ${4:-1e-4};
 };
 using Law = impact::${3:-Exact};
-using Absorber = impact::Absorber<Rig, Law, impact::Chosen<Rig, Law>, impact::Sampled, impact::${6:-Fixed32}, impact::ContactForce>;
+using Absorber = impact::Absorber<Rig, Law, impact::Chosen<>, impact::Sampled, impact::${6:-Fixed32}, impact::ContactForce>;
 static Absorber absorber;
 constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095}, adc{2048, 2048 / 10.0, 0, 4095};
 constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_dac(dac);
@@ -177,10 +176,12 @@ absorber short "the stepper's Contact<Format, Law> is no contact treatment" 'Rig
 absorber any 'arguments must be features' 'Rig, HuntCrossley, Moment, Sine, Fixed32, Float32'
 wrong any 'Chosen chooses by a rig' <<END
 #include <impact/absorber.hpp>
-#include <impact/choice.hpp>
 using namespace impact;
-Absorber<AtRunTime, HuntCrossley, Chosen<AtRunTime, HuntCrossley>, Sine, Fixed32> absorber;
+Absorber<AtRunTime, HuntCrossley, Chosen<>, Sine, Fixed32> absorber;
 END
+for other in 'NoForce, Exact' 'Rig, HookeNewton'; do
+  absorber 1 "Chosen<Rig, Law> of another rig or law than the absorber's: name Chosen<>" "Rig, Exact, Chosen<$other>, Sine, Fixed32"
+done
 absorber 1 'an absorber AtRunTime is made from a plan' 'AtRunTime, HuntCrossley, Moment, Sine, Fixed32'
 absorber 1 'the drive is Sampled: state Rig::bounds.force' 'NoForce, HuntCrossley, Moment, Sampled, Fixed32'
 absorber 1 'step() without a sample, but the drive is Sampled' 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step();'

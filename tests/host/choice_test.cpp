@@ -127,9 +127,16 @@ struct SlowRig : Rig {
 struct SlowestRig : Rig {
   static constexpr double step = 3e-2;
 };
-static_assert(std::is_same_v<Chosen<Rig, HuntCrossley>, Moment>);
-static_assert(std::is_same_v<Chosen<SlowRig, HuntCrossley>, SubsteppedMoment<4>>);
-static_assert(std::is_same_v<Chosen<SlowestRig, HuntCrossley>, EnergyConsistent>);
+static_assert(std::is_same_v<Chosen<Rig, HuntCrossley>::Type, Moment>);
+static_assert(std::is_same_v<Absorber<Rig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, Moment>);
+static_assert(std::is_same_v<Chosen<SlowRig, HuntCrossley>::Type, SubsteppedMoment<4>>);
+static_assert(std::is_same_v<Absorber<SlowRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, SubsteppedMoment<4>>);
+static_assert(std::is_same_v<Chosen<SlowestRig, HuntCrossley>::Type, EnergyConsistent>);
+static_assert(std::is_same_v<Absorber<SlowestRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, EnergyConsistent>);
+
+// An absorber AtRunTime, of the rig with the stiffest scene.
+static_assert(std::is_same_v<Absorber<AtRunTime, HuntCrossley, Chosen<SlowRig, HuntCrossley>, Sine, Fixed32>::Stepper,
+                             SubsteppedMoment<4>>);
 
 // The refusal names a step; that one is accepted, and the next is not.
 TEST(Choice, ARefusedStepperNamesTheStepThatWouldDo) {

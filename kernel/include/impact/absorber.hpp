@@ -17,7 +17,7 @@
 //     contact law   HookeNewton, Hertz, HuntCrossley; with a damping set at each impact HuntCrossleyPerImpact,
 //                   HerbertMcWhannell, LeeWang, LankaraniNikravesh, Flores, HuGuo, Exact
 //     stepper       Moment, SubsteppedMoment<n>, EnergyConsistent, Impulsive, AverageAcceleration, LinearAcceleration,
-//                   FoxGoodwin, CentralDifference, or as the scene and the step ask: Chosen, see choice.hpp
+//                   FoxGoodwin, CentralDifference, or by the rule for scene and step: Chosen<>, see choice.hpp
 //     drive         NoDrive, Sine, Sampled
 //     format        Fixed32, Float32, Float32Plain, Float64 (host)
 //     parts         Gravity, BaseAcceleration (motion/field.hpp), DryFriction (motion/friction.hpp)
@@ -27,6 +27,7 @@
 
 #include <stdint.h>
 
+#include <impact/choice.hpp>
 #include <impact/contracts.hpp>
 #include <impact/converter.hpp>
 #include <impact/fault.hpp>
@@ -462,7 +463,9 @@ class AbsorberOf
 
 // What the rig states is in the type beside the rig's name: two files of one program may each have a Rig of its own.
 template <class Rig, class ContactLaw, class Stepper, class Drive, class Format, class... Features>
-using Absorber = detail::AbsorberOf<detail::identity_of<contract::KeptRig<Rig>>(), Rig, ContactLaw, Stepper, Drive,
-                                    Format, Features...>;
+using Absorber = detail::AbsorberOf<
+    detail::identity_of<contract::KeptRig<Rig>>(), Rig, ContactLaw,
+    typename detail::StepperFor<Stepper, contract::KeptRig<Rig>, contract::KeptLaw<ContactLaw>>::Type, Drive, Format,
+    Features...>;
 
 }  // namespace impact

@@ -20,8 +20,7 @@
 // too, and the plan refuses it.
 //
 //     struct Rig { .. };
-//     using Stepper = impact::Chosen<Rig, impact::HuntCrossley>;
-//     using Absorber = impact::Absorber<Rig, impact::HuntCrossley, Stepper, impact::Sine, impact::Fixed32>;
+//     using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Chosen<>, impact::Sine, impact::Fixed32>;
 
 #include <impact/law/resolution.hpp>
 #include <impact/plan/source.hpp>
@@ -87,8 +86,10 @@ struct StepperOf<Choice::energy> {
 // Moment where a value is out of its own range: there is nothing to choose by, and the absorber's refusal names it.
 template <class Rig, class ContactLaw>
 constexpr Choice choice_of() {
-  static_assert(!is_one_of<Rig, AtRunTime>,
-                "Chosen chooses by a rig: with AtRunTime name one whose scene is the stiffest that you will plan");
+  static_assert(
+      !is_one_of<Rig, AtRunTime>,
+      "Chosen chooses by a rig: with AtRunTime name Chosen<Rig, Law> of one whose scene is the stiffest that you "
+      "will plan");
   constexpr double any_phase = 1e30;
   constexpr PlanStatus scene = status_of(Rig::scene, Rig::step, any_phase);
   if constexpr ((scene == PlanStatus::ok || (scene == PlanStatus::step && Rig::step > 0)) &&
@@ -97,9 +98,35 @@ constexpr Choice choice_of() {
   else
     return Choice::moment;
 }
+template <class Rig, class ContactLaw>
+using ChosenFor = typename StepperOf<choice_of<Rig, ContactLaw>()>::Type;
 }  // namespace detail
 
+// The rule's stepper, by the rig and the law of the absorber that names it: Chosen<>. Of another rig, for an absorber
+// AtRunTime: Chosen<Rig, Law>.
+template <class Rig = void, class ContactLaw = void>
+struct Chosen : detail::ChosenFor<Rig, ContactLaw> {
+  using Type = detail::ChosenFor<Rig, ContactLaw>;
+};
+template <>
+struct Chosen<void, void> {};
+
+namespace detail {
+// The stepper that an absorber's third argument means.
+template <class Stepper, class Rig, class ContactLaw>
+struct StepperFor {
+  using Type = Stepper;
+};
+template <class OfRig, class OfLaw, class Rig, class ContactLaw>
+struct StepperFor<Chosen<OfRig, OfLaw>, Rig, ContactLaw> {
+  static_assert(is_one_of<OfLaw, ContactLaw> && (is_one_of<OfRig, Rig> || is_one_of<Rig, AtRunTime>),
+                "Chosen<Rig, Law> of another rig or law than the absorber's: name Chosen<>, which takes both from it");
+  using Type = ChosenFor<typename Either<is_one_of<Rig, AtRunTime>, OfRig, Rig>::Type, ContactLaw>;
+};
 template <class Rig, class ContactLaw>
-using Chosen = typename detail::StepperOf<detail::choice_of<Rig, ContactLaw>()>::Type;
+struct StepperFor<Chosen<>, Rig, ContactLaw> {
+  using Type = ChosenFor<Rig, ContactLaw>;
+};
+}  // namespace detail
 
 }  // namespace impact

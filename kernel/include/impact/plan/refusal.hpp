@@ -24,7 +24,7 @@ struct StepsPerContact {
                 "Rig::step: too few steps per contact for this stepper, which takes steps up to the "
                 "longest_step_in_nanoseconds named here, in angle brackets, for impacts at twice Bounds::speed and as "
                 "deep as Bounds allow; "
-                "the stepper of the rule is impact::Chosen<Rig, Law> of impact/choice.hpp");
+                "impact::Chosen<> is the stepper of the rule");
 };
 
 template <int64_t largest_clearance_in_micrometres, bool is_in_range>
@@ -111,10 +111,8 @@ constexpr bool check() {
                     Rig::scene.main_mass * constant::magnitude(Rig::scene.gravity) <=
                         Rig::scene.main_stiffness * Rig::bounds.displacement,
                 "Bounds::displacement: no less than main_mass * gravity / main_stiffness, where the main mass hangs");
-  static_assert(
-      status != PlanStatus::contact_time,
-      "Rig::scene: a contact lasts too long for this stepper, whatever the step: take impact::Chosen<Rig, Law> "
-      "of impact/choice.hpp");
+  static_assert(status != PlanStatus::contact_time,
+                "Rig::scene: a contact lasts too long for this stepper, whatever the step: take impact::Chosen<>");
 
   using Stepper = typename PlanType::StepperType;
   using ContactLaw = typename PlanType::LawType;

@@ -162,7 +162,7 @@ Settled settled(const Request& asked, bool may_run) {
   if (result.is_automatic) request.stepper = chosen(request);
   const bool may_measure = !asked.bounds && may_run;
   if (!(may_measure && (request.measures_bounds || request.numeric == Numeric::fixed32))) {
-    // The speed is of no matter to a stepper that was named and may be taken, and none is finer than Moment.
+    // The speed is irrelevant to a stepper that was named and may be taken, and none is finer than Moment.
     result.planned = plan(request);
     const PlanStatus status = result.planned.status;
     const bool is_coarse = result.is_automatic && request.stepper != Stepper::moment;

@@ -186,7 +186,7 @@ const std::vector<Option>& options() {
              "sets the contact damping, exactly for the law, instead of --contact-damping")
           .by_default("not used"),
       number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed),
-             "speed at which hunt-crossley is to show that restitution; no matter to the other laws"),
+             "speed at which hunt-crossley is to show that restitution; the other laws do not read it"),
       flag("paper-damping", field(&Settings::paper_damping), true,
            "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
       choice("damping", dampings(), field(&Request::damping),

@@ -45,7 +45,7 @@ Errors errors_of(const Request& request) {
 }
 
 // With the moment-fitted step the motion's own error is nothing beside the ledger's, which takes drive and rates as
-// linear over a step: second order, with a constant that for Hooke-Newton hangs on where in their steps the force's
+// linear over a step: second order, with a constant that for Hooke-Newton depends on where in their steps the force's
 // jumps fall. At 1 ms it is below a hundredth of the 0.3 J that an impact brings.
 TEST(EnergyLedger, IsOfSecondOrder) {
   for (const auto& [law, tension] : variants) {

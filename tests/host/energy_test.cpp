@@ -25,7 +25,8 @@ Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) 
   free.speed = speed;
   free.clearance = 0.5;  // room for the rebound
   free.step = contact_time(impact_of(free)).value() / steps_per_contact;
-  // A power law's contact time falls with k1^(2/5), its restitution hangs on c1/k1 alone: as stiff as 1 ms steps want.
+  // A power law's contact time falls with k1^(2/5), its restitution depends on c1/k1 alone: as stiff as 1 ms steps
+  // want.
   if (law != Law::hooke_newton) {
     free.contact_stiffness *= std::pow(free.step / 1e-3, 2.5);
     free.step = 1e-3;

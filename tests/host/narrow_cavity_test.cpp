@@ -69,7 +69,7 @@ double energy(const Scene& scene, const Reading& at) {
          stored;
 }
 
-// Of the energy, in the mean over the last steps; not a number where the plan refuses.
+// Of the energy, on average over the last steps; not a number where the plan refuses.
 template <class Law, class Format>
 double gained(const Cavity& cavity) {
   using Kernel = Absorber<AtRunTime, Law, Moment, NoDrive, Format>;

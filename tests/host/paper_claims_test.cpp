@@ -1,4 +1,4 @@
-// What the paper reads off its figures, as numbers of the kernel, and the conventions that they hang on.
+// What the paper reads off its figures, as numbers of the kernel, and the conventions that they depend on.
 //
 // The paper leaves open the drive's pulsation and what its clearance measures. With 40 rad/s (the bare system's own
 // is 31.62), stops at +-d/2, both masses at rest in the middle, and 5 s of motion, its amplitudes come out. At 31.62
@@ -8,7 +8,7 @@
 // speed, 0.8 m/s here, by (2.9) at each impact, or such that the law has that e at that speed; and whether Hooke-Newton
 // may pull.
 //
-// Past some 3 s the motion of Hertz and Hooke-Newton hangs on rounding. What is claimed of them is claimed of the
+// Past some 3 s the motion of Hertz and Hooke-Newton depends on rounding. What is claimed of them is claimed of the
 // median over 33 starts of the ball within 0.16 mm of the middle, or counts these starts.
 
 #include "host_ref/closed_form.hpp"

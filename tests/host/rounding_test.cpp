@@ -11,8 +11,8 @@
 //
 // Where twice A dv is above the floor, for Hertz in Float32 and for Hooke-Newton, it stands in the floor's place.
 //
-// Pointwise, Hooke-Newton's force jumps at the step that first sees the contact, and which step that is can hang on the
-// last bit: the two runs then differ by as much as each differs from the truth, and the bound is the method's own
+// Pointwise, Hooke-Newton's force jumps at the step that first sees the contact, and which step that is can depend on
+// the last bit: the two runs then differ by as much as each differs from the truth, and the bound is the method's own
 // error.
 
 #include <cstdio>

@@ -46,7 +46,7 @@ term() {
 : >"$output"
 row target,numeric,feature,flash_bytes,ram_bytes
 least=1
-# Without a long multiply a product is 17 instructions, and whether it is left a function hangs on what else is there.
+# Without a long multiply a product is 17 instructions, and whether it is left a function depends on what else is there.
 case $target in cortex-m0*) least=noise ;; esac
 # Floating point takes the root by the FPU's instruction, and has no table.
 case $target,$numeric in

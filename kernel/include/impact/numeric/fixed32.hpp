@@ -53,7 +53,7 @@ struct Fixed32 : Fixed32Numbers {
     return with_bits<32>(x);
   }
   // gain * x of a state in range, for a gain >= 0, in fewer instructions than the gain's own product. To the right it
-  // rounds down: what adds one such term and takes away another rounds to nearest in the mean. To the left it rounds to
+  // rounds down: what adds one such term and takes away another rounds to nearest on average. To the left it rounds to
   // nearest within a sixth of the product's place, by the one or two places of x that are worth about half of that: the
   // product's lower word is not asked for.
   [[gnu::always_inline]] static constexpr Value term(Gain gain, Value x) {

@@ -2,14 +2,6 @@
 
 import { short } from './numbers.mjs';
 
-// The rows of the report's list, as the page holds them.
-export const partsFrom = (json) => JSON.parse(json).map(([target, name, clock, cycles]) => ({ target, name, clock, cycles }));
-
-export function tableFrom(csv) {
-  const [header, ...lines] = csv.trim().split('\n').map((line) => line.split(','));
-  return lines.map((cells) => Object.fromEntries(header.map((name, i) => [name, cells[i]])));
-}
-
 // Lines of [what, value], or one that says what is missing. What the parts of a scene add is counted with Hunt-Crossley,
 // and so are stiff stops.
 export function costOf(table, part, scene, stepper) {

@@ -1,11 +1,11 @@
 // The page: its state, what happens when it changes, and the frame that computes a slice and draws.
 
 import { Controls, element } from './controls.mjs';
-import { costOf, partsFrom, tableFrom } from './cost.mjs';
+import { costOf } from './cost.mjs';
 import { Kernel, column, unpacked } from './kernel.mjs';
 import { hashOf, stateFrom } from './link.mjs';
 import { Machine, machineDrawing } from './machine.mjs';
-import { short } from './numbers.mjs';
+import { short, tableFrom } from './numbers.mjs';
 import { readTheme } from './plot.mjs';
 import { DisplacementPlot, EnergyPlot, LoopPlot, RestitutionPlot, SweepPlot } from './plots.mjs';
 import { presets } from './presets.mjs';
@@ -319,7 +319,7 @@ async function open() {
   try {
     const kernel = await Kernel.load(await unpacked(find('kernel-module').textContent));
     readTheme();
-    window.explorer = new Page(kernel, tableFrom(find('step-budget').textContent), partsFrom(find('parts').textContent));
+    window.explorer = new Page(kernel, tableFrom(find('step-budget').textContent), JSON.parse(find('parts').textContent));
     find('loading').remove();
   } catch (failure) {
     find('loading').textContent = `This page needs a browser with WebAssembly and DecompressionStream, of 2023 or later: ${failure.message}`;

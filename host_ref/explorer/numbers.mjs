@@ -1,4 +1,9 @@
-// Numbers for people.
+// Numbers for people, and the tables that they stand in.
+
+export function tableFrom(csv) {
+  const [header, ...lines] = csv.trim().split('\n').map((line) => line.split(','));
+  return lines.map((cells) => Object.fromEntries(header.map((name, i) => [name, cells[i]])));
+}
 
 // To three significant digits, or as many as asked for, without trailing zeros.
 export function short(value, digits = 3) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <host_ref/report/page/html.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/simulation.hpp>
 #include <host_ref/tool/output.hpp>
@@ -21,7 +20,7 @@ constexpr double standard_gravity = 9.81, friction = 0.5;  // m/s^2, N
 
 double swing(const Request& request) {
   const Outcome outcome = make_simulation(request);
-  const std::string what = "at " + digits(request.scene.drive_pulsation) + " rad/s: ";
+  const std::string what = "at " + std::to_string(request.scene.drive_pulsation) + " rad/s: ";
   if (!outcome.simulation) throw std::runtime_error(what + outcome.refusal.field + " " + outcome.refusal.value);
   std::vector<double> x1(static_cast<size_t>(step_count(request)));
   if (outcome.simulation->run(step_count(request), nullptr, x1.data()) != step_count(request))

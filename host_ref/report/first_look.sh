@@ -16,6 +16,5 @@ awk -F, '
         peak[law] < peak[0] ? "less" : "more", int(100 * energy[law] + 0.5) / 100
     }
   }' "$runs"
-cd "$(dirname "$0")/plots"
-gnuplot -c first_look.gp "$picture" "$runs"
+gnuplot -c "$(dirname "$0")/first_look.gp" "$picture" "$runs"
 echo "Its picture: $picture"

@@ -4,13 +4,14 @@
 // restitution: rebound speed over approach speed, least and largest over the phases (free_pair.hpp). energy_gain_max:
 // largest relative growth of the energy of relative motion. accepted: 1 where the plan accepts the configuration; where
 // it does not because of the stepper's range of steps per contact, the step is made in double nevertheless, to see what
-// lies beyond. textbook-rk4 is the classical Runge-Kutta method, which has no plan.
+// lies beyond. textbook-rk4 is the classical Runge-Kutta method, which has no plan. machine_rule: machine_rule.hpp.
 
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <future>
 #include <host_ref/free_pair.hpp>
+#include <host_ref/report/machine_rule.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/tool/output.hpp>
@@ -55,7 +56,8 @@ void append_row(std::string& rows, const FreePair& free, std::string_view method
                  {free.step, free.contact_stiffness, found.least, found.largest, restitution(impact_of(free)).value(),
                   found.energy_gain()},
                  6);
-  rows += is_accepted ? ",1\n" : ",0\n";
+  rows += is_accepted ? ",1," : ",0,";
+  rows += std::string(machine_rule(free.law, free.step, free.contact_stiffness)) + "\n";
 }
 
 void append_cell(std::string& rows, const FreePair& free, Stepper stepper, Numeric numeric) {
@@ -95,7 +97,7 @@ void write_stability(const std::string& path) {
   Output output(path);
   output.write(
       "law,newmark,numeric,step_s,contact_stiffness,restitution_min,restitution_max,restitution_exact,energy_gain_max,"
-      "accepted\n");
+      "accepted,machine_rule\n");
   Progress progress("step lengths", columns);
   std::array<std::string, columns> rows;
   std::atomic<size_t> next{0};

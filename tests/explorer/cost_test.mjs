@@ -1,10 +1,10 @@
 // The explorer's costs against tests/target/budgets.csv, of which the largest counts are those of the report's table:
-// cost_test.mjs FOLDER_OF_EXPLORER BUDGETS.csv PARTS.inc
+// cost_test.mjs FOLDER_OF_EXPLORER BUDGETS.csv PARTS.json
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
 const [folder, budgetsFile, partsFile] = process.argv.slice(2);
-const { costOf, tableFrom } = await import(pathToFileURL(`${folder}/cost.mjs`));
+const { costOf } = await import(pathToFileURL(`${folder}/cost.mjs`)), { tableFrom } = await import(pathToFileURL(`${folder}/numbers.mjs`));
 let failures = 0;
 function check(holds, what) {
   console.log(`${holds ? 'ok    ' : 'FAILED'} ${what}`);
@@ -22,7 +22,7 @@ const still = { law: 'hunt-crossley', 'damping-by': 'c1', numeric: 'fixed32', st
 const shown = (part, scene, stepper) => Object.fromEntries(costOf(table, part, { ...still, ...scene }, stepper));
 const most = (words) => Number(words?.match(/at most (\d+)/)?.[1]);
 
-const targets = [...readFileSync(partsFile, 'utf8').matchAll(/^\{"([^"]+)", "[^"]+", (\S+), (\S+),/gm)].map(([, target, clock, cycles]) => ({ target, clock: Number(clock), cycles: Number(cycles) }));
+const targets = JSON.parse(readFileSync(partsFile, 'utf8'));
 const cores = new Set(targets.map(({ target }) => target)).size;
 check(cores === 7, `${targets.length} parts of ${cores} targets`);
 for (const part of targets) {

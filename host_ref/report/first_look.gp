@@ -1,7 +1,13 @@
 # first_look.gp OUTPUT RUNS: the main mass without absorber, and with Hunt-Crossley contact.
 output = ARG1; file = ARG2
-load 'style.gp'
 set terminal svg size 900,430 dynamic font 'sans-serif,15' noenhanced background rgb 'white'
+set output output
+set encoding utf8
+set datafile separator comma
+set datafile missing NaN
+set border 3 linecolor rgb 'black'
+set tics nomirror
+set grid linecolor rgb 'gray' linetype 1 linewidth 0.4
 set xlabel 'time, s'
 set ylabel 'displacement of the main mass, mm'
 set key below center maxrows 1

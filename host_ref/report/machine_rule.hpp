@@ -1,0 +1,19 @@
+#pragma once
+// The stepper that the kernel's rule takes for the paper's main mass at a stop, in impacts at 0.8 m/s without damping:
+// the restitution of two free masses does not say how far a contact may last beside the main mass's vibration.
+
+#include <host_ref/settled.hpp>
+
+namespace impact::report {
+
+inline std::string_view machine_rule(Law law, double step, double contact_stiffness) {
+  host::Request request;
+  request.law = law;
+  request.step = step;
+  request.scene.contact_stiffness = contact_stiffness;
+  request.scene.contact_damping = 0;
+  request.bounds.emplace().speed = 0.4;  // m/s, of each mass
+  return host::name_of(host::chosen(request));
+}
+
+}  // namespace impact::report

@@ -9,7 +9,7 @@ set -eu
 cd "$(dirname "$0")/.."
 export CMAKE_GENERATOR=Ninja
 
-targets="cortex-m0 cortex-m0plus cortex-m3 cortex-m4f cortex-m7f rv32imac rp2350-riscv"
+targets="cortex-m0 cortex-m3 cortex-m4f cortex-m7f rv32imac rp2350-riscv"
 
 # What is needed, as a file or command that shows that it is there, and the Debian package that brings it.
 requirements() {
@@ -137,7 +137,7 @@ make_report() {
   stage 89 "the tool impact-sim" impact-sim
   stage 76 "the kernel to play with, build/report/explorer.html" explorer
   for target in $targets; do
-    [ "$target" = cortex-m0plus ] || stage 21 "images for an emulated $target" "report-images-$target"  # runs cortex-m0's
+    stage 21 "images for an emulated $target" "report-images-$target"
   done
   stage 117 "error, cost, stability and the page" report
   cmake --build build --target explorer  # again: the costs of a step stand in it now

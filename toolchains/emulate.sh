@@ -6,7 +6,7 @@
 # it. Time asleep passes at once.
 set -eu
 case ${1-} in
-  cortex-m0 | cortex-m0plus) set -- "$2" "${3-10}" qemu-system-arm -machine microbit ;;
+  cortex-m0) set -- "$2" "${3-10}" qemu-system-arm -machine microbit ;;
   cortex-m3) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an385 ;;
   cortex-m4f) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an386 ;;
   cortex-m7f) set -- "$2" "${3-10}" qemu-system-arm -machine mps2-an500 ;;

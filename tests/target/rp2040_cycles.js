@@ -70,7 +70,7 @@ chip.onBreak = () => {
 core.reset();
 for (; exit_code === null; ++instructions) core.executeInstruction();
 
-console.log(text.trimEnd().replace(/instructions/g, "cycles").replace(/^cortex-m0plus/gm, "rp2040"));
+console.log(text.trimEnd().replace(/instructions/g, "cycles").replace(/^cortex-m0/gm, "rp2040"));
 const configurations = (text.match(/,free,/g) || []).length;
 if (configurations === 0 || steps !== 11000 * configurations) {
   console.log(`${steps} steps of ${configurations} configurations`);

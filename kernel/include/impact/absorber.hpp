@@ -270,8 +270,8 @@ class AbsorberOf
   }
 
   // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
-  // of displacement() and velocity(). At most half a unit of each in Fixed32, and 2^20 m and 2^20 m per step in
-  // floating point: more is held there, and a state that leaves its range at its end, with a fault. A contact under way
+  // of displacement() and velocity(). At most as much as the bounds of both: more is clamped there, as is the
+  // corrected state, with a fault. A contact under way
   // goes on from the corrected penetration; a damping that was set at its impact is held to what a step bears there
   // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands at that stop, and
   // one at rest on an impulsive stop stays on it. Dry friction begins anew. A ledger counts what a correction does to
@@ -280,8 +280,8 @@ class AbsorberOf
     if (Source::is_refused()) return;
     const auto& units = plan.units;
     Value du = units.per_step(dv);
-    if (units.hold_correction(dx)) Machine::raise(Fault::displacement);
-    if (units.hold_correction(du)) Machine::raise(Fault::speed);
+    if (units.clamp(dx, units.correction_limit())) Machine::raise(Fault::displacement);
+    if (units.clamp(du, units.rate_correction_limit())) Machine::raise(Fault::speed);
     Rub::stop(machine());
     units.add_position(Machine::state.x1, dx);
     units.add_displacement(Machine::state.dx1, du);
@@ -448,7 +448,7 @@ class AbsorberOf
 
   constexpr bool is_sound(const State& state) const {
     const auto& units = plan.units;
-    bool is_sound = units.in_range(state.x1, state.x2, state.dx1, state.dx2) && units.is_sound(state.x1) &&
+    bool is_sound = Machine::is_in_range(state) && units.is_sound(state.x1) &&
                     units.is_sound(state.x2) && units.is_sound(state.dx1) && units.is_sound(state.dx2) &&
                     state.contact.phase <= Phase::released && state.at_left <= 1 && state.fault <= Fault::sample;
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);

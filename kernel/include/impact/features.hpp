@@ -95,7 +95,7 @@ struct EnergyLedger {
   static constexpr bool is_sound(const Plan& plan, const State& state) {
     using Format = typename Plan::FormatType;
     const auto moved = Plan::FieldType::place(plan, state, state.x1) - state.x1_before;
-    return plan.units.in_range(moved, {}, {}, {}) && plan.units.is_sound(state.x1_before) &&
+    return plan.units.is_within(moved, plan.units.limits.main) && plan.units.is_sound(state.x1_before) &&
            Format::is_sound(state.dissipated) && Format::is_sound(state.drive_work) && Format::is_sound(state.stored) &&
            Format::is_sound(state.contact_rate) && Format::is_sound(state.drive_force);
   }

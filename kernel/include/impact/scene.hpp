@@ -52,15 +52,13 @@ struct Scene {
   double ball_friction = 0.0;  // R, N, dry friction between ball and main mass: with DryFriction, motion/friction.hpp
 };
 
-// The largest values that the scene reaches, in SI units. The plan judges the step by them in every format. Fixed32
-// takes its units from them: the tighter they are, the finer it counts, and beyond them it saturates and raises a
-// fault. In floating point only samples are held to them while running: a drive's to `force`, a
-// base's to `base_acceleration`. The defaults hold the
-// paper's scene under every law; with Hertz, which loses nothing, for the first ten minutes (in three hours the ball
-// reaches 2.7 m/s). Scene::drive_amplitude, too, has its part in the units and in the deepest penetration under every
-// drive.
+// The largest values that the scene reaches, in SI units. The plan judges the step by them, and a state that passes
+// them raises a fault, in every format. Fixed32 takes its units from them: the tighter they are, the finer it counts.
+// The defaults hold the paper's scene under every law; with Hertz, which loses nothing, for the first ten minutes (in
+// three hours the ball reaches 2.7 m/s). Scene::drive_amplitude, too, has its part in the units and in the deepest
+// penetration under every drive.
 struct Bounds {
-  double displacement = 0.1;     // of either mass, m
+  double displacement = 0.1;     // of the main mass, and of a ball that has one stop, m
   double speed = 2.0;            // of either mass, m/s
   double penetration = 0;        // m; 0: the deepest that the others allow, law/depth.hpp
   double force = 10.0;           // of a sampled drive, N; under another the plan has room for it as well

@@ -89,12 +89,13 @@ struct DryFriction : ScenePart {
     typename Format::Value impulse;              // the last one
     typename Format::Value lasting;              // where y is more in the same direction, the sliding goes on
   };
-  // A push goes up to the fastest way in a step, which positions have room for in half of their unit.
+  // A push goes up to the fastest way in a step of the ball beside the main mass.
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
-    return plan.units.in_range(state.main_push, state.ball_push, {}, {}) && plan.units.is_sound(state.main_push) &&
-           plan.units.is_sound(state.ball_push) && plan.units.is_sound(state.impulse) &&
-           Plan::FormatType::is_sound(state.lasting);
+    const auto most = plan.units.limits.way + plan.units.limits.way;
+    return plan.units.is_within(state.main_push, most) && plan.units.is_within(state.ball_push, most) &&
+           plan.units.is_sound(state.main_push) && plan.units.is_sound(state.ball_push) &&
+           plan.units.is_sound(state.impulse) && Plan::FormatType::is_sound(state.lasting);
   }
 
   // What the last impulse works against: the rate of sliding, and since spring and damper act while a force does, a

@@ -24,14 +24,15 @@ struct Fixed32Units {
   static constexpr UnitExponents exponents(const UnitBounds& bounds) {
     using constant::exponent_above;
     UnitExponents e{};
-    e.displacement = exponent_above(2 * bounds.displacement);
+    e.displacement = exponent_above(constant::larger(2 * bounds.displacement, bounds.limits.way + bounds.increment));
     e.increment = exponent_above(bounds.increment);
     if (e.displacement <= e.increment) e.displacement = e.increment + 1;
     e.push = exponent_above(bounds.push);
     e.penetration = exponent_above(bounds.penetration);
     e.force = exponent_above(bounds.force_factor);
     e.position = exponent_above(bounds.position) + 1;
-    const int least[] = {exponent_above(bounds.gap) + 1, e.displacement + 1, e.penetration + 1, e.push + 2};
+    const int least[] = {exponent_above(bounds.gap) + 1, exponent_above(bounds.apart + constant::power_of_two(e.push)),
+                         e.displacement + 1, e.penetration + 1, e.push + 2};
     for (const int exponent : least)
       if (e.position < exponent) e.position = exponent;
     // A quantity counts in 2^-31 of a position's unit at the finest: its Value then ends with the position's last
@@ -68,8 +69,15 @@ struct Fixed32Units {
   int64_t gap;
   int position_exponent, displacement_shift, damped_shift, increment_shift, push_shift, penetration_shift,
       penetration_exponent, force_bits;
+  struct {
+    int32_t main, ball, way;  // of a state's upper word
+    int32_t penetration;      // of a Value
+  } limits;                   // StateLimits, rounded up
 
-  static constexpr Fixed32Units make(const UnitExponents& e, double gap, double, double) {
+  static constexpr Fixed32Units make(const UnitExponents& e, double gap, const StateLimits& limits, double, double) {
+    const auto raw = [](double limit, int exponent) {
+      return static_cast<int32_t>(constant::smaller(limit * constant::power_of_two(31 - exponent) + 0.999, INT32_MAX));
+    };
     return {static_cast<int64_t>(gap * constant::power_of_two(63 - e.position)),
             e.position,
             32 - (e.position - e.displacement),
@@ -78,7 +86,9 @@ struct Fixed32Units {
             32 - (e.position - e.push),
             32 - (e.position - e.penetration),
             e.penetration,
-            e.force};
+            e.force,
+            {raw(limits.main, e.position), raw(limits.ball, e.position), raw(limits.way, e.position),
+             raw(limits.penetration, e.penetration)}};
   }
 
   // Further than two positions in range are apart.
@@ -121,14 +131,15 @@ struct Fixed32Units {
   constexpr Value increment_of_rate(Value increment) const {
     return Fixed32Numbers::moved(increment, penetration_shift - increment_shift);
   }
-  // What is added from outside, at most as much as a state is held at.
-  static constexpr bool hold_correction(Value& x) {
-    constexpr int32_t most = 1 << 30;
-    const int32_t held = x.raw > most ? most : x.raw < -most ? -most : x.raw;
+  // What is added from outside: no more than the limit.
+  static constexpr bool clamp(Value& x, int32_t limit) {
+    const int32_t held = x.raw > limit ? limit : x.raw < -limit ? -limit : x.raw;
     const bool is_beyond = held != x.raw;
     x.raw = held;
     return is_beyond;
   }
+  constexpr int32_t correction_limit() const { return limits.main; }
+  constexpr int32_t rate_correction_limit() const { return displacement({(int64_t{limits.way} << 32) - 1}).raw; }
   static constexpr void add_position(Long& x, Value by) { x.raw += shifted_left(by.raw, 32); }
   constexpr void add_displacement(Long& w, Value by) const { w.raw += shifted_left(by.raw, displacement_shift); }
   constexpr void add(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
@@ -191,41 +202,23 @@ struct Fixed32Units {
   static constexpr int32_t upper_difference(Long x2, Long x1) {
     return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
   }
-  // In range while the top two bits of each Value agree, which one step's increment cannot carry dx1 past.
-  constexpr bool in_flight_range(Long x1, Long x2, Long dx1, bool) const {
-    return static_cast<int32_t>(top(x1) | top(x2) | top(dx1) << (32 - displacement_shift)) >= 0;
+  // On the upper words alone.
+  static constexpr bool is_within(Long x, int32_t limit) {
+    const auto upper = static_cast<int32_t>(x.raw >> 32);
+    return (upper ^ upper >> 31) < limit;
   }
-  // The ball's displacement per step grows as well.
-  constexpr bool in_range_in_field(Long x1, Long x2, Long dx1, Long dx2) const {
-    return static_cast<int32_t>(top(x1) | top(x2) | (top(dx1) | top(dx2)) << (32 - displacement_shift)) >= 0;
-  }
-  // The same, however far out they are.
-  constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) const {
-    const uint64_t half = uint64_t{1} << (displacement_shift + 30);
-    const uint64_t beyond = (static_cast<uint64_t>(dx1.raw) + half) | (static_cast<uint64_t>(dx2.raw) + half);
-    return static_cast<int32_t>(top(x1) | top(x2)) >= 0 && beyond >> (displacement_shift + 31) == 0;
-  }
+  constexpr bool is_too_deep(Value penetration) const { return penetration.raw > limits.penetration; }
   static constexpr bool is_sound(Long) { return true; }
   static constexpr bool is_sound(Value) { return true; }
-  constexpr bool holds_start(Long x1, Long x2, Long dx1, Long dx2) const { return in_range(x1, x2, dx1, dx2); }
-  static constexpr uint32_t top(Long x) {
-    const auto upper = static_cast<uint32_t>(x.raw >> 32);
-    return upper ^ upper << 1;
-  }
   static constexpr Value held(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
   // x + y, held at the upper end of the range.
   static constexpr Value held_sum(Value x, Value y) { return x + held(y, Value{INT32_MAX} - x); }
   constexpr Long stop(Long main, bool left) const { return {left ? main.raw - gap : main.raw + gap}; }
-  constexpr bool hold_position(Long& x) const {
-    constexpr int64_t bound = (int64_t{1} << 62) - 1;
-    return hold(x, bound);
-  }
-  constexpr bool hold_displacement(Long& w) const { return hold(w, (int64_t{1} << (displacement_shift + 30)) - 1); }
-  static constexpr bool hold(Long& x, int64_t bound) {
-    const int64_t held = x.raw > bound ? bound : x.raw < -bound ? -bound : x.raw;
-    const bool is_beyond = held != x.raw;
-    x.raw = held;
-    return is_beyond;
+  static constexpr bool clamp(Long& x, int32_t limit) {
+    if (is_within(x, limit)) return false;
+    const int64_t most = (int64_t{limit} << 32) - 1;
+    x.raw = x.raw > 0 ? most : -most;
+    return true;
   }
   // 1, and a purely elastic force, in the unit of forces.
   constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }

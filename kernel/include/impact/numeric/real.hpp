@@ -7,10 +7,7 @@
 // plan that multiplies a Value; Units, the powers of two that Values count in. Floating point keeps metres, metres per
 // step and newtons: its units are all 1, and the functions that elsewhere move points and signs do nothing.
 //
-// Its range is +-2^20 m, and as much per step, the most that Bounds can state: what passes it is held there, and what
-// is no number becomes 0. Of a free step only x1 need be looked at: x2 grows by a dx2 that only contact changes, and
-// dx1 lacks but the spring's share of x1 and the drive's, both finite. A ball between two stops may so pass 2^20 m by
-// the cavity, without a fault; a state so far out is not restored.
+// A state that passes its limit is clamped there, and what is no number becomes 0.
 
 #include <stddef.h>
 
@@ -116,9 +113,18 @@ struct RealFormat {
 
     Long gap;                          // m
     Real per_second, step, of_forces;  // 1/s, s, N
+    struct {
+      Real main, ball, way, penetration;
+    } limits;  // StateLimits
 
-    static constexpr Units make(const UnitExponents&, double gap, double step, double force_unit) {
-      return {state(gap), static_cast<Real>(1 / step), static_cast<Real>(step), static_cast<Real>(force_unit)};
+    static constexpr Units make(const UnitExponents&, double gap, const StateLimits& limits, double step,
+                                double force_unit) {
+      return {state(gap),
+              static_cast<Real>(1 / step),
+              static_cast<Real>(step),
+              static_cast<Real>(force_unit),
+              {static_cast<Real>(limits.main), static_cast<Real>(limits.ball), static_cast<Real>(limits.way),
+               static_cast<Real>(limits.penetration)}};
     }
     constexpr Value velocity(Value per_step) const { return per_step * per_second; }
     constexpr Value native_force(Value force) const { return force * of_forces; }
@@ -127,12 +133,14 @@ struct RealFormat {
     static constexpr double velocity_unit(double) { return 1; }
     static constexpr Value as_displacement(Value rate) { return rate; }
     static constexpr Value increment_of_rate(Value increment) { return increment; }
-    // What is added from outside: no more than the range, and nothing where it is no number.
-    static constexpr bool hold_correction(Real& x) {
-      if (is_below_limit(x)) return false;
-      x = x > 0 || x < 0 ? (x > 0 ? Real{1048576} : Real{-1048576}) : Real{0};
+    // What is added from outside: no more than the limit, and nothing where it is no number.
+    static constexpr bool clamp(Real& x, Real limit) {
+      if (is_within(x, limit)) return false;
+      x = x > 0 ? limit : x < 0 ? -limit : 0;
       return true;
     }
+    constexpr Real correction_limit() const { return limits.main; }
+    constexpr Real rate_correction_limit() const { return limits.way; }
     static constexpr void add_position(Long& x, Value by) { x.add(by); }
     static constexpr void add_displacement(Long& w, Value by) { w.add(by); }
 
@@ -181,37 +189,24 @@ struct RealFormat {
     static constexpr Value held(Value x, Value) { return x; }
     static constexpr Value held_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }
-    // The ball is where its stops are, if it has both.
-    static constexpr bool in_flight_range(Long x1, Long x2, Long, bool has_both_stops) {
-      return is_below_limit(x1.sum) && (has_both_stops || is_below_limit(x2.sum));
+    static constexpr bool is_within(Long x, Real limit) { return is_within(x.sum, limit); }
+    // False for what is no number, too.
+    static constexpr bool is_within(Real x, Real limit) {
+      if (__builtin_is_constant_evaluated()) return size(x) <= limit;
+      return magnitude_bits(x) <= magnitude_bits(limit);
     }
-    static constexpr bool in_range_in_field(Long x1, Long x2, Long, Long) {
-      return is_below_limit(x1.sum) && is_below_limit(x2.sum);
-    }
-    // For an FPU by their sum first, which passes infinity on, and what is no number.
-    static constexpr bool in_range(Long x1, Long x2, Long dx1, Long dx2) {
-#if defined(IMPACT_HAS_FPU)
-      const Real sum = size(x1.sum) + size(x2.sum) + size(dx1.sum) + size(dx2.sum);
-      if (bits_of(sum) < bits_of(static_cast<Real>(1048576))) return true;
-#endif
-      return is_below_limit(x1.sum) && is_below_limit(x2.sum) && is_below_limit(dx1.sum) && is_below_limit(dx2.sum);
-    }
-    static constexpr bool is_below_limit(Real x) {
-      return magnitude_bits(x) < magnitude_bits(static_cast<Real>(1048576));
-    }
-    static constexpr bool hold_position(Long& x) {
-      if (is_below_limit(x.sum)) return false;
-      constexpr auto most = static_cast<Real>(1048575.9375);  // the float before
-      const Real beyond = x.sum;
+    constexpr bool is_too_deep(Value penetration) const { return !(penetration <= limits.penetration); }
+    static constexpr bool clamp(Long& x, Real limit) {
+      if (is_within(x, limit)) return false;
+      Real held = x.sum;
+      clamp(held, limit);
       x = {};
-      x.sum = beyond > 0 ? most : beyond < 0 ? -most : 0;
+      x.sum = held;
       return true;
     }
-    static constexpr bool hold_displacement(Long& w) { return hold_position(w); }
     // For a state from elsewhere, whose parts may be anything.
-    static constexpr bool is_sound(Long x) { return is_below_limit(x.value()); }
-    static constexpr bool is_sound(Value x) { return is_below_limit(x); }
-    static constexpr bool holds_start(Long, Long, Long, Long) { return true; }
+    static constexpr bool is_sound(Long x) { return is_within(x.value(), 2 * x.sum); }
+    static constexpr bool is_sound(Value x) { return is_within(x, static_cast<Real>(0x1p20)); }
     static constexpr Value one() { return 1; }
     static constexpr Value elastic(Value x) { return x; }
   };

@@ -3,6 +3,10 @@
 // The powers of two that a step's numbers count in, chosen by the plan: a Value v of a quantity with exponent e stands
 // for v * 2^e in SI units (metres; metres per step for displacements and rates). Floating point has all exponents 0.
 
+#include <stdint.h>
+
+#include <impact/numeric/constant_math.hpp>
+
 namespace impact {
 
 struct UnitExponents {
@@ -19,11 +23,26 @@ struct UnitExponents {
 // Which quantity is too large beside the others for a format of fixed point.
 enum class Overflow { none, force, penetration, position };
 
-// The largest magnitudes in a scene, in the same units, and the way of a mass in a step at its bound; whether the
+// Beyond these a state is clamped, with a fault, m: the main mass, the ball, a mass's displacement per step, and the
+// penetration that a step ends with.
+struct StateLimits {
+  double main, ball, way, penetration;
+};
+
+// The limit of a quantity that a plan is judged for up to `bound`: between 0.1 and 0.9 % above it, for the rounding of
+// a motion that just reaches it, and a number of eight bits, which processors have in an instruction.
+constexpr double limit_of(double bound) {
+  const double most = bound * (1 + 0x1p-10), place = constant::power_of_two(constant::exponent_above(most) - 8);
+  return static_cast<double>(static_cast<int64_t>(most / place) + 1) * place;
+}
+
+// The largest magnitudes in a scene, in the same units, and the way of a mass in a step at its bound; `apart`: of
+// either mass from the middle of its range, and of one from the other, before a step's end is looked at; whether the
 // damper takes an eighth of a displacement per step of what the spring adds of a displacement, or less.
 struct UnitBounds {
-  double gap, amplitude, way, position, displacement, increment, push, penetration, force_factor;
+  double gap, apart, amplitude, way, position, displacement, increment, push, penetration, force_factor;
   bool is_lightly_damped;
+  StateLimits limits;
 };
 
 }  // namespace impact

@@ -66,9 +66,12 @@ class PlanMaking {
     basis.terms.damping_exponent = exponents.force + (basis.terms.is_linear ? exponents.penetration : 0);
     status = status_of_units(scene, basis, largest, exponents);
     if (status != PlanStatus::ok) return Plan::refused(status);
-    const Plan plan = constants_of(scene, bounds, basis, exponents);
-    if (!plan.units.holds_start(plan.x1, plan.x2, Long{}, Long{})) return Plan::refused(PlanStatus::displacement_bound);
-    if (!plan.units.holds_start(plan.x1, plan.x2, plan.dx1, plan.dx2)) return Plan::refused(PlanStatus::speed_bound);
+    const Plan plan = constants_of(scene, bounds, basis, largest, exponents);
+    const auto& limits = plan.units.limits;
+    if (!plan.units.is_within(plan.x1, limits.main) || !plan.units.is_within(plan.x2, limits.ball))
+      return Plan::refused(PlanStatus::displacement_bound);
+    if (!plan.units.is_within(plan.dx1, limits.way) || !plan.units.is_within(plan.dx2, limits.way))
+      return Plan::refused(PlanStatus::speed_bound);
     return plan;
   }
 
@@ -150,22 +153,41 @@ class PlanMaking {
     // An impact changes the rate of sliding by twice the largest, and friction by no more than the largest in a step.
     const double largest_change = Friction::is_friction && scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
     largest.penetration = larger(largest.penetration, largest_change);
-    const double drive = larger(scene.drive_amplitude, bounds.force);
-    // A state is held at up to twice its bounds.
-    const double held = constant::power_of_two(constant::exponent_above(bounds.displacement));
-    const double spring_and_damper = scene.main_stiffness * held + scene.main_damping * 2 * bounds.speed;
-    largest.increment = h * h * (2 * drive + spring_and_damper) / scene.main_mass;
+    // A rate that a treatment reads is that of free flight to the step's end.
+    if constexpr (Contact::reads_rate)
+      largest.penetration = larger(largest.penetration, 1.01 * h * (terms.largest_rate + h * terms.pressing));
     if constexpr (Field::is_field) {
       const double in_field = h * h * Field::largest(scene, bounds);
       largest.way += in_field;
       largest.displacement += in_field;
-      largest.increment += 2 * in_field;
     }
+    // A kept force has a share in what the coming step makes, of up to half of what it does in a step.
+    if constexpr (Contact::keeps_force) {
+      UnitBounds of_forces = largest;
+      Contact::bound_forces(terms, of_forces);
+      largest.displacement += of_forces.push / 2;
+    }
+    largest.limits.main = limit_of(bounds.displacement);
+    largest.limits.way = limit_of(largest.displacement);
+    // Of a displacement that has just passed its limit, too, which is looked at afterwards.
+    const double spring = scene.main_stiffness * (largest.limits.main + 2 * largest.limits.way),
+                 damper = scene.main_damping * 2 * largest.limits.way / h;
+    largest.increment = h * h * (2 * larger(scene.drive_amplitude, bounds.force) + spring + damper) / scene.main_mass +
+                        2 * h * h * Field::largest(scene, bounds);
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
     Contact::bound_forces(terms, largest);
     largest.penetration = larger(largest.penetration, largest_change);  // again: a treatment may have set it lower
     // The others are refused such a start where it is deeper than what they bound.
     if (Contact::is_instantaneous) largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
+    // Classical schemes end as deep as a flight does, and an impact at an instant goes nowhere.
+    const bool is_of_flight = Contact::is_instantaneous || (Contact::keeps_force && !(bounds.penetration > 0));
+    largest.limits.penetration = limit_of(is_of_flight ? largest.penetration : terms.largest_penetration);
+    // Between two stops the ball is where they are.
+    const bool is_between = scene.stops == Stops::both;
+    largest.limits.ball = is_between
+                              ? limit_of(bounds.displacement + largest.gap + largest.penetration) + largest.limits.way
+                              : largest.limits.main;
+    largest.apart = (is_between ? largest.limits.ball : 2 * largest.limits.main) + 2 * largest.limits.way;
     return largest;
   }
 
@@ -192,12 +214,12 @@ class PlanMaking {
   }
 
   static constexpr Plan constants_of(const Scene& scene, const Bounds& bounds, const Basis& basis,
-                                     const UnitExponents& exponents) {
+                                     const UnitBounds& largest, const UnitExponents& exponents) {
     const LinearFlow &flow = basis.flow, &ball = basis.ball;
     const ContactTerms& terms = basis.terms;
     const double h = terms.step;
-    const double gap = scene.stops == Stops::none ? Format::Units::out_of_reach(exponents) : scene.clearance / 2;
-    const auto units = Format::Units::make(exponents, gap, h, terms.force_unit);
+    const double gap = scene.stops == Stops::none ? Format::Units::out_of_reach(exponents) : largest.gap;
+    const auto units = Format::Units::make(exponents, gap, largest.limits, h, terms.force_unit);
     Plan plan{};
     plan.status = PlanStatus::ok;
     plan.step = h;

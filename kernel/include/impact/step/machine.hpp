@@ -116,19 +116,39 @@ struct Machine : Source {
   constexpr void raise(Fault fault) {
     if (state.fault == Fault::none) state.fault = fault;
   }
-  [[gnu::noinline]] constexpr void clamp() {
-    const bool is_far = plan.units.hold_position(state.x1), is_ball_far = plan.units.hold_position(state.x2);
-    plan.units.hold_displacement(state.dx1);
-    plan.units.hold_displacement(state.dx2);
+  // What flight changes. The ball between two stops is where they are, which contact looks at.
+  [[gnu::always_inline]] constexpr bool flight_is_in_range() const {
+    const auto& limits = plan.units.limits;
+    return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.way) &&
+           ((plan.left_stop && plan.right_stop) || plan.units.is_within(state.x2, limits.ball)) &&
+           (!Field::is_field || plan.units.is_within(state.dx2, limits.way));
+  }
+  // And what contact changes.
+  [[gnu::always_inline]] constexpr bool contact_is_in_range() const {
+    return flight_is_in_range() && (Field::is_field || plan.units.is_within(state.dx2, plan.units.limits.way));
+  }
+  constexpr bool is_in_range(const State& any) const {
+    const auto& limits = plan.units.limits;
+    return plan.units.is_within(any.x1, limits.main) && plan.units.is_within(any.dx1, limits.way) &&
+           plan.units.is_within(any.x2, limits.ball) && plan.units.is_within(any.dx2, limits.way);
+  }
+  // Of a state beyond a limit or, at a step's end, too deep in a stop, where the fault is all. Returns true if it
+  // clamped.
+  [[gnu::noinline]] constexpr bool clamp() {
+    const auto& units = plan.units;
+    const auto& limits = units.limits;
+    const bool is_main_far = units.clamp(state.x1, limits.main), is_ball_far = units.clamp(state.x2, limits.ball),
+               is_main_fast = units.clamp(state.dx1, limits.way), is_ball_fast = units.clamp(state.dx2, limits.way);
+    const bool is_far = is_main_far || is_ball_far, is_fast = is_main_fast || is_ball_fast;
+    raise(is_far ? Fault::displacement : is_fast ? Fault::speed : Fault::penetration);
+    if (is_far || is_fast) end_contact();
+    return is_far || is_fast;
+  }
+  // Returns true if the state was beyond its limits.
+  constexpr bool clamp_to_range() { return !is_in_range(state) && clamp(); }
+  constexpr void end_contact() {
     state.contact.phase = Phase::apart;
     state.contact.drop_force();
-    raise(is_far || is_ball_far ? Fault::displacement : Fault::speed);
-  }
-  // Returns true if the state was beyond its range.
-  constexpr bool clamp_to_range() {
-    if (plan.units.in_range(state.x1, state.x2, state.dx1, state.dx2)) return false;
-    clamp();
-    return true;
   }
 };
 

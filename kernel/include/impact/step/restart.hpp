@@ -52,17 +52,17 @@ struct Restart {
     if (contact.rests_on(m.plan.units, state, left)) return;
     const Phase phase = contact.phase;
     const Value found = m.depth_in(left), inside = contact.no_deeper(found);
+    if (m.plan.units.is_too_deep(inside)) m.raise(Fault::penetration);
     if (is_positive(found - inside)) m.plan.units.displace(state.x2, -mirrored(found - inside, left));
     if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
       const Value rate = m.relative_rate(left);
       if constexpr (Model::has_own_damping) contact.hold_damping(m.plan.contact, inside, rate);
       contact.start(m.plan.contact, m.plan.units, inside, rate);
       contact.phase = phase;
-      if (!contact.is_sound(m.plan.contact, m.plan.units)) m.clamp();
-    } else {
-      contact.phase = Phase::apart;
-      contact.drop_force();
+      if (contact.is_sound(m.plan.contact, m.plan.units)) return;
+      m.raise(Fault::speed);
     }
+    m.end_contact();
   }
   // A ball that a correction has put into a stop without touching it stands at it.
   static constexpr void push_out(Model& m) {

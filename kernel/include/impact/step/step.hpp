@@ -38,13 +38,12 @@ struct Step {
     Long main_travel = m.state.dx1;  // in this step
     m.add_at_once(main_travel, force, acceleration, false);
     const Value increment = fly(m, main_travel, force, acceleration);  // of dx1
-    if (!checks_range_after_contact(m) && !flight_is_in_range(m)) {
-      m.clamp();
-    } else if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
+    // A flight that meets a stop is judged with what contact makes of it.
+    if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
       DriveChange<Value> change{};
       if constexpr (Contact::sees_change || Model::records) change = m.state.drive.change(m.plan.drive, drive_before);
       contact(m, increment, main_travel, change);
-    } else if (checks_range_after_contact(m) && !flight_is_in_range(m)) {
+    } else if (!m.flight_is_in_range()) {
       m.clamp();
     } else if constexpr (Friction::is_friction) {
       Rub::after_flight(m, main_travel);
@@ -86,24 +85,6 @@ struct Step {
     if constexpr (Field::is_field) Field::fly(plan, state, acceleration);
     return increment;
   }
-  // (Friction brings both rates nearer to each other and need not be looked at.)
-  [[gnu::always_inline]] static constexpr bool flight_is_in_range(const Model& m) {
-    const auto& state = m.state;
-    if constexpr (Field::is_field)
-      return m.plan.units.in_range_in_field(state.x1, state.x2, state.dx1, state.dx2);
-    else
-      return m.plan.units.in_flight_range(state.x1, state.x2, state.dx1, m.plan.left_stop && m.plan.right_stop);
-  }
-  // Whether the range check after flight may wait until after contact: the response cannot wrap a state that was in
-  // range before the step. (A shared one changes x1 by at most an eighth of 2^63, x2 and a step's displacement by a
-  // quarter.)
-  static constexpr bool checks_range_after_contact(const Model& m) {
-    if constexpr (decltype(Model::PlanType::contact.response)::is_shared)
-      return !Contact::is_sudden(m.plan.contact);
-    else
-      return false;
-  }
-
   // The one call boundary of a step, in the formats that ask for it (compiler.hpp).
   [[gnu::always_inline]] static constexpr void contact(Model& m, Value increment, Long main_travel,
                                                        DriveChange<Value> change) {
@@ -207,7 +188,8 @@ struct Step {
     reload_state<Model>(state);
     plan.contact.response.answer(plan.units, state, mirrored(impulse, left));
     contact.place_ball(plan.contact, plan.units, state, left);
-    if (m.clamp_to_range()) return false;
+    const bool is_too_deep = plan.units.is_too_deep(contact.depth(plan.contact, approach, impulse));
+    if ((is_too_deep || !m.contact_is_in_range()) && m.clamp()) return false;
     if constexpr (Model::records) {
       approach.rate = rate;
       auto seen = contact.record(plan.contact, plan.units, approach, contact_before, impulse);
@@ -226,9 +208,9 @@ struct Step {
     return rate_at_touch<Format>(way, way.share(without_sign(approach.penetration)), approach.travel, approach.rate,
                                  units.increment_of_rate(approach.increment), 0);
   }
-  // The range check that was to follow a contact, where there is none.
+  // Of a flight that a contact was to be judged with, where there is none.
   [[gnu::always_inline]] static constexpr void clamp_unchecked(Model& m) {
-    if (checks_range_after_contact(m)) m.clamp_to_range();
+    if (!m.flight_is_in_range()) m.clamp();
   }
 };
 

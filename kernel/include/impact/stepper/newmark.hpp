@@ -112,6 +112,10 @@ struct Pointwise {
       return units.is_sound(plan.dx1_share * force) && units.is_sound(plan.dx2_share * force);
     }
     constexpr void drop_force() { force = Value{}; }
+    [[gnu::always_inline]] static constexpr Value depth(const Plan& plan, const Approach<Value>& step,
+                                                        const Impulse<Value>& impulse) {
+      return penetration_after(plan.response, step.penetration, impulse);
+    }
     // The force, linear over the step between its values before and after.
     [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                                const Approach<Value>& step, const Contact& before,

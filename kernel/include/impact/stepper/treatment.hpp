@@ -62,6 +62,11 @@ struct Treatment {
   static constexpr Value no_deeper(Value inside) {
     return inside;
   }
+  // How deep the ball ends in the stop, for its limit.
+  template <class Plan, class Approach, class Felt>
+  [[gnu::always_inline]] static constexpr auto depth(const Plan&, const Approach& step, const Felt&) {
+    return step.penetration;
+  }
   // What moves the ball besides the impulse.
   template <class Plan, class Units, class State>
   static constexpr void place_ball(const Plan&, const Units&, State&, bool) {}

@@ -61,6 +61,10 @@ struct EnergyLinear : ConstantForce {
     penetration = at;
     phase = Phase::touching;
   }
+  template <class AnyPlan, class Seen, class Felt>
+  [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {
+    return penetration;
+  }
   [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
                                                              const Approach<Value>& step, const EnergyLinear& before,
                                                              const Impulse<Value>& impulse) const {

@@ -170,6 +170,10 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
     taken(2) = taken(1) + fall;
     taken(3) = taken(2) + fall;
   }
+  template <class AnyPlan, class Seen, class Felt>
+  [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {
+    return penetration;
+  }
   constexpr bool fits_together(const Plan& plan) const {
     return !plan.is_resolved || phase == Phase::apart || is_root_of<Format>(penetration, root);
   }

@@ -82,6 +82,10 @@ struct MomentLinear : ResolvedForces {
     const bool is_tension = !is_positive(units.elastic(at) + plan.damping * at_rate);
     phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
+  template <class AnyPlan, class Seen, class Felt>
+  [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {
+    return penetration;
+  }
   constexpr void change_rate(const Plan&, Value by) { rate = rate + by; }
   constexpr void stand_at(Value inside) { penetration = inside; }
   // A ball that was let go is on its way out: deeper the stop would push it with all that a correction put in.

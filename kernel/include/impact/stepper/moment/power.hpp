@@ -87,6 +87,10 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     root = Format::root(at);
     phase = Phase::touching;
   }
+  template <class AnyPlan, class Seen, class Felt>
+  [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {
+    return penetration;
+  }
   constexpr bool fits_together(const Plan&) const {
     return phase == Phase::apart || Format::is_root_beside(root, penetration);
   }

@@ -76,6 +76,11 @@ constexpr Real positive_part(Real x) {
   __builtin_memcpy(&x, &bits, sizeof bits);
   return x;
 }
+// x, or `least` where it is less. No number stays none.
+template <class Real>
+constexpr Real no_less(Real x, Real least) {
+  return x < least ? least : x;
+}
 template <class Real>
 constexpr Real mirrored(Real x, bool left) {
   return left ? -x : x;

@@ -212,5 +212,10 @@ template <int bits>
 constexpr Unsigned<bits> positive_part(Signed<bits> x) {
   return {static_cast<uint32_t>(opaque(x.raw > 0 ? x.raw : 0))};
 }
+// x, or `least` where it is less, for a difference that is in range.
+template <int bits>
+constexpr Signed<bits> no_less(Signed<bits> x, Signed<bits> least) {
+  return least + as_signed(positive_part(x - least));
+}
 
 }  // namespace impact

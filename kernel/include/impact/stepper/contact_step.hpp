@@ -46,6 +46,12 @@ template <class Value>
 struct Impulse {
   Value j0, j1;
 };
+// The nearest of a force that never pulls: 0 <= J1 <= J0.
+template <class Format, class Value>
+[[gnu::always_inline]] constexpr Impulse<Value> of_push(const Impulse<Value>& impulse) {
+  const Value j1 = Format::value(positive_part(impulse.j1));
+  return {no_less(impulse.j0, j1), j1};
+}
 template <class Value>
 [[gnu::always_inline]] constexpr Impulse<Value> mirrored(const Impulse<Value>& impulse, bool left) {
   return {mirrored(impulse.j0, left), mirrored(impulse.j1, left)};

@@ -105,10 +105,10 @@ struct MomentLinear : ResolvedForces {
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
     const Value change = trial - penetration, rate_change = trial_rate - rate, curving = change - rate;
-    const Impulse<Value> impulse = {plan.j0.penetration * penetration + plan.j0.change * change +
-                                        plan.j0.rate_change * rate_change + plan.j0.curving * curving,
-                                    plan.j1.penetration * penetration + plan.j1.change * change +
-                                        plan.j1.rate_change * rate_change + plan.j1.curving * curving};
+    const Impulse<Value> impulse = felt(plan, {plan.j0.penetration * penetration + plan.j0.change * change +
+                                                   plan.j0.rate_change * rate_change + plan.j0.curving * curving,
+                                               plan.j1.penetration * penetration + plan.j1.change * change +
+                                                   plan.j1.rate_change * rate_change + plan.j1.curving * curving});
     const Value d = penetration_after(plan.response, trial, impulse),
                 v = rate_after(plan.response, trial_rate, impulse);
     if (plan.clamped) {
@@ -123,8 +123,12 @@ struct MomentLinear : ResolvedForces {
   }
 
  private:
+  [[gnu::always_inline]] static constexpr Impulse<Value> felt(const Plan& plan, const Impulse<Value>& found) {
+    return plan.clamped ? of_push<Format>(found) : found;
+  }
   [[gnu::always_inline]] constexpr Impulse<Value> settle(const Plan& plan, Value trial, Value trial_rate,
                                                          Impulse<Value> impulse) {
+    impulse = felt(plan, impulse);
     penetration = penetration_after(plan.response, trial, impulse);
     rate = rate_after(plan.response, trial_rate, impulse);
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
@@ -198,7 +202,7 @@ struct MomentLinear : ResolvedForces {
       t = Format::corrected(t, at<0>(vanishing, t), positive_part(-slope(vanishing, t)));
     Impulse<Value> impulse = impulse_until(from, t);
     impulse.j1 = impulse.j1 + impulse.j0 - Format::value(impulse.j0 * t);
-    settle(plan, trial, trial_rate, impulse);
+    impulse = settle(plan, trial, trial_rate, impulse);
     if (phase == Phase::touching) phase = Phase::released;
     return impulse;
   }

@@ -19,9 +19,10 @@
 //
 //     J0 = f + f'/2             J1 = f/2 + f'/6             f' = (3/2) r K (1 + C v) v + K C d0^(3/2) (g - f)
 //
-// or d1 is the trial's (entering), and J0 and J1 are corrected once by their derivatives for what d1 missed.
-// How a drive changes within a step is not in them: samples that jump to and fro by dF in each step of an impact of 8
-// steps at the rate V make up to 0.5 % of dF h/(M V) of its energy, in one of 16 steps 0.1 %.
+// or d1 is the trial's (entering), and J0 and J1 are corrected once by their derivatives for what d1 missed. The law
+// has no force where 1 + C d' < 0: a step in which it has none on average has no impulse, and no impulse pulls
+// (of_push). How a drive changes within a step is not in them: samples that jump to and fro by dF in each step of an
+// impact of 8 steps at the rate V make up to 0.5 % of dF h/(M V) of its energy, in one of 16 steps 0.1 %.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/moment/response.hpp>
@@ -149,7 +150,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto n = p * (without_sign(half(d + penetration)) + zz) + zz * zz_5p;  // p^2 + z^2 is their mean
     const auto w = eighth(p) + quarter(zz_5p);
     const Value dd = d - penetration, dv = g - taken;
-    const auto factor = positive_part(strength(plan, dd));
+    const Value mean = strength(plan, dd);
+    if (!is_positive(mean)) return ended(plan, trial, {}, end);
+    const auto factor = without_sign(mean);
     const auto by_change = ahead(plan, Format::value(plan.stiffness)) * w;
     const Value j0 = Format::value(n * factor) - behind(plan, Format::value(by_change * dv));
     Value j1 = Format::value(half(j0)) - Format::value(w * factor * dd);
@@ -220,8 +223,9 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
 
   // Where the contact stands after the step, its root by one that is known nearby.
   template <class Known>
-  [[gnu::always_inline]] constexpr Impulse<Value> ended(const Plan& plan, Value trial, const Impulse<Value>& impulse,
+  [[gnu::always_inline]] constexpr Impulse<Value> ended(const Plan& plan, Value trial, Impulse<Value> impulse,
                                                         const Known& known) {
+    impulse = of_push<Format>(impulse);
     penetration = trial - travel(plan, impulse.j1);
     if (is_positive(penetration))
       root = known.beside(penetration);

@@ -1,0 +1,272 @@
+// A stop pushes or does nothing: whatever the law's damping, and however fast the ball is drawn off. Random scenes,
+// half of which begin inside the stop, with drives, weight, a base that shakes and friction, corrections and changes of
+// plan; and two scenes in which a main mass is drawn off its ball, against the reference.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <impact/absorber.hpp>
+#include <random>
+
+#include "against_reference.hpp"
+#include "host_ref/extremes.hpp"
+#include "host_ref/reference.hpp"
+
+namespace impact::host {
+namespace {
+
+using Fourth = SubsteppedMoment<4>;
+constexpr double step = 1e-4;
+constexpr unsigned scenes = 60;
+constexpr int steps = 2000;
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double linear(double least, double most) { return std::uniform_real_distribution<double>(least, most)(engine_); }
+  double between(double least, double most) { return least * std::pow(most / least, linear(0, 1)); }
+  bool either() { return linear(0, 1) < 0.5; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// At its bounds h c/mu is 0.03 to 3, which not every stepper takes.
+struct PulledScene {
+  Scene scene;
+  Bounds bounds;
+  double force, base, force_pulsation, base_pulsation;
+};
+template <class Law, bool is_impulsive>
+PulledScene pulled_scene(unsigned seed, bool has_parts) {
+  Random random(seed);
+  PulledScene result{};
+  Scene& scene = result.scene;
+  Bounds& bounds = result.bounds;
+  scene.drive_amplitude = scene.drive_pulsation = 0;
+  scene.main_mass = random.between(0.1, 10);
+  scene.ball_mass = scene.main_mass * random.between(0.01, 10);
+  scene.main_stiffness = random.either() ? 0 : scene.main_mass * std::pow(random.between(1e-3, 0.15) / step, 2);
+  scene.main_damping = random.either() ? 0 : scene.main_mass / step * random.between(1e-4, 0.1);
+  scene.stops = Stops::right;
+  scene.clearance = random.between(1e-4, 0.02);
+  bounds.speed = random.between(0.1, 2);
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), v = 2 * bounds.speed,
+               contact_time = (is_impulsive ? random.between(0.01, 1) : random.between(6, 1000)) * step,
+               damping = random.between(0.03, 3) * mu / step;
+  double deepest = 0;
+  if (Law::is_linear) {
+    scene.contact_stiffness = mu * std::pow(3.1416 / contact_time, 2);
+    scene.contact_damping = smaller(damping, 19 * std::sqrt(scene.contact_stiffness * mu));
+    deepest = v * contact_time / 3;
+  } else {
+    scene.contact_stiffness = mu * std::pow(3.2 / contact_time, 2.5) / std::sqrt(v);
+    deepest = bounds.penetration = 1.05 * std::pow(1.25 * mu * v * v / scene.contact_stiffness, 0.4);
+    scene.contact_damping = damping / std::pow(deepest, 1.5);
+    scene.restitution = random.linear(0.02, 0.6);
+  }
+  bounds.displacement = 0.1 + 3 * deepest + scene.clearance;
+  if (random.either()) {
+    scene.x2 = scene.clearance / 2 + deepest * random.linear(0, 0.8);
+  } else {
+    scene.x2 = scene.clearance * random.linear(0, 0.5);
+    scene.v2 = bounds.speed / 2;
+  }
+  scene.v1 = bounds.speed * random.linear(-0.3, 0.3);
+  result.force = random.either() ? 0 : scene.main_mass * random.between(0.1, 100);
+  result.force_pulsation = random.between(1, 2000);
+  bounds.force = result.force + 1e-9;
+  if (has_parts) {
+    scene.gravity = 9.81 * random.linear(-1, 1);
+    result.base = random.between(0.1, 50);
+    result.base_pulsation = random.between(1, 2000);
+    bounds.base_acceleration = result.base;
+    if (random.either()) scene.ball_friction = scene.ball_mass * random.between(0.01, 10);
+  }
+  return result;
+}
+
+template <class Law, class Stepper, class Format>
+struct Kind {
+  static constexpr bool is_impulsive = detail::is_one_of<Stepper, Impulsive>;
+  template <class... Parts>
+  using Absorber = impact::Absorber<AtRunTime, Law, Stepper, Sampled, Format, Parts...>;
+
+  // The speed of a step's rounding: of the state as it is read, and in Fixed32 of the ball's share of an impulse, which
+  // rounds by one place.
+  template <class Kernel>
+  static double rounding(const Kernel& absorber, const Bounds& bounds) {
+    typename Kernel::Long recoil{}, displacement{};
+    absorber.plan.units.recoil(recoil, Format::last_place());
+    absorber.plan.units.displace(displacement, Format::last_place());
+    const double place = larger(absorber.plan.units.si(recoil), absorber.plan.units.si(displacement)) / step;
+    const bool is_single = Format::is_real && sizeof(typename Kernel::Value) == sizeof(float);
+    return place + (is_single ? 0x1p-22 : 0x1p-50) * bounds.speed;
+  }
+
+  // A ball in a right stop, which nothing else touches, gains no speed towards it.
+  static void expect_no_rise() {
+    using Kernel = Absorber<>;
+    int accepted = 0, retuned = 0, touching = 0;
+    for (unsigned seed = 0; seed < scenes; ++seed) {
+      const PulledScene found = pulled_scene<Law, is_impulsive>(seed, false);
+      const auto plan = Kernel::PlanType::make(found.scene, found.bounds, step);
+      if (plan.status != PlanStatus::ok) continue;
+      Scene softer = found.scene;
+      softer.contact_damping *= 0.8;
+      const auto other = Kernel::PlanType::make(softer, found.bounds, step);
+      ++accepted;
+      Kernel absorber(plan);
+      const double least = rounding(absorber, found.bounds);
+      Random random(seed);
+      for (int n = 1; n <= steps && absorber.fault() == Fault::none; ++n) {
+        const double before = absorber.reading().v2;
+        absorber.step(absorber.sample_of(found.force * std::sin(found.force_pulsation * n * step)));
+        if (absorber.fault() != Fault::none) break;
+        ASSERT_LE(absorber.reading().v2 - before, least) << "scene " << seed << ", step " << n;
+        touching += absorber.is_touching();
+        if (seed % 3 == 1 && n % 7 == 0) {
+          const auto part = [&] { return Format::sample(random.linear(-1, 1) * 1e-6); };
+          absorber.correct(part(), part());
+        }
+        if (seed % 3 == 2 && n % 11 == 0) retuned += absorber.retune(n % 2 ? other : plan);
+      }
+    }
+    EXPECT_GT(accepted, static_cast<int>(scenes / 8));
+    EXPECT_GT(touching, accepted / 2);
+    EXPECT_GT(retuned, 0);
+  }
+  static void expect_no_pull() {
+    using Kernel = Absorber<BaseAcceleration, DryFriction, ContactForce>;
+    int accepted = 0, touching = 0;
+    for (unsigned seed = 0; seed < scenes; ++seed) {
+      const PulledScene found = pulled_scene<Law, is_impulsive>(seed, true);
+      const auto plan = Kernel::PlanType::make(found.scene, found.bounds, step);
+      if (plan.status != PlanStatus::ok) continue;
+      ++accepted;
+      Kernel absorber(plan);
+      for (int n = 1; n <= steps && absorber.fault() == Fault::none; ++n) {
+        absorber.step(absorber.sample_of(found.force * std::sin(found.force_pulsation * n * step)),
+                      absorber.base_sample_of(found.base * std::sin(found.base_pulsation * n * step)));
+        ASSERT_FALSE(is_negative(absorber.contact_force())) << "scene " << seed << ", step " << n;
+        touching += absorber.is_touching();
+      }
+    }
+    EXPECT_GT(accepted, static_cast<int>(scenes / 8));
+    EXPECT_GT(touching, accepted / 2);
+  }
+};
+
+template <class KindUnderTest>
+class NoPull : public testing::Test {};
+using Kinds = testing::Types<
+    Kind<HuntCrossley, Moment, Float64>, Kind<HuntCrossley, Moment, Float32>, Kind<HuntCrossley, Moment, Float32Plain>,
+    Kind<HuntCrossley, Moment, Fixed32>, Kind<HuntCrossley, Fourth, Float64>, Kind<HuntCrossley, Fourth, Float32Plain>,
+    Kind<HuntCrossley, Fourth, Fixed32>, Kind<HuntCrossley, SubsteppedMoment<8>, Fixed32>, Kind<Exact, Moment, Float64>,
+    Kind<Exact, Moment, Float32>, Kind<Exact, Moment, Fixed32>, Kind<Exact, Fourth, Fixed32>,
+    Kind<HuntCrossleyPerImpact, Moment, Fixed32>, Kind<Hertz, Moment, Float32>, Kind<Hertz, Moment, Fixed32>,
+    Kind<Hertz, Fourth, Fixed32>, Kind<HookeNewton, Moment, Float64>, Kind<HookeNewton, Moment, Float32>,
+    Kind<HookeNewton, Moment, Fixed32>, Kind<HookeNewton, Fourth, Fixed32>, Kind<HuntCrossley, Impulsive, Float32Plain>,
+    Kind<HuntCrossley, Impulsive, Fixed32>, Kind<Exact, Impulsive, Fixed32>, Kind<HookeNewton, Impulsive, Fixed32>>;
+TYPED_TEST_SUITE(NoPull, Kinds, );
+TYPED_TEST(NoPull, InAnyStep) { TypeParam::expect_no_rise(); }
+TYPED_TEST(NoPull, WithWeightShakenBaseAndFriction) { TypeParam::expect_no_pull(); }
+
+template <class KindUnderTest>
+class NoPullAlone : public testing::Test {};
+using OtherKinds =
+    testing::Types<Kind<HookeNewton, EnergyConsistent, Float64>, Kind<HookeNewton, EnergyConsistent, Fixed32>,
+                   Kind<HuntCrossley, AverageAcceleration, Float32>, Kind<HuntCrossley, AverageAcceleration, Fixed32>,
+                   Kind<HuntCrossley, CentralDifference, Fixed32>, Kind<HookeNewton, LinearAcceleration, Fixed32>>;
+TYPED_TEST_SUITE(NoPullAlone, OtherKinds, );
+TYPED_TEST(NoPullAlone, InAnyStep) { TypeParam::expect_no_rise(); }
+
+// A main mass is drawn off its ball, so fast that the law has no force until the ball is out or pressed again: by a
+// constant drive, or upright by a base that shakes. The largest difference from the reference in `duration`.
+template <class Kernel>
+double largest_miss(const Case& run, const Bounds& bounds, double h, double duration) {
+  const auto plan = Kernel::PlanType::make(run.scene, bounds, h);
+  EXPECT_EQ(plan.status, PlanStatus::ok);
+  Kernel absorber(plan);
+  return largest_difference(run, absorber, h, static_cast<int>(0.005 / h + 0.5), duration, [&](int n) {
+    if constexpr (Kernel::Field::is_sampled)
+      absorber.step(absorber.base_sample_of(run.base_samples[static_cast<size_t>(n)]));
+    else
+      absorber.step(absorber.sample_of(run.samples[static_cast<size_t>(n)]));
+  });
+}
+template <class Stepper, class Format>
+double miss_where_a_drive_draws(double damping, double depth, double h) {
+  Case run;
+  run.drive = DriveKind::sampled;
+  run.scene.drive_amplitude = run.scene.drive_pulsation = 0;
+  run.scene.main_stiffness = run.scene.main_damping = 0;
+  run.scene.stops = Stops::right;
+  run.scene.x2 = run.scene.clearance / 2 + depth;
+  run.scene.contact_stiffness = 1e4;
+  run.scene.contact_damping = damping;
+  run.sample_step = h;
+  run.samples.assign(static_cast<size_t>(0.06 / h + 1.5), 1.0);
+  run.samples[0] = 0;
+  Bounds bounds;
+  bounds.displacement = 0.03;
+  bounds.speed = 0.25;
+  bounds.force = 1.1;
+  return largest_miss<Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>>(run, bounds, h, 0.06);
+}
+template <class Stepper, class Format>
+double miss_of_a_shaken_upright(double speed_of_restitution, double h) {
+  Case run;
+  run.drive = DriveKind::none;
+  run.scene.drive_amplitude = run.scene.drive_pulsation = 0;
+  run.scene.gravity = -9.81;
+  run.scene.x1 = run.scene.x2 = -0.012753;
+  run.scene.main_damping = 5;
+  run.scene.contact_damping = Exact::damping_ratio(0.05) * run.scene.contact_stiffness / speed_of_restitution;
+  run.base_step = h;
+  for (int n = 0; n * h < 1.2 + h; ++n) run.base_samples.push_back(n * h < 0.6 ? 0 : 14 * std::sin(25 * (n * h - 0.6)));
+  Bounds bounds;
+  bounds.displacement = 0.1;
+  bounds.speed = 3;
+  bounds.force = 0;
+  bounds.base_acceleration = 14.1;
+  return largest_miss<Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, BaseAcceleration>>(run, bounds, h,
+                                                                                                     1.2);
+}
+
+// The last damping is the largest that a plan takes, h c/mu = 2.5 at the deepest penetration. A Float32's displacement
+// keeps 1e-8 m.
+template <class Stepper, class Format>
+void expect_within(double bound) {
+  for (const double damping : {1e5, 1e6, 1e7, 5e7})
+    EXPECT_LE((miss_where_a_drive_draws<Stepper, Format>(damping, 1.5e-3, step)), bound) << damping;
+  for (const double speed : {0.3, 1.0})
+    EXPECT_LE((miss_of_a_shaken_upright<Stepper, Format>(speed, step)), bound) << speed;
+}
+TEST(DrawnOff, AsTheReferenceSays) {
+  expect_within<Moment, Float64>(1e-6);
+  expect_within<Moment, Fixed32>(1e-6);
+  expect_within<Moment, Float32>(1e-6);
+  expect_within<Fourth, Float64>(2e-7);
+  expect_within<Fourth, Fixed32>(2e-6);  // what 9000 sub-steps a contact round
+}
+
+// Of a force that ends within the step, with the slope f', its impulse misses f' h^2/8 at the most: second order. Here
+// f' is c/mu times the 1 m/s^2 by which the drive draws, and what that makes of the way lasts to the end.
+TEST(DrawnOff, TheKinkIsOfSecondOrder) {
+  const double duration = 0.06, depth = 1.5e-3, mu = 0.3 / 1.3;
+  for (const double h : {4e-4, 2e-4, 1e-4, 5e-5}) {
+    double worst = 0;
+    for (int phase = 0; phase < 20; ++phase) {
+      const double damping = 1e6 * (1 + 0.05 * phase), slope = damping * std::pow(depth, 1.5) / mu;
+      const double missed = miss_where_a_drive_draws<Moment, Float64>(damping, depth, h);
+      EXPECT_LE(missed, slope * h * h / 8 * duration) << h << " " << damping;
+      worst = larger(worst, missed);
+    }
+    std::printf("  %g s: %.3g m\n", h, worst);
+  }
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cstdio>
 #include <host_ref/tool/rig.hpp>
 #include <host_ref/tool/text.hpp>
+#include <impact/plan/identity.hpp>
 
 namespace impact::host {
 namespace {
@@ -137,11 +139,14 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
         {"penetration", bounds.penetration, "m"},
         {"force", bounds.force, "N, the largest sample of a drive: more is clipped"},
         {"base_acceleration", bounds.base_acceleration, "m/s^2, the largest sample of a base: more is clipped"}};
+  // No other rig in the same program has this name, whatever reads its members.
+  char type[] = "Rig_12345678";
+  std::snprintf(type, sizeof type, "Rig_%08x", static_cast<unsigned>(fingerprint_of_rig(scene, bounds, made.step)));
   std::string text =
       "#pragma once\n// The absorber of this run, bit for bit; bounds that the command leaves open are those that it "
       "found:\n//\n//     " +
-      command(arguments) +
-      "\n\n#include <impact/absorber.hpp>\n\nstruct Rig {\n  static constexpr impact::Scene scene = [] {\n    "
+      command(arguments) + "\n\n#include <impact/absorber.hpp>\n\nstruct " + type +
+      " {\n  static constexpr impact::Scene scene = [] {\n    "
       "impact::Scene scene;\n";
   // What is not stated is not written: a part's value asks for the part.
   const auto is_of_a_part = [](const std::string& name) {
@@ -161,7 +166,7 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
   for (const auto& [name, value, unit] : bound_numbers)
     if (!is_of_a_part(name) || value > 0) text += line(std::string("bounds.") + name, shortest_text(value), unit);
   text += "    return bounds;\n  }();\n  static constexpr double step = " + shortest_text(made.step) +
-          ";  // s\n};\nusing Absorber = impact::Absorber<Rig, impact::" + law_type(made) +
+          ";  // s\n};\nusing Rig = " + type + ";\nusing Absorber = impact::Absorber<Rig, impact::" + law_type(made) +
           ", impact::" + stepper_type(made.stepper) + ", impact::" + drive_type(made.drive) +
           ", impact::" + format_type(made.numeric) + parts(made) + ">;\n";
   return text;

@@ -91,6 +91,32 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
               HasSubstr("--drive-file='it'\\''s forces' --step=1e-3 --duration=2 --rig=rig7.hpp"));
 }
 
+// Each file of one program has its own, where the absorber steps and where a program reads the rig's values.
+TEST_F(ImpactSim, TwoRigsInOneProgramAreTwo) {
+  if (std::system("command -v " IMPACT_COMPILER " > /dev/null") != 0) GTEST_SKIP() << "no compiler on this machine";
+  std::string expected;
+  for (const char* pulsation : {"40", "20"}) {
+    const std::string name = std::string("rig") + pulsation;
+    ASSERT_EQ(run(std::string("--numeric fixed32 --step 1e-4 --drive-pulsation ") + pulsation + " --duration 0.1 --rig " + name +
+                  ".hpp --output run.csv")
+                  .code,
+              0);
+    expected += std::string(pulsation) + " " + split(lines_of(read(file("run.csv"))).back(), ',')[1] + "\n";
+    write(file(name + ".cpp"),
+          "#include \"" + name + ".hpp\"\n#include <cstdio>\nvoid " + name +
+              "() {\n  static Absorber absorber;\n  for (int n = 0; n < 1000; ++n) absorber.step();\n"
+              "  const auto* scene = &Rig::scene;\n  std::printf(\"%g %.13g\\n\", "
+              "scene->drive_pulsation, absorber.reading().x1);\n}\n");
+  }
+  write(file("main.cpp"), "void rig40();\nvoid rig20();\nint main() {\n  rig40();\n  rig20();\n}\n");
+  for (const char* options : {"-O0", "-Os", "-O2 -flto"}) {
+    const std::string command = std::string(" -std=c++17 -ffp-contract=off -Wall -Wextra -Werror ") + options +
+                                " -I " IMPACT_KERNEL " main.cpp rig40.cpp rig20.cpp -o main && ./main >found";
+    ASSERT_EQ(std::system(("cd " + folder.string() + " && " IMPACT_COMPILER + command).c_str()), 0);
+    EXPECT_EQ(read(file("found")), expected) << options;
+  }
+}
+
 double bound_in(const std::string& rig, const std::string& name) {
   const std::string statement = "bounds." + name + " = ";
   const size_t place = rig.find(statement);

@@ -166,7 +166,10 @@ TEST_P(LookupOfAQuarter, OfEveryFloat) {
 }
 
 TEST(Lookup, EndsOfFloat) {
-  EXPECT_EQ(bits_of(square_root(0.0f)), 0u);
+  for (const float zero : {0.0f, -0.0f}) {
+    EXPECT_EQ(bits_of(square_root(zero)), bits_of(zero));
+    EXPECT_EQ(bits_of(correct_root(zero)), bits_of(zero));
+  }
   EXPECT_EQ(bits_of(power_three_halves(0.0f)), 0u);
   EXPECT_EQ(square_root(INFINITY), INFINITY);
   EXPECT_EQ(power_three_halves(INFINITY), FLT_MAX);
@@ -174,9 +177,9 @@ TEST(Lookup, EndsOfFloat) {
 }
 
 TEST(Lookup, WhatHasNoRootGivesZero) {
-  std::vector<uint32_t> rootless{0x80000000, 0x80000001, 0x807fffff, 0x80800000, 0xbf800000, 0xff7fffff, 0xff800000,
+  std::vector<uint32_t> rootless{0x80000001, 0x807fffff, 0x80800000, 0xbf800000, 0xff7fffff, 0xff800000,
                                  0x7f800001, 0x7fc00000, 0x7fffffff, 0xff800001, 0xffc00000, 0xffffffff};
-  for (uint32_t bits = 0x80000000; bits >= 0x80000000; bits += 4093) rootless.push_back(bits);
+  for (uint32_t bits = 0x80000001; bits >= 0x80000000; bits += 4093) rootless.push_back(bits);
   for (uint32_t bits : rootless) {
     ASSERT_EQ(bits_of(square_root(float_of(bits))), 0u) << bits;
     ASSERT_EQ(bits_of(power_three_halves(float_of(bits))), 0u) << bits;
@@ -188,6 +191,26 @@ TEST(Lookup, CorrectRootsAreCorrect) {
     EXPECT_EQ(correct_root(y), std::sqrt(y));
     EXPECT_EQ(correct_root(double{y}), std::sqrt(double{y}));
   }
+}
+
+// By digits, against the processor's: any double, squares and their neighbours, and both ends of each power of two.
+TEST(Lookup, RootsOfDoublesAreCorrect) {
+  std::mt19937_64 random(1);
+  const auto check = [](double y) {
+    if (!(y >= 0)) return;
+    ASSERT_EQ(bits_of(square_root(y)), bits_of(std::sqrt(y))) << y;
+    ASSERT_EQ(bits_of(correct_root(y)), bits_of(std::sqrt(y))) << y;
+  };
+  for (uint64_t i = 0; i < 100000; ++i) {
+    check(double_of(random() >> 1));
+    check(double_of(random() >> (12 + i % 52)));  // subnormal ones
+    const double root = std::ldexp(static_cast<double>(random() >> (11 + i % 27)), static_cast<int>(i % 900) - 450);
+    for (const double y : {root * root, std::nextafter(root * root, 0.0), std::nextafter(root * root, 1e300)}) check(y);
+  }
+  for (uint64_t exponent = 0; exponent < 2048; ++exponent)
+    for (const uint64_t digits : {uint64_t{0}, uint64_t{1}, (uint64_t{1} << 52) - 1})
+      check(double_of(exponent << 52 | digits));
+  check(-0.0);
 }
 
 // A root near a known one, against the parabola that the header states, and against the true root.

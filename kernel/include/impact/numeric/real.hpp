@@ -74,11 +74,6 @@ struct CompensatedState {
   constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
 };
 
-inline uint64_t bits_of(double x) {
-  uint64_t bits;
-  __builtin_memcpy(&bits, &x, sizeof bits);
-  return bits;
-}
 // The bits of a number's magnitude, which are in the order of the magnitudes, with infinity and then NaN above all.
 template <class Real>
 inline auto magnitude_bits(Real x) {

@@ -230,6 +230,9 @@ done
 
 # The compiler's own setting.
 echo '#include <impact/absorber.hpp>' >"$folder/include.cpp"
+case $compiler in g++*) major=GNUC ;; *) major=clang_major ;; esac
+wrong 2 'impact needs GCC 9 or Clang 9' -U__${major}__ -D__${major}__=8 <"$folder/include.cpp"
+wrong 2 "impact needs a float's arithmetic in float" -m32 -mno-sse -ffreestanding <"$folder/include.cpp"
 for flag in -std=gnu++11 -std=gnu++14; do wrong 2 'impact needs C++17' $flag <"$folder/include.cpp"; done
 for flag in -ffast-math -Ofast -ffinite-math-only; do wrong 2 'impact needs IEEE arithmetic' $flag <"$folder/include.cpp"; done
 case $compiler in *clang*) ;; *)

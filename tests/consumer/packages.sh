@@ -43,6 +43,8 @@ arduino = dict(line.rstrip("\n").split("=", 1) for line in open("kernel/library.
 required = {"name", "version", "author", "maintainer", "sentence", "paragraph", "category", "url", "architectures"}
 assert required <= arduino.keys(), required - arduino.keys()
 assert arduino["version"] == version
+assert all(arduino[key] for key in required) and re.fullmatch(r"https?://\S+", arduino["url"]), "an empty value"
+assert set(arduino["architectures"].split(",")) <= {"rp2040", "esp32", "stm32"}, "an architecture that brings GCC 7, or is AVR's"
 assert open("kernel/CHANGELOG.md").read().split("## ")[1].split()[0] == version, "CHANGELOG.md begins with another version"
 
 # The licence is with whatever is copied.

@@ -21,7 +21,7 @@ begin=$(date +%s%N)
 echo 'extern "C" void timer_interrupt(); int main() { for (;;) timer_interrupt(); }' >loop.cpp
 sed 's/main.cpp/converters.cpp loop.cpp/; s/scene.elf/outputs.elf/' build.sh | sh -eu
 sed 's/main.cpp/tasks.cpp loop.cpp/; s/scene.elf/tasks.elf/' build.sh >build_tasks.sh
-{ cat kernel/examples/tasks/tasks.cpp && echo 'extern "C" void vTaskDelay(uint32_t) {}' &&
+{ cat kernel/examples/tasks/tasks.cpp && echo 'extern "C" void vTaskDelay(uint32_t) {} extern "C" void start_timer() {}' &&
   echo 'extern "C" void timer_interrupt() { TIM2_IRQHandler(), supervise(nullptr); }'; } >tasks.cpp
 sh -eu build_tasks.sh
 sed '/^volatile/,$d' main.cpp >rig.hpp

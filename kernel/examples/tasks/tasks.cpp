@@ -5,8 +5,8 @@
 //     the interrupt   steps, writes the converter, takes a new plan over. It calls nothing of FreeRTOS, so that it may
 //                     have any priority, above configMAX_SYSCALL_INTERRUPT_PRIORITY as well, and no critical section
 //                     of a task delays it.
-//     tasks           read snapshot() and fault(), and leave wishes in words that the interrupt reads. No mutex, no
-//                     critical section.
+//     one task        sets request words that the interrupt reads. Each word has one writer. No mutex, no critical section.
+//     any task        reads snapshot() and fault().
 
 #include <stdint.h>
 
@@ -14,6 +14,7 @@
 #include <impact/self_test.hpp>
 
 extern "C" void vTaskDelay(uint32_t ticks);
+extern "C" void start_timer();  // yours: TIM2 interrupts from here on
 
 namespace {
 
@@ -34,8 +35,8 @@ constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095};
 constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_dac(dac, plans[0]);
 volatile int32_t dac_register;  // stands for the converter's
 
-// Wishes: one word each, written by tasks and fulfilled by the interrupt.
-volatile uint8_t wanted_plan, has_to_begin_anew;
+volatile uint8_t wanted_plan, resets_wanted;  // written by the task supervise() alone
+volatile uint8_t resets_made;                 // written by the interrupt alone, as the next
 uint8_t plan_in_use;
 
 }  // namespace
@@ -44,18 +45,21 @@ extern "C" void TIM2_IRQHandler() {
   absorber.step();
   dac_register = to_dac(absorber);
   if (wanted_plan != plan_in_use && absorber.retune(plans[wanted_plan])) plan_in_use = wanted_plan;
-  if (has_to_begin_anew) {
+  if (resets_made != resets_wanted) {
     absorber.reset();
-    has_to_begin_anew = 0;
+    resets_made = resets_wanted;
   }
 }
 
-// xTaskCreate(supervise, ...): any number of tasks may read.
+// xTaskCreate(supervise, ...), once: the requests have one writer.
 extern "C" void supervise(void*) {
-  if (!impact::self_test<Absorber::Format>()) return;  // before the timer starts
+  while (!impact::self_test<Absorber::Format>()) vTaskDelay(1000);  // a task never returns
+  start_timer();
   for (;;) {
     const auto now = absorber.snapshot();  // of one step, whatever the interrupt does meanwhile
-    if (absorber.fault() != impact::Fault::none) has_to_begin_anew = 1;
+    // Once for each fault: a request that the interrupt has not seen yet still stands.
+    if (resets_made == resets_wanted && absorber.fault() != impact::Fault::none)
+      resets_wanted = static_cast<uint8_t>(resets_wanted + 1);
     if (now.is_whole) wanted_plan = now.displacement.raw > INT32_MAX / 8 ? 1 : 0;  // beyond an eighth of the unit
     vTaskDelay(10);
   }

@@ -26,8 +26,8 @@ Scene scene() {
 }
 double force_at(int n) { return 11 * std::sin(0.037 * n) * std::cos(0.011 * n); }
 
-template <class Drive, class Format, class Stepper>
-void advance(Kernel<Format, Drive, Stepper>& kernel, int n) {
+template <class Drive, class Format, class Kernel>
+void advance(Kernel& kernel, int n) {
   if constexpr (Drive::is_sampled)
     kernel.step(Format::sample(force_at(n) / kernel.plan.sample_unit()));
   else

@@ -274,19 +274,19 @@ class AbsorberOf
   // corrected state, with a fault. A contact under way
   // goes on from the corrected penetration; a damping that was set at its impact is held to what a step bears there
   // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands at that stop, and
-  // one at rest on an impulsive stop stays on it. Dry friction begins anew. A ledger counts what a correction does to
-  // the stored energy as dissipated, and nothing as the drive's work.
+  // one at rest on an impulsive stop stays on it. Dry friction's last impulse turns with the sliding. A ledger counts
+  // what a correction does to the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
     Value du = units.per_step(dv);
     if (units.clamp(dx, units.correction_limit())) Machine::raise(Fault::displacement);
     if (units.clamp(du, units.rate_correction_limit())) Machine::raise(Fault::speed);
-    Rub::stop(machine());
+    const Value excess = Rub::stop(machine());
     units.add_position(Machine::state.x1, dx);
     units.add_displacement(Machine::state.dx1, du);
     units.add(Machine::state.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
-    Rub::start(machine());
+    Rub::start(machine(), excess);
     if (!Machine::clamp_to_range()) {
       if (Machine::state.contact.phase != Phase::apart) Begin::restart_contact(machine());
       if (Machine::state.contact.phase == Phase::apart) Begin::push_out(machine());
@@ -328,14 +328,15 @@ class AbsorberOf
     constexpr bool is_bound = Contact::keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && Machine::state.contact.phase != Phase::apart) return false;
-    Rub::stop(machine());
+    const Value excess = Rub::stop(machine());
+    Rub::undo(machine());
     const bool is_other_contact = next.handover.contact != plan.handover.contact;
     hand_over(plan, next, Machine::state);
     if constexpr (!Source::is_constant) plan = next;
     Machine::clamp_to_range();
     (restart<Features>(), ...);
     if constexpr (counts_slid_way) Machine::state.slid = {};
-    Rub::start(machine());
+    Rub::start(machine(), excess);
     if (is_other_contact && Machine::state.contact.phase != Phase::apart) {
       Machine::state.contact.stand_at(Machine::depth_in(Machine::contact_is_left()));
       Begin::restart_contact(machine());
@@ -448,9 +449,9 @@ class AbsorberOf
 
   constexpr bool is_sound(const State& state) const {
     const auto& units = plan.units;
-    bool is_sound = Machine::is_in_range(state) && units.is_sound(state.x1) &&
-                    units.is_sound(state.x2) && units.is_sound(state.dx1) && units.is_sound(state.dx2) &&
-                    state.contact.phase <= Phase::released && state.at_left <= 1 && state.fault <= Fault::sample;
+    bool is_sound = Machine::is_in_range(state) && units.is_sound(state.x1) && units.is_sound(state.x2) &&
+                    units.is_sound(state.dx1) && units.is_sound(state.dx2) && state.contact.phase <= Phase::released &&
+                    state.at_left <= 1 && state.fault <= Fault::sample;
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (counts_slid_way) is_sound = is_sound && Format::is_sound(state.slid);

@@ -113,12 +113,21 @@ struct DryFriction : ScenePart {
         is_full ? mirrored(Format::value(Format::constant(0.5)), back) : plan.friction.half_by_full * state.impulse,
         rate);
   }
-  // From a rest of both or a sliding, with half of the impulse; `way` is y.
+  // By how much the last impulse is more than a first one, from a rest of both or a sliding: that leaves no way at all
+  // by its half, if it can. `way` is y, with the last impulse.
   template <class Plan, class State, class Value>
-  static constexpr void begin(const Plan& plan, State& state, Value way) {
-    state.impulse = held(Passive<Value>{-plan.friction.full, plan.friction.full}, way + way);
+  static constexpr Value excess(const Plan& plan, const State& state, Value way) {
+    const Value free = way + plan.friction.main_ahead * state.impulse + plan.friction.ball_ahead * state.impulse;
+    return state.impulse - within_full(plan, free + free);
+  }
+  // Changes the last impulse to a first one and `excess`.
+  template <class Plan, class State, class Value>
+  static constexpr void begin(const Plan& plan, State& state, Value way, Value excess) {
+    const Value change =
+        within_full(plan, excess - DryFriction::excess(plan, state, way) + state.impulse) - state.impulse;
+    move(plan, state, change);
+    state.impulse = state.impulse + change;
     state.lasting = never<Plan>();
-    move(plan, state, state.impulse);
   }
   // The state without what the last impulse has taken ahead.
   template <class Plan, class State>
@@ -202,6 +211,10 @@ struct DryFriction : ScenePart {
     push(state, main, ball);
     state.impulse = impulse;
     state.lasting = never<Plan>();
+  }
+  template <class Plan, class Value>
+  static constexpr Value within_full(const Plan& plan, Value impulse) {
+    return held(Passive<Value>{-plan.friction.full, plan.friction.full}, impulse);
   }
   // By half a step of this impulse.
   template <class Plan, class State, class Value>

@@ -44,24 +44,32 @@ struct FrictionImpulse {
     return Friction::dissipated(m.plan, m.state, rubbing_rate(m) + Format::value(half(more)));
   }
 
-  // Adds the half impulse that acts in the step ahead.
-  static constexpr void start([[maybe_unused]] Model& m) {
+  // The impulse whose half acts in the step ahead is `excess` more than a first one. Only its change is added.
+  static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] Value excess = {}) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
-      Friction::begin(m.plan, m.state, m.plan.units.relative(m.way_ahead()));
+      Friction::begin(m.plan, m.state, m.plan.units.relative(m.way_ahead()), excess);
       if constexpr (Model::counts_slid_way) m.state.slid.add(still_to_work(m));
     }
   }
-  // Takes it out again.
-  static constexpr void stop([[maybe_unused]] Model& m) {
+  // Before a change of the state or the plan, which start() follows: by how much the last impulse is more than a first
+  // one. A change of nothing then leaves it as it is.
+  static constexpr Value stop([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
-      if (!acts(m)) return;
+      if (!acts(m)) return {};
       if constexpr (Model::counts_slid_way) {
         const auto work = still_to_work(m);
         m.state.slid.add(decltype(work){} - work);
       }
-      Friction::undo(m.plan, m.state);
+      return Friction::excess(m.plan, m.state, m.plan.units.relative(m.way_ahead()));
+    } else {
+      return {};
     }
+  }
+  // The state without what the last impulse has taken ahead.
+  static constexpr void undo([[maybe_unused]] Model& m) {
+    if constexpr (Friction::is_friction)
+      if (acts(m)) Friction::undo(m.plan, m.state);
   }
 
   // The impulse of a step in which the ball has slid by `slid`, and slides on by `ahead` unless friction stops it.

@@ -189,5 +189,49 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
       total, by_drive, by_field, by_contact, by_friction, turns, missing, bound, 1e-5 * (in_contacts + by_contact));
 }
 
+// A sine of any turn a step. The curvature has 31 bits, so that a turn is right within 2^-32 of itself; sine and
+// product are rounded down to 2^-29 of the amplitude or less, about which the recurrence swings.
+TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
+  for (const double turn : {0x1p-24, 6e-8, 1.1e-7, 1e-6, 3.3e-6, 1e-5, 3e-5, 4e-3})
+    for (const double phase : {0.0, 1.0}) {
+      const auto plan = IntegerOscillator::make_plan({std::cos(phase), std::sin(phase)}, turn);
+      auto oscillator = IntegerOscillator::start(plan);
+      const long steps = turn < 1e-7 ? 120000000 : 20000000;
+      double worst = 0;
+      for (long n = 1; n <= steps; ++n) {
+        oscillator.advance(plan);
+        if (n % 1000003 != 0) continue;
+        const double value = std::ldexp(static_cast<double>(oscillator.value), plan.exponent - 63);
+        const long double angle = static_cast<long double>(turn) * n + phase;
+        worst = std::fmax(worst, std::abs(value - static_cast<double>(std::sin(angle))));
+      }
+      EXPECT_LE(worst, 4 * 0x1p-29 + turn * static_cast<double>(steps) * 0x1p-32) << turn;
+    }
+}
+
+// A weak damper takes less than a place of what counts in a step. Of a vibration of 1e-4 of the bounds it leaves
+// exp(-c t/2M) nevertheless, within ten times what a position's half place adds up to by chance in so many steps.
+TEST(Fixed32Damper, TakesItsShareOfASmallVibration) {
+  using Kernel = Absorber<AtRunTime, Hertz, Moment, NoDrive, Fixed32>;
+  const double h = 1e-4;
+  for (const double damping : {1e-4, 1e-3}) {
+    Scene scene;
+    scene.drive_amplitude = scene.contact_damping = 0;
+    scene.main_damping = damping;
+    scene.x1 = 1e-5;
+    Kernel absorber(Kernel::PlanType::make(scene, {0.1, 2, 0, 0}, h));
+    const auto energy = [&] {
+      const auto now = absorber.reading();
+      return now.v1 * now.v1 + 1000 * now.x1 * now.x1 + damping * now.v1 * now.x1;
+    };
+    const double start = energy();
+    const long steps = damping > 5e-4 ? 3000000 : 10000000;
+    for (long n = 0; n < steps; ++n) absorber.step();
+    const double time = static_cast<double>(steps) * h, place = absorber.displacement_unit() * 0x1p-31,
+                 by_chance = 0.29 * place * std::sqrt(1000.0) * h * std::sqrt(static_cast<double>(steps) / 2);
+    EXPECT_NEAR(std::sqrt(energy() / start), std::exp(-damping * time / 2), 10 * by_chance / scene.x1);
+  }
+}
+
 }  // namespace
 }  // namespace impact

@@ -58,7 +58,7 @@ template <class Format>
 template <class Format>
 inline constexpr uint32_t proved_bits = 0;
 template <>
-inline constexpr uint32_t proved_bits<Fixed32> = 0x591a72b5;
+inline constexpr uint32_t proved_bits<Fixed32> = 0x0e063673;
 template <>
 inline constexpr uint32_t proved_bits<Float32> = 0xba96a9a6;
 template <>

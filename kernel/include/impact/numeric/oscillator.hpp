@@ -6,9 +6,9 @@
 //
 // (the "magic circle"; it is the exact recurrence of any sinusoid of that pulsation). In integers it is also a
 // reversible map of a grid onto itself, so that the amplitude cannot spiral: at 40 rad/s and h = 1e-4 it drifts by 3e-7
-// in 24 h, and the phase, set by the 31 bits of the curvature, by less than pulsation * time * 2^-31. Where a period is
-// within 1e-8 of three, four or six steps, and not these, each step of a period rounds alike for long: the amplitude is
-// then off by up to 1e-2 within 3e7 steps.
+// in 24 h, and the phase, set by the 31 bits of the curvature, by less than pulsation * time * 2^-31, however slow
+// (soak_test.cpp). Where a period is within 1e-8 of three, four or six steps, and not these, each step of a period
+// rounds alike for long: the amplitude is then off by up to 1e-2 within 3e7 steps.
 
 #include <stdint.h>
 
@@ -25,8 +25,9 @@ struct Sinusoid {
 // The recurrence in 64-bit integers. The sinusoid is s * 2^(exponent - 63); its upper word is s in Q1.31 of 2^exponent.
 struct IntegerOscillator {
   struct Plan {
-    int32_t curvature = 0;  // * 2^-curvature_bits
+    int32_t curvature = 0;  // * 2^-(curvature_bits + fine_bits)
     int curvature_bits = 32;
+    int fine_bits = 0;   // the slope counts in 2^-fine_bits of the value's last place: 0 from 2^-15 rad a step on
     int slope_bits = 0;  // the slope's upper word holds this many bits more than the value's
     int exponent = 0;
     int64_t value = 0, slope = 0;
@@ -41,8 +42,11 @@ struct IntegerOscillator {
     plan.exponent = constant::exponent_above(amplitude) + 1;
     const double scale = constant::power_of_two(63 - plan.exponent);
     plan.curvature_bits = curvature > 0 ? 31 - constant::exponent_above(curvature) : 62;
-    if (plan.curvature_bits > 62) plan.curvature_bits = 62;
-    int64_t mantissa = constant::nearest(curvature * constant::power_of_two(plan.curvature_bits));
+    if (plan.curvature_bits > 62) {
+      plan.fine_bits = plan.curvature_bits - 62;
+      plan.curvature_bits = 62;
+    }
+    int64_t mantissa = constant::nearest(curvature * constant::power_of_two(plan.curvature_bits + plan.fine_bits));
     // Such as 2 less a place of a double, of four steps a period: held at the largest mantissa it would be another
     // curvature, and the amplitude drift by 2^-31 a step, since each period rounds like the one before.
     if (mantissa > INT32_MAX) {
@@ -55,9 +59,10 @@ struct IntegerOscillator {
     if (plan.slope_bits > 31) plan.slope_bits = 31;
     if (plan.slope_bits < 0) plan.slope_bits = 0;
     plan.value = constant::nearest(sinusoid.cosine * scale);
-    plan.slope = constant::nearest((sinusoid.cosine - before) * scale);
+    const double slope_scale = scale * constant::power_of_two(plan.fine_bits);
+    plan.slope = constant::nearest((sinusoid.cosine - before) * slope_scale);
     plan.largest_value = constant::nearest(1.25 * amplitude * scale);
-    plan.largest_slope = constant::nearest(1.25 * amplitude * scale * steepest);
+    plan.largest_slope = constant::nearest(1.25 * amplitude * slope_scale * steepest);
     return plan;
   }
 
@@ -69,12 +74,12 @@ struct IntegerOscillator {
     const auto shifted = [](int32_t head, int bits) {
       return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(head)) << bits);
     };
-    return {shifted(value_head, 32), shifted(slope_head, 32 - plan.slope_bits)};
+    return {shifted(value_head, 32), shifted(slope_head, 32 - plan.slope_bits + plan.fine_bits)};
   }
   // Above 2 radians a step the curvature's part alone can leave 64 bits; the sum comes back, modulo 2^64.
   [[gnu::always_inline]] constexpr void advance(const Plan& plan) {
     slope = less_shifted(slope, high_product(value_head(), plan.curvature), 64 - plan.curvature_bits);
-    value = static_cast<int64_t>(static_cast<uint64_t>(value) + static_cast<uint64_t>(slope));
+    value = static_cast<int64_t>(static_cast<uint64_t>(value) + static_cast<uint64_t>(slope >> plan.fine_bits));
   }
   constexpr bool is_sound(const Plan& plan) const {
     return value <= plan.largest_value && value >= -plan.largest_value && slope <= plan.largest_slope &&
@@ -84,12 +89,14 @@ struct IntegerOscillator {
   constexpr int32_t value_head() const { return upper_word(value); }
   // Of the value two steps before this one. The map is its own reverse.
   [[gnu::always_inline]] constexpr int32_t head_before_last(const Plan& plan) const {
-    const uint64_t last = static_cast<uint64_t>(value) - static_cast<uint64_t>(slope);
+    const uint64_t last = static_cast<uint64_t>(value) - static_cast<uint64_t>(slope >> plan.fine_bits);
     IntegerOscillator back{static_cast<int64_t>(last), static_cast<int64_t>(0 - static_cast<uint64_t>(slope))};
     back.advance(plan);
     return back.value_head();
   }
-  constexpr int32_t slope_head(const Plan& plan) const { return static_cast<int32_t>(slope >> (32 - plan.slope_bits)); }
+  constexpr int32_t slope_head(const Plan& plan) const {
+    return static_cast<int32_t>(slope >> (32 - plan.slope_bits + plan.fine_bits));
+  }
 };
 
 // The recurrence in floating point, in metres: for double, and for plain float, whose amplitude wanders by about

@@ -219,6 +219,7 @@ struct RealFormat {
   }
   // gain * x; nothing where a constant gain is 0, which a compiler multiplies out for the sake of -0 and NaN.
   static constexpr Value term(Gain gain, Value x) { return gain == 0 ? 0 : gain * x; }
+  static constexpr Value dithered_term(Gain gain, Value x, const Long&) { return term(gain, x); }
   // Of a power of two.
   static constexpr Value moved_term(Gain gain, Value x) { return gain * x; }
   static constexpr Gain largest_gain =

@@ -77,7 +77,7 @@ struct Step {
     state.x1.advance(main_travel);
     if constexpr (!Field::is_field) state.x2.advance(state.dx2);
     Value increment = -Format::term(plan.stiffness, plan.units.position(state.x1)) -
-                      Format::term(plan.damping, plan.units.damped(state.dx1));
+                      Format::dithered_term(plan.damping, plan.units.damped(state.dx1), state.x1);
     if constexpr (Drive::is_sine) increment = increment + state.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state.drive.advance(plan.drive, force);
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state, acceleration);

@@ -41,7 +41,10 @@ long step_count(const Request& request);  // duration / step to the nearest whol
 
 // Gravity, friction or a base that accelerates: with Moment, its sub-steps, EnergyConsistent and Impulsive. The others
 // refuse it by name.
-bool has_parts(const Request& request);
+inline bool has_parts(const Request& request) {
+  const Scene& scene = request.scene;
+  return scene.gravity < 0 || scene.gravity > 0 || scene.ball_friction > 0 || request.is_shaken;
+}
 
 // One row of output, SI units.
 struct Sample {

@@ -9,7 +9,8 @@
 //     N < 8, w0 tc <= 0.05       Impulsive          the law's own restitution, at an instant
 //     4 N or 8 N >= 8            SubsteppedMoment   with 4 or 8 sub-steps
 //     any                        EnergyConsistent   passive at any stiffness, damping and clearance
-//     instead, where EnergyConsistent refuses a Hooke-Newton contact of less than one step or a field in a long one:
+//     instead, where EnergyConsistent refuses a Hooke-Newton contact of less than one step, its damper above
+//     h c1/mu = 2, or a field in a long contact:
 //     w0 tc <= 0.25              Impulsive
 //
 // Moment and SubsteppedMoment are passed over where the plan would refuse them: where the step is long beside the main

@@ -166,16 +166,19 @@ struct Fixed32 : Fixed32Numbers {
   }
   template <int a, int b>
   static constexpr Unsigned<31 + a - b> rough_quotient(Unsigned<a> numerator, Unsigned<b> denominator) {
+    IMPACT_EXPECT(numerator.raw <= denominator.raw && denominator.raw > 0);
     return {rough_quotient_q31(numerator.raw, denominator.raw)};
   }
   // To 16 places, rounded down; numerator <= denominator.
   template <int bits>
   static constexpr Short short_quotient(Unsigned<bits> numerator, Unsigned<bits> denominator) {
+    IMPACT_EXPECT(numerator.raw <= denominator.raw && denominator.raw > 0);
     return {quotient_q16(numerator.raw, denominator.raw)};
   }
   // z^2 / 5p, |z| <= p, for a small part of a sum.
   template <int bits>
   static constexpr Unsigned<bits + 1> square_over_five(Signed<bits> z, Unsigned<bits> p) {
+    IMPACT_EXPECT(int64_t{z.raw} <= p.raw && -int64_t{z.raw} <= p.raw);
     return {opaque(static_cast<uint32_t>(impact::square_over_five(z.raw, p.raw)))};
   }
   // x / (1 + y), y >= 0 in a unit of which half a 1 is `half_one`
@@ -212,6 +215,7 @@ struct Fixed32 : Fixed32Numbers {
     return {static_cast<uint32_t>(impact::constant::smaller(raw, 2147483647.0)), places};
   }
   static constexpr Unsigned<32> share(Value x, Balance balance) {
+    IMPACT_EXPECT(x.raw >= 0);
     const Unsigned<31> part = {opaque(static_cast<uint32_t>(x.raw >> balance.places))};
     return quotient(part, part + Unsigned<31>{balance.a});
   }
@@ -226,6 +230,7 @@ struct Fixed32 : Fixed32Numbers {
   template <bool is_precise = false>
   static constexpr Value power_four_fifths(Value x) {
     if (is_precise && x.raw == 0) return x;
+    IMPACT_EXPECT(x.raw > 0);
     return value(Unsigned<31>{power_four_fifths_q31<is_precise>(static_cast<uint32_t>(x.raw))});
   }
   // Between the values at even steps of y from 0 to 1.
@@ -236,13 +241,19 @@ struct Fixed32 : Fixed32Numbers {
     const Value* at = values + (y.raw >> (32 - bits));
     return at[0] + value((at[1] - at[0]) * Unsigned<32>{y.raw << bits});
   }
-  static constexpr Root root(Value x) { return {x.raw == 0 ? 0 : square_root_q31(static_cast<uint32_t>(x.raw) << 1)}; }
+  static constexpr Root root(Value x) {
+    IMPACT_EXPECT(x.raw >= 0);
+    return {x.raw == 0 ? 0 : square_root_q31(static_cast<uint32_t>(x.raw) << 1)};
+  }
   // The root of x > 0, and with it those of numbers near x.
   struct KnownRoot : KnownSquareRoot {
     constexpr Root at_point() const { return {root}; }
     constexpr Root beside(Value z) const { return {root_beside(z.raw)}; }
   };
-  static constexpr KnownRoot known_root(Value x) { return {KnownSquareRoot::of(x.raw)}; }
+  static constexpr KnownRoot known_root(Value x) {
+    IMPACT_EXPECT(x.raw > 0);
+    return {KnownSquareRoot::of(x.raw)};
+  }
   // Of a state from elsewhere: whether the square is within a quarter, by which no step's prediction misses.
   static constexpr bool is_root_beside(Root root, Value x) {
     const auto apart = static_cast<int32_t>((high_square(root.raw) << 1) - static_cast<uint32_t>(x.raw));

@@ -17,9 +17,13 @@ struct Fixed32Numbers {
   struct Long {
     int64_t raw;
 
-    constexpr void advance(Long other) { raw += other.raw; }
+    constexpr void advance(Long other) {
+      IMPACT_EXPECT(Wide{raw} + other.raw == raw + other.raw);
+      raw += other.raw;
+    }
     // Modulo 2^64: states that have just left their range are looked at before they are held.
     friend constexpr Long operator-(Long a, Long b) {
+      IMPACT_EXPECT(Wide{a.raw} - b.raw == a.raw - b.raw);
       return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
     }
     // To the left by the complement: one of 2^63 less.
@@ -129,6 +133,7 @@ struct Fixed32Numbers {
   }
   // A Value that counts in 2^from as one that counts in 2^(from + places).
   static constexpr Value moved(Value x, int places) {
+    IMPACT_EXPECT(places >= 0 || to_left(x.raw, -places) >> -places == x.raw);
     if constexpr (is_wide)
       return {static_cast<int32_t>(static_cast<int64_t>(static_cast<uint64_t>(x.raw) << 32) >> (32 + places))};
     return {places > 0 ? x.raw >> places : to_left(x.raw, -places)};

@@ -113,8 +113,15 @@ struct Fixed32Units {
   static constexpr double fraction(Energy x) { return static_cast<double>(x.raw) * constant::power_of_two(-62); }
 
   static constexpr Value position(Long x) { return {upper_word(x.raw)}; }
-  constexpr Value displacement(Long w) const { return {static_cast<int32_t>(w.raw >> displacement_shift)}; }
-  constexpr Value damped(Long w) const { return {static_cast<int32_t>(static_cast<uint64_t>(w.raw) >> damped_shift)}; }
+  constexpr Value displacement(Long w) const { return narrowed(w.raw >> displacement_shift); }
+  constexpr Value damped(Long w) const {
+    IMPACT_EXPECT(w.raw >> damped_shift == static_cast<int32_t>(w.raw >> damped_shift));
+    return {static_cast<int32_t>(static_cast<uint64_t>(w.raw) >> damped_shift)};
+  }
+  static constexpr Value narrowed(int64_t x) {
+    IMPACT_EXPECT(x == static_cast<int32_t>(x));
+    return {static_cast<int32_t>(x)};
+  }
   // Of a displacement per step and of a force: their own units serve.
   static constexpr Value velocity(Value per_step) { return per_step; }
   static constexpr Value native_force(Value force) { return force; }
@@ -140,8 +147,8 @@ struct Fixed32Units {
   }
   constexpr int32_t correction_limit() const { return limits.main; }
   constexpr int32_t rate_correction_limit() const { return displacement({(int64_t{limits.way} << 32) - 1}).raw; }
-  static constexpr void add_position(Long& x, Value by) { x.raw += shifted_left(by.raw, 32); }
-  constexpr void add_displacement(Long& w, Value by) const { w.raw += shifted_left(by.raw, displacement_shift); }
+  static constexpr void add_position(Long& x, Value by) { add_shifted(x.raw, by.raw, 32); }
+  constexpr void add_displacement(Long& w, Value by) const { add_shifted(w.raw, by.raw, displacement_shift); }
   constexpr void add(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
   // What counts in another unit, by its places.
   static constexpr void add(Long& x, Value value, int places) { add_shifted(x.raw, value.raw, places); }
@@ -149,29 +156,32 @@ struct Fixed32Units {
   // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
   constexpr void displace(Long& x, Value penetration) const {
     const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
+    IMPACT_EXPECT(Wide{x.raw} + (Wide{penetration.raw} << penetration_shift) == x.raw + static_cast<int64_t>(change));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
   }
   // By gain times a penetration with all the places of a state, so that what one mass gains the other loses.
   constexpr void displace(Long& x, Fixed32Numbers::Gain gain, Value penetration) const {
     const Long way = product(gain, penetration, penetration_shift);
+    IMPACT_EXPECT(Wide{x.raw} + way.raw == x.raw + way.raw);
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way.raw));
   }
   // gain x of an x that is a number in 2^-spare_places of the penetrations' unit.
   constexpr Long part(Fixed32Numbers::Gain gain, Long x, int spare_places) const {
     const int shift = spare_places < penetration_shift ? penetration_shift - spare_places : 1;
-    return product(gain, {static_cast<int32_t>((x.raw + (int64_t{1} << (shift - 1))) >> shift)}, shift);
+    return product(gain, narrowed((x.raw + (int64_t{1} << (shift - 1))) >> shift), shift);
   }
   // gain x with all the places of a state; x counts in 2^shift of them.
   static constexpr Long product(Fixed32Numbers::Gain gain, Value x, int shift) {
     const int64_t product = full_product(x.raw, gain.mantissa);
     const int places = 32 + gain.shift - shift;
+    IMPACT_EXPECT(places >= 0 || Wide{product} * (int64_t{1} << -places) == product * (int64_t{1} << -places));
     return {places >= 0 ? product >> places : product * (int64_t{1} << -places)};
   }
   constexpr void push(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, push_shift); }
   constexpr void push(Long& x, Signed<32> increment) const { add_shifted(x.raw, increment.raw, push_shift - 1); }
   constexpr void recoil(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, push_shift - 1); }
   constexpr Value relative(Long difference) const {
-    return {static_cast<int32_t>((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift)};
+    return narrowed((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift);
   }
   constexpr Value relative(Long x, Long other) const { return relative(x - other); }
   constexpr Value travel(Long x, Long other) const { return relative(x - other); }
@@ -200,6 +210,7 @@ struct Fixed32Units {
     return (upper_difference(w, other) ^ static_cast<int32_t>(sign.raw >> 63)) > least.raw;
   }
   static constexpr int32_t upper_difference(Long x2, Long x1) {
+    IMPACT_EXPECT(int64_t{x2.raw >> 32} - (x1.raw >> 32) == static_cast<int32_t>((x2.raw >> 32) - (x1.raw >> 32)));
     return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
   }
   // On the upper words alone.

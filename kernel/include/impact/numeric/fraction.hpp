@@ -45,8 +45,10 @@ template <int to, int from>
 constexpr Unsigned<to> with_bits(Unsigned<from> x) {
   if constexpr (to <= from)
     return {x.raw >> (from - to)};
-  else
+  else {
+    IMPACT_EXPECT(x.raw << (to - from) >> (to - from) == x.raw);
     return {x.raw << (to - from)};
+  }
 }
 template <int bits>
 constexpr Signed<bits - 1> with_sign(Unsigned<bits> x) {
@@ -55,12 +57,14 @@ constexpr Signed<bits - 1> with_sign(Unsigned<bits> x) {
 // The same number, known not to be negative.
 template <int bits>
 constexpr Unsigned<bits> without_sign(Signed<bits> x) {
+  IMPACT_EXPECT(x.raw >= 0);
   return {static_cast<uint32_t>(x.raw)};
 }
 
 // And the other way, of a number that leaves the sign's place free.
 template <int bits>
 constexpr Signed<bits> as_signed(Unsigned<bits> x) {
+  IMPACT_EXPECT(x.raw <= INT32_MAX);
   return {opaque(static_cast<int32_t>(x.raw))};
 }
 
@@ -69,6 +73,7 @@ constexpr auto operator+(Signed<a> x, Signed<b> y) {
   constexpr int bits = a < b ? a : b;
   const auto left = static_cast<uint32_t>(with_bits<bits>(x).raw),
              right = static_cast<uint32_t>(with_bits<bits>(y).raw);
+  IMPACT_EXPECT(Wide{with_bits<bits>(x).raw} + with_bits<bits>(y).raw == static_cast<int32_t>(left + right));
   return Signed<bits>{static_cast<int32_t>(left + right)};
 }
 template <int a, int b>
@@ -76,16 +81,19 @@ constexpr auto operator-(Signed<a> x, Signed<b> y) {
   constexpr int bits = a < b ? a : b;
   const auto left = static_cast<uint32_t>(with_bits<bits>(x).raw),
              right = static_cast<uint32_t>(with_bits<bits>(y).raw);
+  IMPACT_EXPECT(Wide{with_bits<bits>(x).raw} - with_bits<bits>(y).raw == static_cast<int32_t>(left - right));
   return Signed<bits>{static_cast<int32_t>(left - right)};
 }
 template <int a, int b>
 constexpr auto operator+(Unsigned<a> x, Unsigned<b> y) {
   constexpr int bits = a < b ? a : b;
+  IMPACT_EXPECT(with_bits<bits>(x).raw <= UINT32_MAX - with_bits<bits>(y).raw);
   return Unsigned<bits>{with_bits<bits>(x).raw + with_bits<bits>(y).raw};
 }
 template <int a, int b>
 constexpr auto operator-(Unsigned<a> x, Unsigned<b> y) {
   constexpr int bits = a < b ? a : b;
+  IMPACT_EXPECT(with_bits<bits>(x).raw >= with_bits<bits>(y).raw);
   return Unsigned<bits>{with_bits<bits>(x).raw - with_bits<bits>(y).raw};
 }
 template <int a, int b>
@@ -102,6 +110,7 @@ constexpr auto operator-(Unsigned<a> x, Signed<b> y) {
 }
 template <int bits>
 constexpr Signed<bits> operator-(Signed<bits> x) {
+  IMPACT_EXPECT(x.raw != INT32_MIN);
   return {static_cast<int32_t>(0 - static_cast<uint32_t>(x.raw))};
 }
 
@@ -136,9 +145,11 @@ struct Energy {
   int64_t raw;
 
   friend constexpr Energy operator+(Energy a, Energy b) {
+    IMPACT_EXPECT(Wide{a.raw} + b.raw == a.raw + b.raw);
     return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) + static_cast<uint64_t>(b.raw))};
   }
   friend constexpr Energy operator-(Energy a, Energy b) {
+    IMPACT_EXPECT(Wide{a.raw} - b.raw == a.raw - b.raw);
     return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
   }
 };
@@ -199,7 +210,10 @@ constexpr Unsigned<bits> afresh(Unsigned<bits> x) {
 }
 
 // x - y, signed, for x and y below 1.
-constexpr Signed<31> difference(Unsigned<31> x, Unsigned<31> y) { return {static_cast<int32_t>(x.raw - y.raw)}; }
+constexpr Signed<31> difference(Unsigned<31> x, Unsigned<31> y) {
+  IMPACT_EXPECT(int64_t{x.raw} - y.raw == static_cast<int32_t>(x.raw - y.raw));
+  return {static_cast<int32_t>(x.raw - y.raw)};
+}
 template <int bits>
 constexpr bool is_positive(Signed<bits> x) {
   return x.raw > 0;

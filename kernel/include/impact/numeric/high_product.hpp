@@ -21,6 +21,12 @@
 
 #include <stdint.h>
 
+// A test sees by it whether any result leaves its type, in integers that are wide enough for all of them:
+// tests/host/watched_fixed32.hpp.
+#ifndef IMPACT_EXPECT
+#define IMPACT_EXPECT(condition) static_cast<void>(0)
+#endif
+
 namespace impact {
 
 // Whether a processor has 64 bits in a register, and takes states and full products in one piece.
@@ -51,7 +57,10 @@ constexpr int32_t opaque(int32_t x) {
 constexpr uint32_t opaque(uint32_t x) { return static_cast<uint32_t>(opaque(static_cast<int32_t>(x))); }
 
 // Of a negative number << is not defined before C++20.
-constexpr int32_t to_left(int32_t x, int places) { return static_cast<int32_t>(static_cast<uint32_t>(x) << places); }
+constexpr int32_t to_left(int32_t x, int places) {
+  IMPACT_EXPECT(static_cast<int32_t>(static_cast<uint32_t>(x) << places) >> places == x);
+  return static_cast<int32_t>(static_cast<uint32_t>(x) << places);
+}
 
 // The upper word. (Shifted with its sign GCC knows it for one, see above.)
 constexpr int32_t upper_word(int64_t x) { return static_cast<int32_t>(static_cast<uint64_t>(x) >> 32); }
@@ -86,6 +95,7 @@ constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
 }
 // floor(a b / 2^(32 - places)) for places from 1 to 16, modulo 2^32.
 constexpr int32_t shifted_product(int32_t a, int32_t b, int places) {
+  IMPACT_EXPECT(int64_t{a} * b >> (32 - places) == static_cast<int32_t>(int64_t{a} * b >> (32 - places)));
   return static_cast<int32_t>(int64_t{a} * b >> (32 - places));
 }
 // floor(a b / 2^(32 + places) + 1/2) for places from 0 to 31, where is_wide: there one shift serves for all.
@@ -150,7 +160,10 @@ constexpr int64_t shifted_left(int32_t x, int places) {
   sum = is_assembled(sum, places) ? assembled_sum(sum, x, places) : sum + shifted_left(x, places);
 }
 #else
-constexpr void add_shifted(int64_t& sum, int32_t x, int places) { sum += shifted_left(x, places); }
+constexpr void add_shifted(int64_t& sum, int32_t x, int places) {
+  IMPACT_EXPECT(Wide{sum} + (Wide{x} << places) == sum + shifted_left(x, places));
+  sum += shifted_left(x, places);
+}
 #endif
 
 // sum - x 2^places, modulo 2^64.

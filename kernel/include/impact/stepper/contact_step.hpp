@@ -24,7 +24,7 @@ struct Approach {
                             // drive as it is at the end where the treatment sees_change
 
   // As if the rate were linear in time.
-  [[gnu::always_inline]] constexpr Value rate_at_start() const { return travel + travel - rate; }
+  [[gnu::always_inline]] constexpr Value rate_at_start() const { return travel + (travel - rate); }
 };
 
 // The same in a field (motion/field.hpp).

@@ -1,0 +1,26 @@
+#pragma once
+// Fixed32 with the same bits, which sees whether any sum, product, shift or conversion leaves its type: the kernel says
+// what it expects of each (IMPACT_EXPECT in numeric/high_product.hpp), here in integers wide enough for all of them.
+// Included before the kernel, by the compiler's -include.
+
+namespace impact {
+
+__extension__ using Wide = __int128;
+
+namespace host {
+
+// Since it was last cleared: how many expectations did not hold, and the first one with the functions that led to it.
+struct Broken {
+  long count;
+  const char* condition;
+  void* places[24];
+  int depth;
+};
+inline Broken broken{};
+void note_broken(const char* condition);
+
+}  // namespace host
+}  // namespace impact
+
+#define IMPACT_EXPECT(condition) \
+  (__builtin_is_constant_evaluated() || (condition) ? void() : ::impact::host::note_broken(#condition))

@@ -1,0 +1,162 @@
+// Nothing wraps: each sum, product, shift and conversion of a step in Fixed32, of every law, drive and part and every
+// stepper that the plan's rule takes, in random scenes. The compiler's command line includes watched_fixed32.hpp.
+// IMPACT_WATCHED_SCENES=1000 gives each of them so many.
+
+#include <execinfo.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <string>
+
+#include "host_ref/coupled_scenes.hpp"
+#include "host_ref/free_pair.hpp"
+#include "host_ref/simulation_of.hpp"
+
+namespace impact::host {
+
+void note_broken(const char* condition) {
+  if (broken.count++ > 0) return;
+  broken.condition = condition;
+  broken.depth = backtrace(broken.places, 24);
+}
+
+namespace {
+
+int scenes() {
+  const char* asked = std::getenv("IMPACT_WATCHED_SCENES");
+  return asked ? std::atoi(asked) : 40;
+}
+
+// What did not hold where no fault was raised, by the functions that led to it, and an example of each.
+std::map<std::string, std::string> found;
+std::string scene_now;
+
+// The innermost functions of the kernel. (addr2line -Cfipe finds the lines.)
+std::string places() {
+  std::string text = broken.condition;
+  char** names = backtrace_symbols(broken.places, broken.depth);
+  for (int i = 2; i < broken.depth && i < 9; ++i) {
+    const std::string name = names[i];
+    text += "\n    " + name.substr(name.rfind('('));
+  }
+  std::free(names);
+  return text;
+}
+
+class Watched final : public Simulation {
+ public:
+  explicit Watched(std::unique_ptr<Simulation> simulation) : simulation_(std::move(simulation)) {}
+
+  // In the step that raises a fault a state beyond its bounds may wrap: it is clamped at once.
+  void step(double force, double base) override {
+    broken.count = 0;
+    simulation_->step(force, base);
+    if (broken.count == 0 || simulation_->fault()) return;
+    // A share of a step that is clamped by itself, but not with what is taken from it: of a touch that hardly moves.
+    const std::string where = places();
+    if (where.find("rate_at_touch") == std::string::npos && where.find("touch_rate") == std::string::npos)
+      found.emplace(where, scene_now);
+  }
+  Sample sample() const override { return simulation_->sample(); }
+  const char* fault() const override { return simulation_->fault(); }
+
+ private:
+  std::unique_ptr<Simulation> simulation_;
+};
+
+std::unique_ptr<Simulation> watched(const Request& request) {
+  broken.count = 0;
+  Planned planned = plan_simulation<Fixed32>(request, *request.bounds);
+  if (planned.status != PlanStatus::ok) return nullptr;
+  if (broken.count > 0) found.emplace(places(), scene_now);
+  return std::make_unique<Watched>(std::move(planned.simulation));
+}
+
+}  // namespace
+
+// What coupled_scenes.cpp steps.
+Outcome make_simulation(const Request& request) { return {watched(request), {}, request, {}}; }
+
+namespace {
+
+struct Kind {
+  Law law;
+  Damping damping;
+  Stepper stepper;
+};
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << name_of(kind.law) << ' ' << name_of(kind.damping) << ' ' << name_of(kind.stepper);
+}
+
+class WatchedFixed32 : public testing::TestWithParam<Kind> {
+ protected:
+  void expect_nothing_found() const {
+    for (const auto& [what, scene] : found) ADD_FAILURE() << what << "\n  in " << scene;
+    found.clear();
+  }
+};
+
+TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
+  const auto& [law, damping, stepper] = GetParam();
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> fraction(0, 1);
+  int accepted = 0;
+  for (int i = 0; i < scenes(); ++i)
+    for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball})
+      for (const Parts parts : {Parts::none, Parts::some}) {
+        CoupledScene scene = coupled_scene(law, edge, static_cast<unsigned>(i), parts);
+        scene.request.numeric = Numeric::fixed32;
+        scene.request.stepper = stepper;
+        scene.request.damping = damping;
+        // Bounds of what the scene reaches, and of up to a hundred times that.
+        if (i % 2 == 1) {
+          scene.request.bounds->displacement *= std::pow(100, fraction(engine));
+          scene.request.bounds->speed *= std::pow(100, fraction(engine));
+        }
+        scene_now = text_of(scene.request);
+        accepted += run_coupled(scene).is_accepted;
+      }
+  EXPECT_GT(accepted, 0);
+  expect_nothing_found();
+}
+
+TEST_P(WatchedFixed32, WrapsNowhereInFreePairs) {
+  const auto& [law, damping, stepper] = GetParam();
+  std::mt19937_64 engine(1);
+  const auto between = [&engine](double least, double most) {
+    return least * std::pow(most / least, std::uniform_real_distribution<double>(0, 1)(engine));
+  };
+  for (int i = 0; i < scenes(); ++i) {
+    FreePair free;
+    free.law = law;
+    free.damping = damping;
+    free.restitution = between(0.02, 1);
+    free.main_mass = between(0.01, 100);
+    free.ball_mass = free.main_mass * between(0.01, 100);
+    free.clearance = between(1e-3, 0.1);
+    free.speed = between(0.01, 5);
+    free.contact_stiffness = between(1e2, 1e12);
+    free.step = contact_time(impact_of(free)).value() / between(0.1, 200);
+    scene_now = text_of(request_for(free, stepper, Numeric::fixed32, 0));
+    rebounds(free, stepper, Numeric::fixed32, watched);
+  }
+  expect_nothing_found();
+}
+
+std::vector<Kind> kinds() {
+  std::vector<Kind> result;
+  // What the classical schemes gain in a stiff contact leaves their forces' units before it raises a fault.
+  for (const Stepper stepper :
+       {Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::energy, Stepper::impulsive}) {
+    for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
+      result.push_back({law, Damping::constant, stepper});
+    result.push_back({Law::hunt_crossley, Damping::exact, stepper});
+  }
+  return result;
+}
+INSTANTIATE_TEST_SUITE_P(Every, WatchedFixed32, testing::ValuesIn(kinds()));
+
+}  // namespace
+}  // namespace impact::host

@@ -182,6 +182,11 @@ END
 for other in 'NoForce, Exact' 'Rig, HookeNewton'; do
   absorber 1 "Chosen<Rig, Law> of another rig or law than the absorber's: name Chosen<>" "Rig, Exact, Chosen<$other>, Sine, Fixed32"
 done
+wrong 1 "an absorber's plan is read only: absorber.retune(plan)" <<END
+#include <impact/absorber.hpp>
+using Absorber = impact::Absorber<impact::AtRunTime, impact::Hertz, impact::Moment, impact::Sine, impact::Fixed32>;
+void change(Absorber& absorber, const Absorber::PlanType& plan) { absorber.plan = plan; }
+END
 absorber 1 'an absorber AtRunTime is made from a plan' 'AtRunTime, HuntCrossley, Moment, Sine, Fixed32'
 absorber 1 'the drive is Sampled: state Rig::bounds.force' 'NoForce, HuntCrossley, Moment, Sampled, Fixed32'
 absorber 1 'step() without a sample, but the drive is Sampled' 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step();'

@@ -11,22 +11,20 @@ namespace {
 template <class Format>
 using Tunable = impact::Absorber<impact::AtRunTime, impact::HuntCrossley, impact::Moment, impact::Sine, Format>;
 
-// As the manual says.
-static_assert(sizeof(Tunable<impact::Fixed32>::PlanType) == 464 && sizeof(Tunable<impact::Float32>::PlanType) == 312);
-
 constexpr impact::Scene at_pulsation(double pulsation) {
   impact::Scene scene;
   scene.drive_pulsation = pulsation;
   return scene;
 }
 
-void print(const char* what, uint32_t mean, uint32_t largest) {
+void print(const char* format, const char* quantity, uint32_t mean, uint32_t largest) {
   using impact::board::print;
-  print(IMPACT_TARGET ","), print(what), print(","), print(mean), print(","), print(largest), print("\n");
+  print(IMPACT_TARGET ",hunt-crossley,moment,"), print(format), print(",sine,"), print(quantity), print(",");
+  print(mean), print(","), print(largest), print("\n");
 }
 
 template <class Format>
-void measure(const char* step, const char* change) {
+void measure(const char* format) {
   using Kernel = Tunable<Format>;
   using PlanType = typename Kernel::PlanType;
   static constexpr PlanType plans[] = {PlanType::make(at_pulsation(40), impact::Bounds{}, 1e-4),
@@ -52,17 +50,17 @@ void measure(const char* step, const char* change) {
       auto& [kernel, changes, is_done] = *static_cast<Run*>(argument);
       is_done = kernel.retune(plans[++changes % 2]);
     });
-    if (!run.is_done) impact::board::print("# a change was refused\n");
+    if (!run.is_done) impact::board::exit(1);  // refused
   }
-  print(step, sums[0] / counts[0], largest[0]);
-  print(change, sums[1] / counts[1], largest[1]);
+  print(format, "tuned_step", sums[0] / counts[0], largest[0]);
+  print(format, "retune", sums[1] / counts[1], largest[1]);
+  print(format, "plan_bytes", sizeof(PlanType), sizeof(PlanType));
 }
 
 }  // namespace
 
 int main() {
-  impact::board::print("target,what,instructions_mean,instructions_max\n");
-  measure<impact::Fixed32>("fixed32 step", "fixed32 change");
-  measure<impact::Float32>("float32 step", "float32 change");
+  measure<impact::Fixed32>("fixed32");
+  measure<impact::Float32>("float32");
   return 0;
 }

@@ -331,8 +331,8 @@ class AbsorberOf
     const Value excess = Rub::stop(machine());
     Rub::undo(machine());
     const bool is_other_contact = next.handover.contact != plan.handover.contact;
-    hand_over(plan, next, Machine::state);
-    if constexpr (!Source::is_constant) plan = next;
+    hand_over<PlanType>(plan, next, Machine::state);
+    if constexpr (!Source::is_constant) Source::go_on_under(next);
     Machine::clamp_to_range();
     (restart<Features>(), ...);
     if constexpr (counts_slid_way) Machine::state.slid = {};

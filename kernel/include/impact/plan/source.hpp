@@ -39,11 +39,28 @@ class PlanSource {
   constexpr PlanSource() { (void)refusal::check<Rig, PlanType, plan.status>(); }
 };
 
+// An absorber's own copy of its plan, which a program reads: retune() alone puts another in its place.
+template <class PlanType>
+class PlanInUse : public PlanType {
+ public:
+  explicit constexpr PlanInUse(const PlanType& plan) : PlanType(plan) {}
+  constexpr PlanInUse(const PlanInUse&) = default;
+  template <class Other>
+  void operator=(const Other&) {
+    static_assert(sizeof(Other) == 0, "an absorber's plan is read only: absorber.retune(plan) changes it");
+  }
+
+ private:
+  template <class, class, uint32_t>
+  friend class PlanSource;
+  constexpr PlanInUse& operator=(const PlanInUse&) = default;
+};
+
 template <class PlanType_, uint32_t identity>
 class PlanSource<AtRunTime, PlanType_, identity> {
  public:
   using PlanType = PlanType_;
-  PlanType plan;
+  PlanInUse<PlanType> plan;
 
   constexpr double displacement_unit() const { return plan.displacement_unit(); }
   constexpr double velocity_unit() const { return plan.velocity_unit(); }
@@ -64,8 +81,9 @@ class PlanSource<AtRunTime, PlanType_, identity> {
   constexpr bool is_refused() const { return plan.status != PlanStatus::ok; }
 
  protected:
+  constexpr void go_on_under(const PlanType& next) { static_cast<PlanType&>(plan) = next; }
   explicit constexpr PlanSource(const PlanType& next) : plan(next) {}
-  constexpr PlanSource() : plan{} {
+  constexpr PlanSource() : plan(PlanType{}) {
     static_assert(
         sizeof(PlanType) == 0,
         "an absorber AtRunTime is made from a plan: Absorber absorber(Absorber::PlanType::make(scene, bounds, "

@@ -193,6 +193,17 @@ TEST(Lookup, CorrectRootsAreCorrect) {
   }
 }
 
+TEST(Lookup, TheLargerAndTheSmallerKeepANaN) {
+  const double numbers[] = {-1, 2, NAN};
+  for (const double a : numbers)
+    for (const double b : numbers) {
+      const double sum = a + b, larger = constant::larger(a, b), smaller = constant::smaller(a, b);
+      EXPECT_EQ(std::isnan(larger), std::isnan(sum));
+      EXPECT_EQ(std::isnan(smaller), std::isnan(sum));
+      EXPECT_TRUE(std::isnan(sum) || (larger == std::fmax(a, b) && smaller == std::fmin(a, b)));
+    }
+}
+
 // By digits, against the processor's: any double, squares and their neighbours, and both ends of each power of two.
 TEST(Lookup, RootsOfDoublesAreCorrect) {
   std::mt19937_64 random(1);

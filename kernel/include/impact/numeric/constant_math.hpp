@@ -10,8 +10,9 @@
 namespace impact::constant {
 
 constexpr double magnitude(double x) { return x < 0 ? -x : x; }
-constexpr double larger(double a, double b) { return a > b ? a : b; }
-constexpr double smaller(double a, double b) { return a < b ? a : b; }
+// NaN where either is.
+constexpr double larger(double a, double b) { return a > b || a != a ? a : b; }
+constexpr double smaller(double a, double b) { return a < b || a != a ? a : b; }
 
 constexpr double power_of_two(int exponent) {
   double result = 1, square = exponent < 0 ? 0.5 : 2;

@@ -9,7 +9,12 @@
 
 namespace {
 
-static_assert(sizeof(Absorber) <= sizeof(impact_absorber), "define IMPACT_C_BYTES, a multiple of 8, large enough");
+// An impact_absorber's content.
+struct Made {
+  uint64_t is_made;  // 0 before impact_init()
+  Absorber absorber;
+};
+static_assert(sizeof(Made) <= sizeof(impact_absorber), "define IMPACT_C_BYTES, a multiple of 8, large enough");
 static_assert(alignof(Absorber) <= alignof(impact_absorber));
 #ifdef IMPACT_C_FLOAT
 static_assert(sizeof(Absorber::Value) == sizeof(float) && !impact::detail::is_one_of<Absorber::Format, impact::Fixed32>,
@@ -23,17 +28,18 @@ constexpr Absorber::Value in(impact_number x) { return {x}; }
 constexpr impact_number out(Absorber::Value x) { return x.raw; }
 #endif
 
-constexpr Absorber at_start;
+constexpr Made at_start{1, {}};
 
-Absorber& as_cpp(impact_absorber* absorber) { return *reinterpret_cast<Absorber*>(absorber); }
-const Absorber& as_cpp(const impact_absorber* absorber) { return *reinterpret_cast<const Absorber*>(absorber); }
+Absorber& as_cpp(impact_absorber* absorber) { return reinterpret_cast<Made*>(absorber)->absorber; }
+const Made& made(const impact_absorber* absorber) { return *reinterpret_cast<const Made*>(absorber); }
+const Absorber& as_cpp(const impact_absorber* absorber) { return made(absorber).absorber; }
 
 }  // namespace
 
 extern "C" {
 
 void impact_init(impact_absorber* absorber) { __builtin_memcpy(absorber, &at_start, sizeof at_start); }
-void impact_reset(impact_absorber* absorber) { as_cpp(absorber).reset(); }
+void impact_reset(impact_absorber* absorber) { impact_init(absorber); }
 
 #ifdef IMPACT_C_SAMPLED
 static_assert(Absorber::Drive::is_sampled, "IMPACT_C_SAMPLED, but the rig's drive is not Sampled");
@@ -76,7 +82,7 @@ void impact_correct(impact_absorber* absorber, impact_number dx, impact_number d
   as_cpp(absorber).correct(in(dx), in(dv));
 }
 impact_fault impact_get_fault(const impact_absorber* absorber) {
-  return static_cast<impact_fault>(as_cpp(absorber).fault());
+  return made(absorber).is_made ? static_cast<impact_fault>(as_cpp(absorber).fault()) : impact_fault_plan;
 }
 void impact_clear_fault(impact_absorber* absorber) { as_cpp(absorber).clear_fault(); }
 bool impact_self_test() { return impact::self_test<Absorber::Format>(); }

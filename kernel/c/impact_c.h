@@ -11,7 +11,7 @@
    IMPACT_C_SAMPLED for a Sampled drive, IMPACT_C_BASE for the part BaseAcceleration, IMPACT_C_CONTACT_FORCE for the
    feature ContactForce.
 
-   No runtime of C++; of C's library memcpy and memset. Rust's bindgen and Python's ctypes read the same names. */
+   No runtime of C++; of C's library memcpy and memset. Rust's bindgen reads the same header. */
 #ifndef IMPACT_C_H
 #define IMPACT_C_H
 
@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/* Opaque, and at most this large; its content differs from rig to rig. Aligned as uint64_t. */
+/* Opaque, and at most this large; its content differs from rig to rig. Aligned as uint64_t. A plain number. */
 #ifndef IMPACT_C_BYTES
 #define IMPACT_C_BYTES 256
 #endif
@@ -33,9 +33,40 @@ typedef struct {
 /* A native number: raw 2^31 is the unit in Fixed32; SI in floating point. */
 #ifdef IMPACT_C_FLOAT
 typedef float impact_number;
+#define IMPACT_C_NUMBER float
 #else
 typedef int32_t impact_number;
+#define IMPACT_C_NUMBER fixed32
 #endif
+
+/* The options are in the functions' names for the linker, such as impact_step_fixed32_sampled_256: a caller that is
+   compiled with other options than the library does not link. */
+#ifdef IMPACT_C_SAMPLED
+#define IMPACT_C_OF_DRIVE _sampled
+#else
+#define IMPACT_C_OF_DRIVE
+#endif
+#ifdef IMPACT_C_BASE
+#define IMPACT_C_OF_BASE _base
+#else
+#define IMPACT_C_OF_BASE
+#endif
+#define IMPACT_C_JOIN(name, number, drive, base, bytes) name##_##number##drive##base##_##bytes
+#define IMPACT_C_JOIN_VALUES(name, number, drive, base, bytes) IMPACT_C_JOIN(name, number, drive, base, bytes)
+#define IMPACT_C_NAME(name) \
+  IMPACT_C_JOIN_VALUES(name, IMPACT_C_NUMBER, IMPACT_C_OF_DRIVE, IMPACT_C_OF_BASE, IMPACT_C_BYTES)
+#define impact_init IMPACT_C_NAME(impact_init)
+#define impact_reset IMPACT_C_NAME(impact_reset)
+#define impact_step IMPACT_C_NAME(impact_step)
+#define impact_displacement IMPACT_C_NAME(impact_displacement)
+#define impact_velocity IMPACT_C_NAME(impact_velocity)
+#define impact_ball_displacement IMPACT_C_NAME(impact_ball_displacement)
+#define impact_ball_velocity IMPACT_C_NAME(impact_ball_velocity)
+#define impact_contact_force IMPACT_C_NAME(impact_contact_force)
+#define impact_correct IMPACT_C_NAME(impact_correct)
+#define impact_is_touching IMPACT_C_NAME(impact_is_touching)
+#define impact_get_fault IMPACT_C_NAME(impact_get_fault)
+#define impact_clear_fault IMPACT_C_NAME(impact_clear_fault)
 
 typedef enum {
   impact_fault_none,
@@ -46,7 +77,7 @@ typedef enum {
   impact_fault_plan
 } impact_fault;
 
-void impact_init(impact_absorber*);  /* before anything else */
+void impact_init(impact_absorber*);  /* before anything else: until then an absorber of zeros has the fault plan */
 void impact_reset(impact_absorber*); /* back to the initial state, without fault */
 
 /* Samples are those at the step's end, in the units below. */

@@ -30,6 +30,8 @@ volatile int32_t final_displacement, final_velocity, largest_force;
 int scene_main(void);
 int scene_main(void) {
   if (!impact_self_test()) return 2;
+  impact_step(&absorber, INT32_MAX); /* impact_init forgotten */
+  if (impact_get_fault(&absorber) != impact_fault_plan) return 3;
   impact_init(&absorber);
   for (int32_t n = 0; n < 20000; ++n) {
     impact_step(&absorber, (n / 785) % 2 ? -INT32_MAX : INT32_MAX);
@@ -101,7 +103,8 @@ target_compile_options(program PRIVATE -Wall -Wextra -pedantic -Wconversion -Wer
 END
 cmake -S . -B on_host -DIMPACT="$project/kernel" -DSOURCE=host.c >log || { cat log && exit 1; }
 cmake --build on_host >log || { cat log && exit 1; }
-set -- $(on_host/program)
+on_host/program >found
+set -- $(cat found)
 echo "on this machine: displacement $1, velocity $2, largest force $3"
 # A base that shakes, with and without samples of a force: the same bits as from C++.
 cat >shaken.hpp <<'END'
@@ -160,6 +163,12 @@ for options in "-DDRIVE=NoDrive" "-DDRIVE=Sampled -DIMPACT_C_SAMPLED"; do
   ./in_c >in_c.out && ./in_cpp >in_cpp.out
   cat in_c.out
   cmp in_c.out in_cpp.out
+done
+# A caller with other options than the library, of any of them, does not link.
+for change in "s/IMPACT_C_SAMPLED/X/" "s/IMPACT_C_BASE/X/" "s/DDRIVE/DIMPACT_C_FLOAT -DDRIVE/" "s/DDRIVE/DIMPACT_C_BYTES=512 -DDRIVE/"; do
+  cc -std=c11 -w $(echo "$options" | sed "$change") -c shaken.c -o other.o 2>log || continue  # not even compiled
+  ! cc other.o shaken_c.o -o other 2>log || { echo "links, with $change" && exit 1; }
+  grep -q 'undefined reference to .impact_' log || { cat log && exit 1; }
 done
 
 cat >toolchain.cmake <<'END'

@@ -159,7 +159,9 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
       stored_rate() = plan.stiff.rate_at(at);
       return;
     }
-    // The step before and the one ahead as the law in their middle.
+    // The step before and the one ahead as the law in their middle. A contact without a beginning gains or loses what
+    // its memory says of it: with y' and y'' the change in a step and that one's change, y y'' - y'^2/2 is lost. So y''
+    // is y'^2/(2 y), with y'/2 where that would be more.
     const auto y = [&](Value d, Value way) {
       const auto held = positive_part(d);
       return pushed(plan, Mean::of(Format::root(Format::value(held)) * held), way).j1;
@@ -167,8 +169,11 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
     const Value now = plan.response.travel(y(at, rate)), half_way = Format::value(half(rate));
     taken(1) = y(at - half_way, rate + now);
     const Value fall = taken(1) - y(at + half_way, rate - now);
+    const Value size = mirrored(fall, is_negative(fall)), most = is_positive(size - taken(1)) ? size : taken(1);
     taken(2) = taken(1) + fall;
     taken(3) = taken(2) + fall;
+    if (is_positive(most))
+      taken(3) = taken(3) + Format::value(half(size * Format::quotient(without_sign(size), without_sign(most))));
   }
   template <class AnyPlan, class Seen, class Felt>
   [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {

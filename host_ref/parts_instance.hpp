@@ -23,9 +23,16 @@ Planned plan_with_parts(const Request& request, const Bounds& bounds) {
       return plan_in_field<Format, ContactLaw, EnergyConsistent>(request, bounds);
     case Stepper::impulsive:
       return plan_in_field<Format, ContactLaw, Impulsive>(request, bounds);
-    default:
+    case Stepper::moment:
       return plan_in_field<Format, ContactLaw, Moment>(request, bounds);
+    case Stepper::average:
+    case Stepper::linear:
+    case Stepper::fox_goodwin:
+    case Stepper::central:
+    case Stepper::automatic:
+      break;
   }
+  std::abort();  // refused, or chosen, before
 }
 
 }  // namespace impact::host

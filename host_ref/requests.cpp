@@ -66,12 +66,12 @@ long Simulation::run(long steps, const double* forces, double* x1, const double*
   return steps;
 }
 
-Reached Simulation::reached_in(long steps, const double* forces, const double* base) {
+Reached Simulation::reached_in(long steps, const double* forces, const double* base, const Bounds& bounds) {
   Reached reached;
   for (long n = 0;; ++n) {
     const Sample now = sample();
     reached.see(now.x1, now.v1, now.x2, now.v2, now.penetration);
-    if (n == steps) return reached;
+    if (n == steps || !reached.is_within(bounds) || fault()) return reached;
     step(forces ? forces[n] : 0, base ? base[n] : 0);
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <impact/choice.hpp>
+#include <impact/explain.hpp>
+#include <limits>
 
 #include "host_ref/extremes.hpp"
 
@@ -60,122 +62,228 @@ double largest_of(const std::vector<double>& samples) {
   for (double sample : samples) largest = larger(largest, std::abs(sample));
   return largest;
 }
-static double largest_sample(const Request& request) { return largest_of(request.samples); }
-static double force_bound(const Request& request) {
-  return request.drive == DriveKind::sampled ? larger(1e-6, largest_sample(request)) : 0;
-}
-static double base_bound(const Request& request) {
-  return request.is_shaken ? larger(1e-6, largest_of(request.base_samples)) : 0;
+
+namespace {
+
+double held(double bound) { return smaller(bound_range.most, larger(bound_range.least, bound)); }
+
+bool is_open(double bound) { return std::isnan(bound); }
+Bounds stated_in(const Request& request) { return request.bounds.value_or(open_bounds); }
+
+// What is stated, and in place of what is open these, with room for the ball to reach a stop; the samples' bounds are
+// their own.
+Bounds completed(const Request& asked, double displacement, double speed, double penetration) {
+  const Bounds stated = stated_in(asked);
+  const auto or_else = [](double bound, double found) { return is_open(bound) ? found : bound; };
+  const double force = asked.drive == DriveKind::sampled ? larger(1e-6, largest_of(asked.samples)) : 0,
+               base = asked.is_shaken ? larger(1e-6, largest_of(asked.base_samples)) : 0;
+  const double stop = asked.scene.stops == Stops::none ? 0 : asked.scene.clearance / 4;
+  return {or_else(stated.displacement, held(larger(displacement, stop))), or_else(stated.speed, speed),
+          or_else(stated.penetration, penetration), or_else(stated.force, force),
+          or_else(stated.base_acceleration, base)};
 }
 
-// The largest speed is that of the start and what the drive can add in the run, F/M over the difference of the
-// pulsations (a beat; at resonance, over the decay c/(2 M) of the vibration or the inverse of the run's duration); at
-// least half a metre per second. The displacement is what the main mass makes of it.
-Bounds estimated_bounds(const Request& request) {
-  const Scene& scene = request.scene;
-  const double natural = natural_pulsation(scene), slowest = 1 / request.duration;
-  double driven = 0;
-  if (request.drive == DriveKind::sine)
-    driven = scene.drive_amplitude /
-             std::max({std::abs(natural - scene.drive_pulsation), scene.main_damping / (2 * scene.main_mass), slowest});
-  driven = std::max(driven, largest_sample(request) / std::max(natural, slowest));
-  // A field's acceleration on both masses.
-  driven += (scene.main_mass + scene.ball_mass) * (std::abs(scene.gravity) + largest_of(request.base_samples)) /
-            std::max(natural, slowest);
-  const auto held = [](double bound) { return std::min(bound_range.most, std::max(bound, bound_range.least)); };
-  const double start = std::max(std::abs(scene.x1), std::abs(scene.x2));
-  const double speed = held(std::max(
-      {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2)}));
-  const double stop = scene.stops == Stops::none ? 0 : scene.clearance / 4;
-  const double reach = held(std::max(start + speed / std::max(natural, slowest), stop));
-  return {reach, speed, reach, force_bound(request), base_bound(request)};
+// Half as much again as a run has reached, with room for the cavity and for a step's way. Without a contact the
+// penetration is what the others allow.
+Bounds bounds_of(const Request& asked, const Reached& reached) {
+  constexpr double margin = 1.5;
+  const auto with_margin = [](double value) { return smaller(bound_range.most, larger(1e-6, margin * value)); };
+  const double speed = with_margin(reached.speed),
+               penetration = reached.penetration > 0 ? with_margin(reached.penetration) : 0,
+               way = larger(penetration, speed * asked.step);
+  return completed(asked, held(larger(larger(with_margin(reached.displacement), asked.scene.clearance), way)), speed,
+                   penetration);
 }
 
-bool hangs_on_bounds(PlanStatus status, const Request& request) {
-  return status == PlanStatus::steps_per_contact || status == PlanStatus::contact_time ||
-         (status == PlanStatus::clearance && clearance_range.holds(request.scene.clearance));
+Bounds scaled(const Request& asked, const Bounds& bounds, double times) {
+  const Scene& scene = asked.scene;
+  const auto of = [times](double bound, double a, double b) {
+    return held(std::max({times * bound, std::abs(a), std::abs(b)}));
+  };
+  return completed(asked, of(bounds.displacement, scene.x1, scene.x2), of(bounds.speed, scene.v1, scene.v2),
+                   bounds.penetration > 0 ? held(times * bounds.penetration) : 0);
 }
 
-// Of a float64 run of the same scene, so that a rounding cannot pass them. It takes longer steps where they are exact
-// enough for that: to 0.5 % of the restitution, with twenty in a period.
-PlanStatus measure_bounds(Request request, Bounds& bounds) {
-  constexpr double margin = 1.5, longest_phase = 0.3, restitution_error = 5e-3;
-  const double asked_step = request.step;
+// A stated bound limits nothing here: where it is passed, the run raises the fault that is asked for.
+Bounds only_open(const Bounds& stated, const Bounds& bounds) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const auto of = [](double asked_for, double bound) { return is_open(asked_for) ? bound : none; };
+  return {of(stated.displacement, bounds.displacement), of(stated.speed, bounds.speed),
+          of(stated.penetration, bounds.penetration)};
+}
+
+// A bound that was passed, further off; all of them where it is none of these that ended the run.
+Bounds wider_than(const Request& asked, const Bounds& bounds, const Reached& reached, double times) {
+  const bool is_any = reached.is_within(bounds);
+  const auto wider = [&](double bound, double value) {
+    return is_any || !(value <= bound) ? held(times * bound) : bound;
+  };
+  return completed(asked, wider(bounds.displacement, reached.displacement), wider(bounds.speed, reached.speed),
+                   bounds.penetration > 0 ? wider(bounds.penetration, reached.penetration) : 0);
+}
+
+// The stepper that was named where a plan with these bounds takes it, or else the rule's.
+bool makes_plan(Request& request, Stepper named, Planned& planned) {
+  for (const Stepper stepper : {named, Stepper::automatic}) {
+    request.stepper = stepper == Stepper::automatic ? chosen(request) : stepper;
+    planned = plan(request);
+    if (planned.status == PlanStatus::ok) return true;
+    if (named == Stepper::automatic) break;
+  }
+  return false;
+}
+
+// A run takes longer steps where they are exact enough to find bounds: to 0.5 % of the restitution, with twenty in a
+// period.
+void take_longer_steps(Request& trial, Planned& planned) {
+  constexpr double longest_phase = 0.3, restitution_error = 5e-3;
+  if (!trial.samples.empty() || trial.is_shaken || trial.stepper != Stepper::moment) return;
+  const Resolution contact = resolution(trial);
+  const double pulsation = std::max(natural_pulsation(trial.scene), trial.scene.drive_pulsation);
+  for (const double times : {8, 5, 4, 2}) {
+    Request longer = trial;
+    longer.step = times * trial.step;
+    if (!(longer.step * pulsation <= longest_phase &&
+          Moment::restitution_error(contact, longer.step) <= restitution_error))
+      continue;
+    Planned other = plan(longer);
+    if (other.status != PlanStatus::ok) continue;
+    trial = longer;
+    planned = std::move(other);
+    return;
+  }
+}
+
+struct Measured {
+  Bounds bounds;
+  bool is_of_run;  // or none could be made
+};
+
+// Half as much again as what a float64 run reaches, so that a rounding cannot pass them. A run counts where it stays
+// within what its own plan was judged for: until then wider bounds are tried, by whatever stepper takes them. So does
+// the run of the stepper that takes the bounds found, where that is another one. Where no bound is wide enough, that
+// run raises the fault.
+Measured measure(const Request& asked) {
+  constexpr int most_rounds = 20, doubled_rounds = 6;
+  const Bounds stated = stated_in(asked);
+  Request request = asked;
   request.numeric = Numeric::float64;
   request.counts_drive_work = false;
   Planned planned;
-  const auto plans_with = [&](Stepper stepper, double step) {
-    request.stepper = stepper;
-    request.step = step;
-    planned = plan(request);
-    return planned.status == PlanStatus::ok;
+  const auto makes_plan_with = [&](const Bounds& bounds) {
+    request.step = asked.step;
+    request.bounds = bounds;
+    return makes_plan(request, asked.stepper, planned);
   };
-  const auto plans_with_longer_steps = [&] {
-    if (!request.samples.empty() || request.is_shaken || request.stepper != Stepper::moment) return false;
-    const Resolution contact = resolution(request);
-    const double pulsation = std::max(natural_pulsation(request.scene), request.scene.drive_pulsation);
-    for (const double times : {8, 5, 4, 2}) {
-      const double step = times * asked_step;
-      if (step * pulsation <= longest_phase && Moment::restitution_error(contact, step) <= restitution_error &&
-          plans_with(Stepper::moment, step))
-        return true;
-    }
-    return false;
-  };
-  // An estimate may be far too much: with half of it, and half again. A run that stays within is as good.
-  const Bounds estimated = *request.bounds;
-  const auto plans_with_less = [&] {
-    for (double share = 0.5; share > 1e-4; share /= 2) {
-      const auto less = [share](double bound, double a, double b) {
-        return std::max({share * bound, std::abs(a), std::abs(b), bound_range.least});
-      };
-      const Scene& scene = request.scene;
-      request.bounds->speed = less(estimated.speed, scene.v1, scene.v2);
-      request.bounds->displacement = less(estimated.displacement, scene.x1, scene.x2);
-      if (plans_with(chosen(request), asked_step)) return true;
-    }
-    return false;
-  };
-  PlanStatus refused = PlanStatus::ok;
-  if (!plans_with_longer_steps() && !plans_with(request.stepper, asked_step)) {
-    refused = planned.status;
-    if (!hangs_on_bounds(refused, request)) return refused;
-    if (!plans_with(chosen(request), asked_step) && !plans_with_less()) return refused;
+  Bounds bounds = estimated_bounds(asked);
+  if (!makes_plan_with(bounds)) {
+    // An estimate may be far too much, or too little for a start within a stop.
+    const bool may_be_other = hangs_on_bounds(planned.status, request);
+    bool is_made = false;
+    for (double times = 2; may_be_other && !is_made && times < 1e4; times *= 2)
+      is_made = makes_plan_with(scaled(asked, bounds, 1 / times)) || makes_plan_with(scaled(asked, bounds, times));
+    if (!is_made) return {bounds, false};
+    bounds = *request.bounds;
   }
-  const auto held = [](double reached) { return smaller(bound_range.most, larger(1e-6, margin * reached)); };
-  const Reached reached = planned.simulation->reached_in(step_count(request), samples_after(0, request.samples),
-                                                         samples_after(0, request.base_samples));
-  const bool is_less = request.bounds->speed < estimated.speed;
-  if (is_less && !(reached.speed <= request.bounds->speed)) return refused;
-  bounds = {held(reached.displacement), held(reached.speed), held(reached.penetration), force_bound(request),
-            base_bound(request)};
-  const double way = larger(bounds.penetration, bounds.speed * asked_step);
-  bounds.displacement = smaller(bound_range.most, larger(larger(bounds.displacement, request.scene.clearance), way));
-  return planned.status;
+  bool is_of_run = false;
+  for (int round = 0; round < most_rounds; ++round) {
+    if (round > 0 && !makes_plan_with(bounds)) break;
+    const Stepper stepper = request.stepper;
+    take_longer_steps(request, planned);
+    const Bounds limits = only_open(stated, bounds);
+    const Reached reached =
+        planned.simulation->reached_in(step_count(request), samples_after(0, step_count(request), request.samples),
+                                       samples_after(0, step_count(request), request.base_samples), limits);
+    if (!reached.is_within(limits) || is_of_open_bound(planned.simulation->fault(), stated)) {
+      bounds = wider_than(asked, bounds, reached, round < doubled_rounds ? 2 : 16);
+      continue;
+    }
+    if (is_of_run) break;
+    bounds = bounds_of(asked, reached);
+    is_of_run = true;
+    if (makes_plan_with(bounds) && request.stepper == stepper) break;
+  }
+  return {bounds, true};
+}
+
+}  // namespace
+
+// The largest speed is that of the start and what the drive can add in the run, F/M over the difference of the
+// pulsations (a beat; at resonance, over the decay c/(2 M) of the vibration or the inverse of the run's duration), and
+// what a stop that is pressed at the start gives back; at least half a metre per second. The displacement is what the
+// main mass makes of it.
+Bounds estimated_bounds(const Request& asked) {
+  const Scene& scene = asked.scene;
+  const double natural = natural_pulsation(scene), slowest = 1 / asked.duration;
+  double driven = 0;
+  if (asked.drive == DriveKind::sine)
+    driven = scene.drive_amplitude /
+             std::max({std::abs(natural - scene.drive_pulsation), scene.main_damping / (2 * scene.main_mass), slowest});
+  driven = std::max(driven, largest_of(asked.samples) / std::max(natural, slowest));
+  // A field's acceleration on both masses.
+  driven += (scene.main_mass + scene.ball_mass) * (std::abs(scene.gravity) + largest_of(asked.base_samples)) /
+            std::max(natural, slowest);
+  const double depth = larger(0.0, initial_penetration(scene)),
+               stored = scene.contact_stiffness * depth * depth *
+                        (asked.law == Law::hooke_newton ? 0.5 : 0.4 * std::sqrt(depth)),
+               thrown = std::sqrt(2 * stored / smaller(scene.main_mass, scene.ball_mass));
+  const double start = std::max(std::abs(scene.x1), std::abs(scene.x2));
+  const double speed = held(std::max(
+      {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2), thrown}));
+  return completed(asked, held(start + speed / std::max(natural, slowest)), speed, 0);
+}
+
+bool has_open_bounds(const Request& asked) {
+  const Bounds stated = stated_in(asked);
+  return is_open(stated.displacement) || is_open(stated.speed) || is_open(stated.penetration);
+}
+
+bool is_of_open_bound(const char* fault, const Bounds& stated) {
+  const std::string_view what = fault ? fault : "";
+  return is_open(what == displacement_fault  ? stated.displacement
+                 : what == speed_fault       ? stated.speed
+                 : what == penetration_fault ? stated.penetration
+                                             : 0);
+}
+
+bool hangs_on_bounds(PlanStatus status, const Request& request) {
+  if (status == PlanStatus::ok || status == PlanStatus::step || status == PlanStatus::drive_pulsation) return false;
+  if (status == PlanStatus::steps_per_contact || status == PlanStatus::contact_time ||
+      status == PlanStatus::stop_out_of_reach)
+    return true;
+  const Explanation said = explain(status, {request.scene, *request.bounds, request.step});
+  return said.allowed.holds(said.value);
 }
 
 Settled settled(const Request& asked, bool may_run) {
-  Settled result{asked, asked.stepper == Stepper::automatic, false, {}};
+  Settled result{asked, asked.stepper == Stepper::automatic, has_open_bounds(asked), {}};
   Request& request = result.request;
   if (asked.drive != DriveKind::sine) request.scene.drive_amplitude = 0;  // no plan is to make room for it
-  if (!asked.bounds) request.bounds = estimated_bounds(asked);
-  if (result.is_automatic) request.stepper = chosen(request);
-  const bool may_measure = !asked.bounds && may_run;
-  if (!(may_measure && (request.measures_bounds || request.numeric == Numeric::fixed32))) {
-    // The speed is irrelevant to a stepper that was named and may be taken, and none is finer than Moment.
-    result.planned = plan(request);
-    const PlanStatus status = result.planned.status;
-    const bool is_coarse = result.is_automatic && request.stepper != Stepper::moment;
-    if (!(may_measure && (hangs_on_bounds(status, request) || is_coarse))) return result;
+  const Request open = request;
+  Measured found{estimated_bounds(open), false};
+  if (may_run && has_open_bounds(open)) found = measure(open);
+  request.bounds = found.bounds;
+  const auto planned = [&](Request& with) {
+    if (result.is_automatic) with.stepper = chosen(with);
+    return plan(with);
+  };
+  result.planned = planned(request);
+  // What hardly moves is told from rest, in the places of a format, by wider bounds than it reaches; and a start deep
+  // in a stop is one within wider ones. To wider bounds a contact is no longer.
+  const PlanStatus status = result.planned.status;
+  const bool may_be_wider = found.is_of_run && status != PlanStatus::contact_time && hangs_on_bounds(status, request);
+  for (double times = 2; may_be_wider && result.planned.status != PlanStatus::ok && times < 0x1p30; times *= 2) {
+    const Bounds& bounds = *request.bounds;
+    const double speed = held(times * bounds.speed);
+    Request wider = request;
+    wider.bounds = completed(open, held(larger(bounds.displacement, speed * request.step)), speed,
+                             bounds.penetration > 0 ? held(times * bounds.penetration) : 0);
+    Planned other = planned(wider);
+    if (other.status == PlanStatus::ok) {
+      request = wider;
+      result.planned = std::move(other);
+    }
   }
-
-  Bounds bounds{};
-  result.planned.status = measure_bounds(request, bounds);
-  if (result.planned.status != PlanStatus::ok) return result;
-  result.is_measured = true;
-  request.bounds = bounds;
-  if (result.is_automatic) request.stepper = chosen(request);
-  result.planned = plan(request);
   return result;
 }
 

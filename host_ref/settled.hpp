@@ -8,11 +8,11 @@
 namespace impact::host {
 
 struct Settled {
-  Request request;                 // with a stepper and bounds
-  bool is_automatic, is_measured;  // its stepper, its bounds
+  Request request;                      // with a stepper and bounds
+  bool is_automatic, has_found_bounds;  // its stepper, its bounds: not stated
   Planned planned;
 };
-// Without `may_run`, bounds are those of the estimate.
+// Without `may_run`, bounds that are open are those of the estimate.
 Settled settled(const Request& asked, bool may_run = true);
 
 // Of requests with bounds.
@@ -20,15 +20,14 @@ Resolution resolution(const Request& request);
 Stepper chosen(const Request& request);  // by the plan's rule
 Planned plan(const Request& request);
 
-double natural_pulsation(const Scene& scene);  // rad/s
-// The largest magnitude; no number where a sample is none, and no plan takes that for a bound.
-double largest_of(const std::vector<double>& samples);
-Bounds estimated_bounds(const Request& request);  // from the start and the drive
-
+// Whether a fault, or nullptr, is that a bound is passed which is not stated.
+bool is_of_open_bound(const char* fault, const Bounds& stated);
 // Whether with other bounds a plan that was refused so may be made.
 bool hangs_on_bounds(PlanStatus status, const Request& request);
 
-// What a float64 run reaches, and half as much again; the status of that run's plan where it cannot be made.
-PlanStatus measure_bounds(Request request, Bounds& bounds);
+double natural_pulsation(const Scene& scene);  // rad/s
+// The largest magnitude; no number where a sample is none, and no plan takes that for a bound.
+double largest_of(const std::vector<double>& samples);
+Bounds estimated_bounds(const Request& asked);  // from the start and the drive, where they are open
 
 }  // namespace impact::host

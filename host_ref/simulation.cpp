@@ -22,17 +22,47 @@ std::string rough_text(double value) {
   return value < 100 ? rounded_text(value, 3) : rounded_text(std::round(value), 15);
 }
 
+// Why the rule does not take Moment, or fewer sub-steps, whose number of steps would be right; nothing where it is that
+// number. The order is that of the rule.
+std::string passed_over(const Request& request, const Resolution& contact) {
+  const double h = request.step, steps = contact.shortest_part / h;
+  for (const auto& [stepper, parts] : {std::pair(Stepper::moment, 1), {Stepper::moment_4, 4}, {Stepper::moment_8, 8}}) {
+    // Impulsive, where an impact is short beside the main mass's vibration, comes before sub-steps.
+    if (request.stepper == stepper || (parts > 1 && request.stepper == Stepper::impulsive)) break;
+    if (parts * steps < Moment::precise_steps) continue;
+    const double turn = contact.main_pulsation * h, phase = contact.pulsation * h / parts,
+                 damping = contact.damping * h / parts;
+    const std::string name = "; not " + std::string(name_of(stepper)) + ": ";
+    const double longest_turn = parts == 1 ? Moment::longest_phase : SubsteppedMoment<4>::longest_phase;
+    if (turn > longest_turn)
+      return name + rough_text(turn) + " rad of the main mass's vibration in a step, at most " +
+             rough_text(longest_turn);
+    if (parts > 1 && h > contact.crossing) return name + "the ball can cross the clearance in a step";
+    if (phase > Moment::longest_contact_phase)
+      return name + "the deepest contact turns by " + rough_text(phase) + " rad in a step, at most " +
+             rough_text(Moment::longest_contact_phase);
+    if (damping > Moment::largest_damping)
+      return name + "the deepest contact's damping h c/mu is " + rough_text(damping) + ", at most " +
+             rough_text(Moment::largest_damping);
+    return name + "a contact loses less than it may create";
+  }
+  return {};
+}
+
 // What steps by the plan's choice, and what that rests on. Of a stepper that was named, only what to beware of: a
 // classical scheme below 10 steps a contact, where average acceleration is off by 2e-3 to 4e-2 of the restitution.
 std::string description(const Request& request, bool is_automatic) {
   const Resolution contact = resolution(request);
-  const double steps = contact.steps_per_contact(request.step);
-  const bool is_coarse = is_pointwise(request.stepper) && contact.shortest_part < 10 * request.step;
+  const double steps = contact.shortest_part / request.step;  // the rule's N
+  const bool is_coarse = is_pointwise(request.stepper) && steps < 10;
+  const std::string resolved =
+      rough_text(steps) + (contact.shortest_part < contact.contact_time ? " steps in the shortest part of a contact"
+                                                                        : " steps per contact");
   if (!is_automatic && !is_coarse) return {};
   if (!is_automatic)
-    return std::string(name_of(request.stepper)) + ": only " + rough_text(steps) +
-           " steps per contact, which may gain energy; auto would take " + std::string(name_of(chosen(request)));
-  std::string line = std::string(name_of(request.stepper)) + ", " + rough_text(steps) + " steps per contact at " +
+    return std::string(name_of(request.stepper)) + ": only " + resolved + ", which may gain energy; auto would take " +
+           std::string(name_of(chosen(request)));
+  std::string line = std::string(name_of(request.stepper)) + ", " + resolved + " at " +
                      rough_text(2 * request.bounds->speed) + " m/s, " + rough_text(contact.main_phase) +
                      " rad of the main mass's vibration during it";
   const int parts = request.stepper == Stepper::moment     ? 1
@@ -42,7 +72,7 @@ std::string description(const Request& request, bool is_automatic) {
   if (parts > 0)
     line += ", restitution within " + rough_text(Moment::restitution_error(contact, request.step / parts)) +
             " of the law's";
-  return line;
+  return line + passed_over(request, contact);
 }
 
 // The scene's restitution, stated under a formula, as the one that comes out; none where no plan takes it.
@@ -84,25 +114,37 @@ Outcome make_simulation(const Request& request) {
   Request asked = request;
   if (!state_true_restitution(asked)) return {nullptr, refusal_of_restitution(request), {}, {}};
   Settled made = settled(asked);
-  if (made.planned.status != PlanStatus::ok) return {nullptr, refusal_of(asked, made), {}, {}};
+  if (made.planned.status != PlanStatus::ok) return {nullptr, refusal_of(made), {}, {}};
   return {std::move(made.planned.simulation), {}, made.request, description(made.request, made.is_automatic)};
+}
+
+std::optional<Request> widened(const Request& asked, const Outcome& outcome) {
+  const Bounds stated = asked.bounds.value_or(open_bounds);
+  if (!is_of_open_bound(outcome.simulation->fault(), stated)) return std::nullopt;
+  Request wider = asked;
+  wider.bounds = outcome.made.bounds;
+  for (double Bounds::*bound : {&Bounds::displacement, &Bounds::speed, &Bounds::penetration})
+    if (std::isnan(stated.*bound)) (*wider.bounds).*bound = std::min(bound_range.most, 2 * (*wider.bounds).*bound);
+  return (*wider.bounds).displacement < bound_range.most ? std::optional<Request>(wider) : std::nullopt;
 }
 
 Refusal refusal_before_a_run(const Request& asked) {
   if (Refusal refusal = refusal_of_parts(asked); !refusal.field.empty()) return refusal;
   Request request = asked;
   if (!state_true_restitution(request)) return refusal_of_restitution(asked);
-  if (!request.bounds) request.numeric = Numeric::float64;
   const Settled made = settled(request, false);
-  const bool is_sure = asked.bounds || !hangs_on_bounds(made.planned.status, request);
-  return made.planned.status == PlanStatus::ok || !is_sure ? Refusal{} : refusal_of(request, made);
+  const bool may_be_taken = made.planned.status == PlanStatus::ok ||
+                            (has_open_bounds(request) && hangs_on_bounds(made.planned.status, made.request));
+  return may_be_taken ? Refusal{} : refusal_of(made);
 }
 
 double automatic_step(const Request& asked) {
   constexpr double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
   constexpr double longest_phase = 0.2, longest_way = 0.25, usual = 1e-4, longest_run = 1e7;
-  Request request = asked;
-  state_true_restitution(request);
+  Request open = asked;
+  state_true_restitution(open);
+  Request request = open;
+  request.bounds = estimated_bounds(open);
   const Scene& scene = request.scene;
   const auto longest = [&] {
     const double pulsation = std::max(natural_pulsation(scene), scene.drive_pulsation);
@@ -115,16 +157,12 @@ double automatic_step(const Request& asked) {
     }
     return 0.0;
   };
-  if (!asked.bounds) request.bounds = estimated_bounds(request);
   double step = longest();
-  if (step < usual && !asked.bounds && request.duration / usual <= longest_run) {
-    Bounds bounds{};
-    request.step = usual;
-    request.stepper = chosen(request);
-    if (measure_bounds(request, bounds) == PlanStatus::ok) {
-      request.bounds = bounds;
-      step = longest();
-    }
+  if (step < usual && request.duration / usual <= longest_run && has_open_bounds(open)) {
+    open.step = usual;
+    open.numeric = Numeric::float64;
+    request.bounds = settled(open).request.bounds;
+    step = longest();
   }
   return step > 0 ? step : usual;
 }

@@ -3,7 +3,9 @@
 // name; what steps is the same template that a firmware image compiles, with its plan made at run time.
 
 #include <cmath>
+#include <cstdlib>
 #include <impact/scene.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +22,9 @@ enum class Stepper { average, linear, fox_goodwin, central, moment, moment_4, mo
 enum class Numeric { float32, float32_plain, fixed32, float64 };
 enum class DriveKind { none, sine, sampled };
 
+inline constexpr double open_bound = std::numeric_limits<double>::quiet_NaN();
+inline constexpr Bounds open_bounds{open_bound, open_bound, open_bound, open_bound, open_bound};
+
 struct Request {
   Law law = Law::hunt_crossley;
   Stepper stepper = Stepper::automatic;
@@ -29,15 +34,15 @@ struct Request {
   Scene scene = paper_scene(Law::hunt_crossley);
   bool damping_is_by_restitution = false;  // Scene::contact_damping is what --restitution asks for
   double step = 1e-4;                      // h, s
-  std::optional<Bounds> bounds{};          // when absent, they are looked for: see below
-  bool measures_bounds = false;            // looked for by a run, in every format
+  std::optional<Bounds> bounds{};          // what is absent or no number is looked for: see make_simulation
   double duration = 1.0;                   // s, used only to find bounds
   std::vector<double> samples{};           // drive samples, N, used only to find bounds
   bool is_shaken = false;                  // the base accelerates:
   std::vector<double> base_samples{};      // m/s^2, used only to find bounds
   bool counts_drive_work = true;           // for Sample::drive_work
 };
-long step_count(const Request& request);  // duration / step to the nearest whole number
+bool has_open_bounds(const Request& request);  // that a run is to find
+long step_count(const Request& request);       // duration / step to the nearest whole number
 
 // Gravity, friction or a base that accelerates: with Moment, its sub-steps, EnergyConsistent and Impulsive. The others
 // refuse it by name.
@@ -69,15 +74,26 @@ struct Reached {
     speed = larger(speed, larger(std::abs(v1), std::abs(v2)));
     penetration = larger(penetration, depth);
   }
+  // A penetration's bound of 0 is none. False for what is no number.
+  bool is_within(const Bounds& bounds) const {
+    return displacement <= bounds.displacement && speed <= bounds.speed &&
+           (bounds.penetration == 0 || penetration <= bounds.penetration);
+  }
 };
 
-// The samples of the next steps, where n have been made; nullptr where there are none. One of them, or 0.
-inline const double* samples_after(long n, const std::vector<double>& samples) {
-  return samples.empty() ? nullptr : samples.data() + n;
+// The samples of the next `count` steps, where n have been made; nullptr where there are none. One of them, or 0.
+inline const double* samples_after(long n, long count, const std::vector<double>& samples) {
+  if (samples.empty()) return nullptr;
+  if (samples.size() < static_cast<size_t>(n + count)) std::abort();  // never a step without a sample
+  return samples.data() + n;
 }
 inline double sample_at(long n, const std::vector<double>& samples) {
-  return samples.empty() ? 0 : samples[static_cast<size_t>(n)];
+  return samples.empty() ? 0 : samples.at(static_cast<size_t>(n));
 }
+
+inline constexpr std::string_view displacement_fault = "a displacement beyond its bound",
+                                  speed_fault = "a speed beyond its bound",
+                                  penetration_fault = "a penetration beyond its bound";
 
 class Simulation {
  public:
@@ -90,8 +106,9 @@ class Simulation {
   // As many steps at once, with x1 at the end of each; `forces` and `base` may be null. Stops behind a step that raises
   // a fault, and returns how many raised none.
   virtual long run(long steps, const double* forces, double* x1, const double* base = nullptr);
-  // As many steps, whatever faults they raise: what the state reaches now and at the end of each.
-  virtual Reached reached_in(long steps, const double* forces, const double* base);
+  // What the state reaches now and at the end of as many steps, or up to the first that raises a fault or passes a
+  // bound.
+  virtual Reached reached_in(long steps, const double* forces, const double* base, const Bounds& bounds);
 };
 
 // A request that the kernel cannot plan, with the field at fault ("contact-stiffness", as the tool's option), its value
@@ -108,10 +125,13 @@ struct Outcome {
   std::string description;  // what the plan's rule chose, or what to beware of; one line or nothing
 };
 
-// Bounds that are absent are those that the drive and the start can reach by an estimate, which is far too much near
-// resonance: where they decide something (a stepper other than Moment, a plan that is refused, or fixed32's formats),
-// and where it is asked, they are half as much again as what a float64 run of `duration` reaches.
+// Bounds that are open are half as much again as what a float64 run of `duration` reaches, one that stays within what
+// its own plan was judged for.
 Outcome make_simulation(const Request& request);
+
+// For another attempt, with bounds twice as wide, where the run has passed one that was found: a motion over many
+// impacts is chaotic, and differs from format to format. Nothing where no such bound was passed.
+std::optional<Request> widened(const Request& asked, const Outcome& outcome);
 
 // The law's own, at an impact of this speed of two free masses.
 double restitution_at(const Request& request, double speed);

@@ -25,9 +25,12 @@ Planned plan_with_law(const Request& request, const Bounds& bounds) {
       return plan_with_drive<Format, ContactLaw, EnergyConsistent>(request, bounds);
     case Stepper::impulsive:
       return plan_with_drive<Format, ContactLaw, Impulsive>(request, bounds);
-    default:
+    case Stepper::moment:
       return plan_with_drive<Format, ContactLaw, Moment>(request, bounds);
+    case Stepper::automatic:
+      break;
   }
+  std::abort();  // refused, or chosen, before
 }
 
 }  // namespace impact::host

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <impact/absorber.hpp>
 #include <type_traits>
 
@@ -80,12 +81,12 @@ class KernelSimulation final : public Simulation {
     return steps;
   }
 
-  Reached reached_in(long steps, const double* forces, const double* base) override {
+  Reached reached_in(long steps, const double* forces, const double* base, const Bounds& bounds) override {
     Reached reached;
     for (long n = 0;; ++n) {
       const auto now = kernel_.reading();
       reached.see(now.x1, now.v1, now.x2, now.v2, penetration(now.x2 - now.x1));
-      if (n == steps) return reached;
+      if (n == steps || !reached.is_within(bounds) || fault()) return reached;
       advance(forces ? forces[n] : 0, base ? base[n] : 0);
     }
   }
@@ -134,11 +135,11 @@ class KernelSimulation final : public Simulation {
       case Fault::sample:
         return "a drive sample beyond its bound";
       case Fault::displacement:
-        return "a displacement beyond its bound";
+        return displacement_fault.data();
       case Fault::speed:
-        return "a speed beyond its bound";
+        return speed_fault.data();
       case Fault::penetration:
-        return "a penetration beyond its bound";
+        return penetration_fault.data();
       case Fault::plan:  // not met: what is refused is not made
         return "a plan that was refused";
     }

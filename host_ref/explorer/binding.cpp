@@ -17,8 +17,7 @@ namespace {
 constexpr size_t slots = 4;
 std::optional<RecordedRun> runs[slots];
 std::optional<DisplacementRun> lines[slots];
-Request made[slots];  // as they were planned, and the bounds are measured as soon as a rig is asked for
-bool is_measured[slots];
+Request made[slots];  // as they were planned
 SampleFiles files;
 char text[1 << 16];
 std::string long_text;
@@ -70,7 +69,6 @@ EXPORT(plan) bool plan(int slot) {
   std::optional<Asked> scene = asked(true);
   if (!scene) return false;
   made[slot] = scene->outcome.made;
-  is_measured[slot] = false;
   reply("planned\n" + std::string(name_of(made[slot].stepper)) + "\n" + scene->outcome.description + "\n" +
         shortest_text(scene->request.scene.contact_damping) + "\n");
   run.emplace(scene->request, std::move(scene->outcome.simulation));
@@ -145,12 +143,6 @@ EXPORT(rig) const char* write_rig(int slot) {
   for_each_line(text, [&](std::string_view option, std::string_view value) {
     arguments.push_back({std::string(option), std::string(value)});
   });
-  if (!is_measured[slot]) {
-    Request request = runs[slot]->request();
-    request.measures_bounds = is_measured[slot] = true;
-    Outcome outcome = make_simulation(request);
-    if (outcome.simulation) made[slot] = outcome.made;
-  }
   long_text = rig_text(made[slot], arguments);
   return long_text.c_str();
 }

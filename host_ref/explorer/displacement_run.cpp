@@ -21,8 +21,8 @@ void DisplacementRun::advance(long steps) {
   double x1[500];
   while (steps > 0 && !is_done()) {
     const long asked = std::min({steps, static_cast<long>(std::size(x1)), steps_ - done_});
-    const long made = simulation_->run(asked, samples_after(done_, request_.samples), x1,
-                                       samples_after(done_, request_.base_samples));
+    const long made = simulation_->run(asked, samples_after(done_, asked, request_.samples), x1,
+                                       samples_after(done_, asked, request_.base_samples));
     for (long i = 0; i < made; ++i) {
       ++done_;
       note(x1[i]);

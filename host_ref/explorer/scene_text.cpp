@@ -88,7 +88,7 @@ bool store(Request& request, Stated& stated, std::string_view option, std::strin
     if (option == name) return scene.*member = value, true;
   for (const auto& [name, member] : bound_values) {
     if (option != name) continue;
-    if (!request.bounds) request.bounds.emplace();
+    if (!request.bounds) request.bounds = open_bounds;
     return (*request.bounds).*member = value, true;
   }
   if (option == "step") return request.step = value, true;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <functional>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/text.hpp>
@@ -41,11 +42,11 @@ template <class Value>
 Field<Value> field(Value Settings::*member) {
   return [member](Settings& settings) -> Value& { return settings.*member; };
 }
-// One bound given means that none is looked for: the others keep the kernel's defaults.
+// Those that are not given are looked for.
 Field<double> field(double Bounds::*member) {
   return [member](Settings& settings) -> double& {
     auto& bounds = settings.request.bounds;
-    if (!bounds) bounds.emplace();
+    if (!bounds) bounds = open_bounds;
     return (*bounds).*member;
   };
 }
@@ -62,7 +63,7 @@ Option number(const char* name, const char* unit, Range range, const Field<doubl
           *unit ? unit : "E",
           help,
           *unit ? allowed + " " + unit : allowed,
-          short_text(initial_value(field)),
+          std::isnan(initial_value(field)) ? "what is found" : short_text(initial_value(field)),
           true,
           [=](Settings& settings, const std::string& text) {
             const auto value = number_from(text);
@@ -220,10 +221,11 @@ const std::vector<Option>& options() {
 
       number(
           "bound-displacement", "m", bound_range, field(&Bounds::displacement),
-          "largest displacement that fixed32 makes room for, beyond which the kernel raises a fault; without any "
-          "--bound, half as much again as a float64 run reaches; with any, those not given are the kernel's defaults"),
+          "largest displacement that the plan is made for, beyond which the kernel raises a fault; not given, half as "
+          "much again as a float64 run reaches"),
       number("bound-speed", "m/s", bound_range, field(&Bounds::speed), "and the largest speed"),
-      number("bound-penetration", "m", bound_range, field(&Bounds::penetration), "and the largest penetration"),
+      number("bound-penetration", "m", {0, bound_range.most}, field(&Bounds::penetration),
+             "and the largest penetration; 0: the deepest that the other bounds allow"),
       number("bound-force", "N", force_range, field(&Bounds::force), "and the largest sample of a --drive-file"),
       number("bound-base-acceleration", "m/s^2", base_acceleration_range, field(&Bounds::base_acceleration),
              "and of a --base-acceleration-file; 0: the largest that is in it"),
@@ -376,7 +378,7 @@ std::string help() {
       "impact-sim: runs one scene of an impact absorber with the kernel and writes CSV, in SI units:\n"
       "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n\n"
       "Without options it runs the paper's Hunt-Crossley scene at 40 rad/s. Options, as --name value or "
-      "--name=value:\n\n";
+      "--name=value; the file - is standard input or output:\n\n";
   for (const Option& option : options()) {
     const bool takes_value = !option.placeholder.empty();
     text += "  --" + option.name + (takes_value ? " " + option.placeholder : "") + "\n";

@@ -63,7 +63,7 @@ std::string behind_links(fs::path path) {
 OutputError::OutputError(const std::string& file)
     : std::runtime_error((file.empty() ? "standard output" : file) + ": " + std::strerror(errno)) {}
 
-Output::Output(const std::string& path) : target_(behind_links(path)) {
+Output::Output(const std::string& path) : target_(is_standard_output(path) ? "" : behind_links(path)) {
   if (target_.empty()) {
     file_ = stdout;
     return;

@@ -10,6 +10,10 @@
 
 namespace impact::host {
 
+// `-` is standard input, or standard output, where a file is expected.
+inline std::string readable_path(const std::string& path) { return path == "-" ? "/dev/stdin" : path; }
+inline bool is_standard_output(const std::string& path) { return path.empty() || path == "-"; }
+
 // Exit code 1; the message names the file and the system's reason (errno).
 struct OutputError : std::runtime_error {
   explicit OutputError(const std::string& file);
@@ -17,7 +21,7 @@ struct OutputError : std::runtime_error {
 
 class Output {
  public:
-  explicit Output(const std::string& path);  // empty: standard output
+  explicit Output(const std::string& path);  // empty or -: standard output
   ~Output();                                 // without commit() the target stays as it was
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;

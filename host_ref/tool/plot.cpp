@@ -97,7 +97,7 @@ void draw(const std::string& path, const Request& request, const Curve& with_abs
   if (!gnuplot) throw OutputError(path);
   std::fputs(script.c_str(), gnuplot);
   if (pclose(gnuplot) != 0) throw std::runtime_error("--plot " + path + ": gnuplot failed");
-  if (!is_whole(output.written_path()))
+  if (!is_standard_output(path) && !is_whole(output.written_path()))
     throw std::runtime_error("--plot " + path + ": gnuplot could not write it whole");
   output.commit();
 }

@@ -13,6 +13,20 @@ inline Outcome outcome_of(const Request& request) {
   return outcome;
 }
 
+// The outcome of attempt(simulation), with bounds that are wider each time that it passes one that was found.
+template <class Attempt>
+Outcome attempted(const Request& request, Attempt attempt) {
+  Outcome outcome = outcome_of(request);
+  attempt(*outcome.simulation);
+  for (auto wider = widened(request, outcome); wider; wider = widened(request, outcome)) {
+    Outcome next = make_simulation(*wider);
+    if (!next.simulation) break;
+    outcome = std::move(next);
+    attempt(*outcome.simulation);
+  }
+  return outcome;
+}
+
 // Calls observe(n, x1, count) for the initial state and after at most `every` steps: n steps are done, the last `count`
 // of which led to the displacements x1. Stops at a fault and returns it, else nullptr.
 template <class Observe>
@@ -22,8 +36,8 @@ const char* run(Simulation& simulation, const Request& request, long every, Obse
   const long steps = step_count(request);
   for (long n = 0; n < steps;) {
     const long count = std::min({every - n % every, steps - n, static_cast<long>(x1.size())});
-    const long good =
-        simulation.run(count, samples_after(n, request.samples), x1.data(), samples_after(n, request.base_samples));
+    const long good = simulation.run(count, samples_after(n, count, request.samples), x1.data(),
+                                     samples_after(n, count, request.base_samples));
     n += good;
     if (good > 0) observe(n, x1.data(), good);
     if (good < count) return simulation.fault();

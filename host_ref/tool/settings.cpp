@@ -15,7 +15,7 @@ constexpr double most_steps = 1e9;
 
 std::vector<double> samples_from(const SampleKind& kind, const std::string& file) {
   const std::string option = std::string("--") + kind.option;
-  std::ifstream input(file);
+  std::ifstream input(readable_path(file));
   if (!input) throw BadInput(option, file, "a file that can be read");
   Column column;
   for (char line[64]; input.getline(line, sizeof line);) {
@@ -70,17 +70,30 @@ void settle(Settings& settings, const Given& given) {
   refuse_unless(!has("sweep"), "plot", "without --sweep");
   refuse_unless(!has("sweep"), "rig", "without --sweep");
   refuse_unless(!has("sweep"), "every", "without --sweep");
-  // Nothing written may take the place of what is read, or of what is written beside it.
-  using File = std::pair<const char*, const std::string*>;
-  std::vector<File> before{{"drive-file", &settings.drive_file},
-                           {"base-file", &settings.base_file},
-                           {"base-acceleration-file", &settings.base_acceleration_file}};
-  for (const File& file : {File{"sweep", &settings.sweep}, File{"output", &settings.output},
-                           File{"plot", &settings.plot}, File{"rig", &settings.rig}}) {
-    const auto& [name, path] = file;
-    for (const auto& [other, other_path] : before)
-      if (has(name) && has(other) && is_same_file(*path, *other_path))
-        throw BadInput(std::string("--") + name, *path, std::string("another file than --") + other);
+  // Nothing written may take the place of what is read, or of what is written beside it; standard input is read once.
+  struct File {
+    const char* name;
+    std::string path;
+    bool is_read;
+  };
+  const std::string standard = "-";
+  std::vector<File> before;
+  for (const File& file :
+       {File{"drive-file", settings.drive_file, true}, File{"base-file", settings.base_file, true},
+        File{"base-acceleration-file", settings.base_acceleration_file, true}, File{"sweep", settings.sweep, true},
+        File{"output", settings.output.empty() ? standard : settings.output, false}, File{"plot", settings.plot, false},
+        File{"rig", settings.rig, false}}) {
+    if (file.path.empty()) continue;
+    for (const File& other : before) {
+      const bool is_stream = file.path == standard && other.path == standard;
+      const bool is_taken = file.is_read == other.is_read
+                                ? is_stream || (!file.is_read && is_same_file(file.path, other.path))
+                                : !is_stream && is_same_file(file.path, other.path);
+      if (is_taken)
+        throw BadInput(std::string("--") + file.name, file.path,
+                       std::string("another file than --") + other.name +
+                           (is_stream && !has(other.name) ? ", which is standard output" : ""));
+    }
     before.push_back(file);
   }
   if (settings.benchmark) {
@@ -88,8 +101,7 @@ void settle(Settings& settings, const Given& given) {
       refuse_unless(name == "benchmark" || name == "output", name.c_str(), "without --benchmark");
     }
   }
-  request.measures_bounds = has("rig");  // what a device is planned for
-  if (has("sweep")) return;              // the rest concerns each scene, not what they share
+  if (has("sweep")) return;  // the rest concerns each scene, not what they share
 
   refuse_unless(!has("restitution"), "contact-damping", "without --restitution");
   refuse_unless(request.law != Law::hertz || scene.contact_damping == 0, "contact-damping", "0 with --law hertz");
@@ -118,9 +130,12 @@ void settle(Settings& settings, const Given& given) {
   if (has("base-file")) drive_by(request, base_displacements, samples_from(base_displacements, settings.base_file));
   if (has("base-acceleration-file"))
     shake_by(request, samples_from(base_accelerations, settings.base_acceleration_file));
-  size_t lines = 0;
-  for (const auto* samples : {&request.samples, &request.base_samples})
-    if (!samples->empty()) lines = lines > 0 ? std::min(lines, samples->size()) : samples->size();
+  const size_t lines = std::max(request.samples.size(), request.base_samples.size());
+  for (const auto& [name, count] : {std::pair(has("drive-file") ? "drive-file" : "base-file", request.samples.size()),
+                                    {"base-acceleration-file", request.base_samples.size()}})
+    if (!has("duration") && count > 0 && count < lines)
+      throw BadInput(std::string("--") + name, given.at(name) + " with " + std::to_string(count) + " lines",
+                     std::to_string(lines) + " as the other file has, or a --duration");
   if (lines > 0 && !has("duration")) request.duration = static_cast<double>(lines) * request.step;
   if (lines > 0 && !has("step"))
     settings.remarks.push_back(std::to_string(lines) + " samples, one each " + short_text(request.step) +

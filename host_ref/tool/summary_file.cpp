@@ -14,7 +14,7 @@
 namespace impact::host {
 
 SummaryFile::SummaryFile(const std::string& path, const std::string& header, const std::map<long, std::string>& keys)
-    : path_(path), header_(header) {
+    : path_(is_standard_output(path) ? "" : path), header_(header) {
   file_ = path_.empty() ? STDOUT_FILENO : open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   struct stat status {};
   if (file_ < 0 || fstat(file_, &status) != 0) throw OutputError(path_);

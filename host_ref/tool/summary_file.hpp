@@ -10,8 +10,8 @@ namespace impact::host {
 
 class SummaryFile {
  public:
-  // Empty path: standard output. Takes over the whole rows that an interrupted run left and drops a torn last one.
-  // `keys`: how the row of each scene begins. A file that holds anything else is left as it is: BadInput.
+  // Empty path, or -: standard output. Takes over the whole rows that an interrupted run left and drops a torn last
+  // one. `keys`: how the row of each scene begins. A file that holds anything else is left as it is: BadInput.
   SummaryFile(const std::string& path, const std::string& header, const std::map<long, std::string>& keys);
   ~SummaryFile();
   SummaryFile(const SummaryFile&) = delete;

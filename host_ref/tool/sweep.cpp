@@ -7,6 +7,7 @@
 #include <fstream>
 #include <host_ref/extremes.hpp>
 #include <host_ref/tool/bare.hpp>
+#include <host_ref/tool/output.hpp>
 #include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/run.hpp>
 #include <host_ref/tool/summary_file.hpp>
@@ -35,13 +36,22 @@ struct Sweep {
   std::map<long, std::string> keys;
 };
 
+// Of a line as RFC 4180 has it: a cell in quotes may hold commas, and a quote as two.
 std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  for (size_t start = 0; start <= line.size();) {
-    const size_t comma = std::min(line.find(',', start), line.size());
-    cells.emplace_back(trimmed(std::string_view(line).substr(start, comma - start)));
-    start = comma + 1;
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (size_t i = 0; i < line.size(); ++i) {
+    std::string& cell = cells.back();
+    if (is_quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
+      cell += line[i++];
+    else if (line[i] == '"' && (is_quoted || trimmed(cell).empty()))
+      is_quoted = !is_quoted;
+    else if (line[i] == ',' && !is_quoted)
+      cells.emplace_back();
+    else
+      cell += line[i];
   }
+  for (std::string& cell : cells) cell = trimmed(cell);
   return cells;
 }
 
@@ -52,7 +62,8 @@ bool names_samples(const std::string& option) {
 // A scene's samples are read to check it, and again to run it.
 void expect_readable_again(const std::vector<Argument>& arguments) {
   for (const auto& [name, file] : arguments) {
-    if (names_samples(name) && std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    const std::string path = readable_path(file);
+    if (names_samples(name) && std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
       throw BadInput("--" + name, file, "a file that can be read twice, in a sweep");
   }
 }
@@ -85,7 +96,7 @@ std::string one_cell(std::string text) {
 
 // Reads and checks every line.
 Sweep read_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
-  std::ifstream input(settings.sweep);
+  std::ifstream input(readable_path(settings.sweep));
   std::string line;
   if (!input || !std::getline(input, line)) throw BadInput("--sweep", settings.sweep, "a CSV file with a header");
   line = without_byte_order_mark(line);
@@ -130,7 +141,7 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
       for (const Argument& argument : common) swept.key += one_cell(argument.value) + ",";
       for (size_t i = 0; i < cells.size(); ++i) {
         if (!cells[i].empty()) swept.arguments.push_back({columns[i], cells[i]});
-        swept.key += cells[i] + ",";
+        swept.key += one_cell(cells[i]) + ",";
       }
       swept.settings = checked(swept.arguments);
       Request& request = swept.settings.request;
@@ -169,13 +180,12 @@ Summary summary_of(Simulation& simulation, const Request& request) {
 }
 
 // What follows the key in a scene's row.
-std::string results_of(const SweptScene& scene, BareRuns& bare_runs) {
+std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {
   Request request = scene.settings.request;
   if (request.drive == DriveKind::sampled || request.is_shaken) request = settings_from(scene.arguments).request;
   request.counts_drive_work = false;
-  const Outcome outcome = make_simulation(request);
-  if (!outcome.simulation) return ",,,,," + one_cell(BadInput(outcome.refusal).what()) + "\n";
-  const Summary summary = summary_of(*outcome.simulation, request);
+  Summary summary;
+  attempted(request, [&](Simulation& simulation) { summary = summary_of(simulation, request); });
   const double bare_largest = bare_runs.largest(request, scene.settings.drive_file + "\n" + scene.settings.base_file +
                                                              "\n" + scene.settings.base_acceleration_file);
 
@@ -191,6 +201,8 @@ std::string results_of(const SweptScene& scene, BareRuns& bare_runs) {
   text += ',' + std::to_string(summary.last.impacts) + ',';
   if (summary.fault) text += one_cell(summary.fault);
   return text + "\n";
+} catch (const BadInput& bad) {
+  return ",,,,," + one_cell(bad.what()) + "\n";
 }
 
 // The steps that were chosen where none was given.

@@ -14,7 +14,13 @@
 
 namespace impact::host {
 
+// As R and spreadsheets may write a number.
+inline std::string_view without_plus(std::string_view text) {
+  return text.substr(text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+' ? 1 : 0);
+}
+
 inline std::optional<long> whole_number_from(std::string_view text) {
+  text = without_plus(text);
   long value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
@@ -23,6 +29,7 @@ inline std::optional<long> whole_number_from(std::string_view text) {
 
 // Finite numbers only; one too small for a double is 0.
 inline std::optional<double> number_from(std::string_view text) {
+  text = without_plus(text);
   double value = 0;
 #ifdef __cpp_lib_to_chars
   const char* end = text.data() + text.size();

@@ -38,11 +38,23 @@ Curve bare_curve(const Request& request) {
   return curve;
 }
 
+// Run before it is written, where its bounds are to be found.
+Outcome outcome_that_holds(const Request& request) {
+  if (!has_open_bounds(request)) return outcome_of(request);
+  Progress progress("steps to find bounds", step_count(request));
+  Request held = request;
+  held.bounds =
+      attempted(request, [&](Simulation& simulation) {
+        run(simulation, request, step_count(request) + 1, [&](long n, const double*, long) { progress.at(n); });
+      }).made.bounds;
+  return outcome_of(held);
+}
+
 }  // namespace
 
 int write_trajectory(const Settings& settings, const std::vector<Argument>& arguments) {
   const Request& request = settings.request;
-  const Outcome outcome = outcome_of(request);
+  const Outcome outcome = outcome_that_holds(request);
   Simulation* const simulation = outcome.simulation.get();
   const std::string step = settings.is_step_automatic ? "step " + short_text(request.step) + " s, " : "";
   if (!outcome.description.empty()) std::cerr << "impact-sim: " << step << outcome.description << "\n";

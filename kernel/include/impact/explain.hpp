@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Why a plan was refused, and what would do. Where a value is out of its own range, that range (status.hpp); a dry
-// friction that is too much for the step, the friction; a start too deep in a stop, the displacement; a field that
-// leaves no room, the field. Where it is only the values together that leave no room, the first of
+// Why a plan was refused, and what would do. Where a value is out of its own range, that range (status.hpp). Where it
+// is only the values together that leave no room, the first value that can be changed alone so that the plan is made: a
+// start, a field or a dry friction that is named, then
 //
 //     step, the refused value, displacement_bound, speed_bound, penetration_bound, contact_stiffness, contact_damping,
-//     main_stiffness, main_damping, clearance
+//     main_stiffness, main_damping, clearance, ball_mass, main_mass
 //
-// that can be changed alone so that the plan is made, and the ends of the range around the nearest value that does:
-// found by halving and doubling, then by bisection, each time over a plan that is made. Both ends are accepted. Where
-// none can, the first that does
-//
-//     the step, or the refused value, where other values that are then out of their own range follow it
-//     displacement_bound to clearance as above, at a shorter step
-//     ball_mass, main_mass, gravity, base_acceleration_bound, ball_friction, alone
-//     the step, or the refused value, where then other values are at fault by themselves
+// and the ends of the accepted range around the nearest value that does: found by halving and doubling, then by
+// bisection, over plans that are made. Both ends are accepted.
 
 #include <stdint.h>
 
@@ -102,8 +96,7 @@ constexpr double* Values::find(Parameter parameter) {
 }
 
 // The value that a plan was refused for, and what it may be beside the others (drive_pulsation also 0). Where no single
-// value would do, as where 32 bits have no room for any, it is the first at fault with its range in any scene, which
-// may hold it.
+// value would do, it is the first at fault with its range in any scene, which then holds it.
 struct Explanation {
   Parameter parameter;
   double value;
@@ -201,21 +194,18 @@ constexpr Explanation explain(PlanStatus status, Values values) {
 
 namespace detail {
 
-// That a scene may be planned with another one of: in the order in which they are looked at, after the step.
+// In the order in which they are looked at.
 constexpr Parameter candidates[] = {Parameter::displacement_bound, Parameter::speed_bound,
                                     Parameter::penetration_bound,  Parameter::contact_stiffness,
                                     Parameter::contact_damping,    Parameter::main_stiffness,
-                                    Parameter::main_damping,       Parameter::clearance};
+                                    Parameter::main_damping,       Parameter::clearance,
+                                    Parameter::ball_mass,          Parameter::main_mass};
 
-// Where none of them would do, at this step or a shorter one: what the scene is of.
-constexpr Parameter last_candidates[] = {Parameter::ball_mass, Parameter::main_mass, Parameter::gravity,
-                                         Parameter::base_acceleration_bound, Parameter::ball_friction};
-
-// That are to be less, where they are at fault beside the others.
-constexpr Parameter less_of[] = {Parameter::ball_friction, Parameter::gravity, Parameter::base_acceleration_bound,
-                                 Parameter::x1, Parameter::x2};
-
-inline constexpr double shorter_steps[] = {1e-6, step_range.least};
+// These are named before the step.
+constexpr bool is_less_of(Parameter parameter) {
+  return parameter == Parameter::ball_friction || parameter == Parameter::gravity ||
+         parameter == Parameter::base_acceleration_bound || parameter == Parameter::x1 || parameter == Parameter::x2;
+}
 
 // Between one that is accepted and one that is not, both positive: the last accepted one, within 2^-20 of itself.
 template <class Accepts>
@@ -260,40 +250,25 @@ constexpr Range accepted_near(double refused, const Range& within, const Accepts
 template <class StatusWith>
 constexpr Explanation explain(const Values& refused, const StatusWith& status_with) {
   const Explanation first = explain(status_with(refused), refused);
-  const auto is_alone = [](const Explanation& said) {
-    return said.parameter != Parameter::step && !said.allowed.holds(said.value);
-  };
+  const bool is_alone = first.parameter != Parameter::step && !first.allowed.holds(first.value);
   // A bound below the start has an upper end as well, which the other values give it.
-  const bool is_below_start = is_alone(first) && range_of(first.parameter).holds(first.value);
-  if (is_alone(first) && !is_below_start) return first;
+  const bool is_below_start = is_alone && range_of(first.parameter).holds(first.value);
+  if (is_alone && !is_below_start) return first;
 
-  enum class Others { fit, can_follow, are_at_fault };  // what the other values may be
-  constexpr Others fit_first[] = {Others::fit, Others::can_follow};
-  constexpr int most_others = 4;
-  constexpr double smallest_candidate = 1e-9;  // in place of 0
   Explanation found = first;
-  const auto would_do = [&](Parameter parameter, double step, Others others) {
+  const auto would_do = [&](Parameter parameter) {
+    constexpr double smallest = 1e-9;  // in place of 0
     Values changed = refused;
-    changed.step = step;
     // A displacement counts from the other mass's.
     const double origin = parameter == Parameter::x1   ? refused.scene.x2
                           : parameter == Parameter::x2 ? refused.scene.x1
                                                        : 0;
     const double value = *changed.find(parameter), sign = value < origin ? -1 : 1,
                  size = constant::larger(constant::smaller(sign * (value - origin), 2 * range_of(parameter).most),
-                                         smallest_candidate);
+                                         smallest);
     const auto accepts = [&](double x) {
       *changed.find(parameter) = origin + sign * x;
-      Values followed = changed;
-      PlanStatus status = status_with(followed);
-      for (int n = 0; others != Others::fit && status != PlanStatus::ok && n < most_others; ++n) {
-        const Explanation next = explain(status, followed);
-        if (!is_alone(next) || next.parameter == parameter) return false;
-        if (others == Others::are_at_fault) return true;
-        *followed.find(next.parameter) = next.value < next.allowed.least ? next.allowed.least : next.allowed.most;
-        status = status_with(followed);
-      }
-      return status == PlanStatus::ok;
+      return status_with(changed) == PlanStatus::ok;
     };
     // Of a value that may have either sign, those on its own side.
     const Range own = range_of(parameter), within{constant::larger(own.least, 0), own.most};
@@ -305,31 +280,11 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
                       : Range{origin - allowed.most, origin - allowed.least}};
     return true;
   };
-  if (is_below_start) {
-    if (would_do(first.parameter, refused.step, Others::fit)) return found;
-    for (const double step : detail::shorter_steps)
-      if (step < refused.step && would_do(first.parameter, step, Others::fit)) return found;
-    return first;
-  }
-  // Friction that takes the ball too far in a step: less of it, not another step. So a field, and a start.
-  for (const Parameter parameter : detail::less_of)
-    if (first.parameter == parameter && would_do(parameter, refused.step, Others::fit)) return found;
-  // With this value alone the plan is to be made; or with others that are then at fault by themselves, as long as what
-  // is said of them leads to a plan; or with a shorter step; or of another scene; or else others are at fault then.
-  for (const Others others : fit_first) {
-    if (would_do(Parameter::step, refused.step, others)) return found;
-    if (first.parameter != Parameter::step && would_do(first.parameter, refused.step, others)) return found;
-    for (const Parameter parameter : detail::candidates)
-      if (others == Others::fit && would_do(parameter, refused.step, others)) return found;
-  }
-  for (const double step : detail::shorter_steps) {
-    for (const Parameter parameter : detail::candidates)
-      if (step < refused.step && would_do(parameter, step, Others::fit)) return found;
-  }
-  for (const Parameter parameter : detail::last_candidates)
-    if (would_do(parameter, refused.step, Others::fit)) return found;
-  if (!would_do(Parameter::step, refused.step, Others::are_at_fault) && first.parameter != Parameter::step)
-    would_do(first.parameter, refused.step, Others::are_at_fault);
+  if (is_below_start) return would_do(first.parameter) ? found : first;
+  if (detail::is_less_of(first.parameter) && would_do(first.parameter)) return found;
+  if (would_do(Parameter::step) || (first.parameter != Parameter::step && would_do(first.parameter))) return found;
+  for (const Parameter parameter : detail::candidates)
+    if (would_do(parameter)) return found;
   return found;
 }
 

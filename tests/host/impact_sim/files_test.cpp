@@ -125,5 +125,39 @@ TEST_F(ImpactSim, WithoutGnuplotThePlotOptionSaysSoAndTheRunSucceeds) {
   EXPECT_FALSE(fs::exists(file("plot.svg")));
 }
 
+TEST_F(ImpactSim, ADashIsStandardInputOrOutput) {
+  std::string forces;
+  for (int n = 0; n < 50; ++n) forces += "+1\n";
+  write(file("forces"), forces);
+  write(file("scenes"), "clearance\n0.01\n0.02\n");
+  const std::string from = "> " + file("stdout") + " < ";
+  const Result named = run("--drive-file forces --output -"), piped = run("--drive-file -", "", from + "forces");
+  EXPECT_EQ(named.code, 0) << named.err;
+  EXPECT_THAT(lines_of(named.out), SizeIs(52));
+  EXPECT_EQ(piped.out, named.out) << piped.err;
+  EXPECT_FALSE(fs::exists(file("-")));
+  const Result sweep = run("--sweep - --duration 0.01", "cat scenes |");
+  EXPECT_EQ(sweep.code, 0) << sweep.err;
+  EXPECT_THAT(lines_of(sweep.out), SizeIs(3));
+  const Result rig = run("--duration 0.01 --output data.csv --rig -");
+  EXPECT_THAT(rig.out, StartsWith("#pragma once"));
+  EXPECT_THAT(run("--duration 0.01 --rig -").err,
+              HasSubstr("--rig -: allowed: another file than --output, which is standard output"));
+  EXPECT_THAT(run("--drive-file - --base-acceleration-file -").err,
+              HasSubstr("--base-acceleration-file -: allowed: another file than --drive-file"));
+}
+
+// Without a duration that says which is meant.
+TEST_F(ImpactSim, FilesOfDifferentLengthAreRefused) {
+  write(file("two"), "1\n1\n");
+  write(file("three"), "1\n1\n1\n");
+  EXPECT_THAT(
+      run("--drive-file three --base-acceleration-file two").err,
+      HasSubstr("--base-acceleration-file two with 2 lines: allowed: 3 as the other file has, or a --duration"));
+  EXPECT_THAT(run("--base-file two --base-acceleration-file three").err, HasSubstr("--base-file two with 2 lines"));
+  EXPECT_EQ(run("--drive-file three --base-acceleration-file two --duration 2e-4").code, 0);
+  EXPECT_EQ(run("--drive-file three --base-acceleration-file three").code, 0);
+}
+
 }  // namespace
 }  // namespace impact::host

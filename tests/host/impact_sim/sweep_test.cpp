@@ -226,5 +226,24 @@ TEST_F(ImpactSimSweep, AFullDiskIsExitCodeOne) {
   EXPECT_EQ(run(sweep, "", "> /dev/full").code, 1);
 }
 
+// As R's write.csv and spreadsheets have it: cells in quotes, which may hold commas, and a plus before a number.
+TEST_F(ImpactSimSweep, QuotedCellsAndAPlusAreRead) {
+  write(file("plain.csv"), "v2,clearance,law\n0.5,0.01,hertz\n,0.02,hooke-newton\n");
+  write(file("quoted.csv"),
+        "\"v2\",\"clearance\", \"law\"\r\n+0.5,\"+1e-2\",\"hertz\"\r\n\"\",0.02,\"hooke-newton\"\r\n");
+  const auto results = [&](const char* name) {
+    const Result result = run(std::string("--duration 0.1 --output rows --sweep ") + name);
+    EXPECT_EQ(result.code, 0) << result.err;
+    const auto rows = lines_of(read(file("rows")));
+    fs::remove(file("rows"));
+    EXPECT_THAT(rows, SizeIs(3));
+    return rows.at(1).substr(rows.at(1).find(",h")) + rows.at(2).substr(rows.at(2).find(",h"));
+  };
+  EXPECT_EQ(results("quoted.csv"), results("plain.csv"));
+  write(file("a,b"), "1\n2\n3\n");
+  write(file("named.csv"), "drive-file,x1\n\"a,b\",0\n\"a\"\"b\",0\n");
+  EXPECT_THAT(run("--sweep named.csv").err, HasSubstr("line 3: --drive-file a\"b: allowed: a file that can be read"));
+}
+
 }  // namespace
 }  // namespace impact::host

@@ -1,6 +1,7 @@
 // One scene as CSV: its rows, digits and physics, and what the tool says of itself.
 
 #include <cmath>
+#include <map>
 
 #include "host_ref/extremes.hpp"
 #include "impact_sim.hpp"
@@ -166,43 +167,94 @@ TEST_F(ImpactSim, BenchmarkListsEveryLawStepperAndFormat) {
   for (size_t i = 1; i < lines.size(); ++i) EXPECT_GT(std::stod(split(lines[i], ',').at(3)), 0) << lines[i];
 }
 
+// Each option with what its paragraph says is allowed; no other is listed.
 TEST_F(ImpactSim, HelpNamesEveryOptionWithItsRange) {
+  const std::string mass = "from 1e-09 to 1e+09 kg", force = "from 0 to 1e+09 N;", start = "from -1000 to 1000 m;",
+                    speed = "from -1000 to 1000 m/s;", bound = "from 1e-09 to 1e+06 m", any;
+  const std::map<std::string, std::string> allowed = {
+      {"law", "hooke-newton, hertz, hunt-crossley;"},
+      {"newmark", "auto, average, linear, fox-goodwin, central, moment, moment-4, moment-8, energy, impulsive;"},
+      {"numeric", "float32, float32-plain, fixed32, float64;"},
+      {"step", "from 1e-09 to 0.1 s;"},
+      {"duration", "from 0 to 1e+07 s;"},
+      {"main-mass", mass},
+      {"main-stiffness", "from 0 to 1e+12 N/m;"},
+      {"main-damping", "from 0 to 1e+09 N.s/m;"},
+      {"ball-mass", mass},
+      {"clearance", "from 0 to 1e+12 m;"},
+      {"stops", "both, left, right, none;"},
+      {"contact-stiffness", "from 0.001 to 1e+18 N/m^p;"},
+      {"contact-damping", "from 0 to 1e+18 N.s/m^q;"},
+      {"restitution", "from 0.01 to 1;"},
+      {"impact-speed", "from 1e-06 to 10000 m/s;"},
+      {"paper-damping", any},
+      {"damping",
+       "constant, per-impact, hunt-crossley, herbert-mcwhannell, lee-wang, lankarani-nikravesh, flores, hu-guo, "
+       "exact;"},
+      {"tension", "allow, clamp;"},
+      {"drive", "none, sine;"},
+      {"drive-amplitude", force},
+      {"drive-pulsation", "from 0 to 1e+06 rad/s;"},
+      {"drive-file", any},
+      {"base-file", any},
+      {"base-acceleration-file", any},
+      {"gravity", "from -1e+06 to 1e+06 m/s^2;"},
+      {"ball-friction", force},
+      {"x1", start},
+      {"v1", speed},
+      {"x2", start},
+      {"v2", speed},
+      {"bound-displacement", bound + ";"},
+      {"bound-speed", bound + "/s;"},
+      {"bound-penetration", "from 0 to 1e+06 m;"},
+      {"bound-force", force},
+      {"bound-base-acceleration", "from 0 to 1e+06 m/s^2;"},
+      {"every", "a whole number from 1 to 1000000000;"},
+      {"output", any},
+      {"plot", any},
+      {"rig", any},
+      {"sweep", any},
+      {"shard", "1 <= I <= N;"},
+      {"benchmark", any}};
   const Result result = run("--help");
   EXPECT_EQ(result.code, 0);
-  for (const char* option : {"law",
-                             "newmark",
-                             "numeric",
-                             "step",
-                             "duration",
-                             "every",
-                             "main-mass",
-                             "main-stiffness",
-                             "main-damping",
-                             "ball-mass",
-                             "clearance",
-                             "contact-stiffness",
-                             "contact-damping",
-                             "restitution",
-                             "impact-speed",
-                             "paper-damping",
-                             "tension",
-                             "stops",
-                             "drive",
-                             "drive-amplitude",
-                             "drive-pulsation",
-                             "drive-file",
-                             "x1",
-                             "v1",
-                             "x2",
-                             "v2",
-                             "output",
-                             "sweep",
-                             "shard",
-                             "plot",
-                             "rig",
-                             "benchmark"})
-    EXPECT_THAT(result.out, HasSubstr("\n  --" + std::string(option)));
+  std::map<std::string, std::string> paragraphs;
+  std::string name;
+  for (const std::string& line : lines_of(result.out)) {
+    if (line.compare(0, 4, "  --") == 0)
+      name = line.substr(4, line.find(' ', 4) - 4);
+    else if (line.compare(0, 6, "      ") == 0)
+      paragraphs[name] += line.substr(5);
+  }
+  for (const auto& [option, range] : allowed) EXPECT_THAT(paragraphs[option], HasSubstr(range)) << option;
+  EXPECT_EQ(paragraphs.size(), allowed.size());
   EXPECT_THAT(result.out, HasSubstr("Exit codes"));
+}
+
+TEST_F(ImpactSim, TheBenchmarkHasEveryStepperInEveryFormat) {
+  const Result result = run("--benchmark");
+  EXPECT_EQ(result.code, 0) << result.err;
+  for (const char* law : {"hooke-newton", "hertz", "hunt-crossley"})
+    for (const char* stepper :
+         {"average", "linear", "fox-goodwin", "central", "moment", "moment-4", "moment-8", "energy", "impulsive"})
+      for (const char* numeric : {"float32", "float32-plain", "fixed32", "float64"})
+        EXPECT_THAT(result.out, HasSubstr("\n" + std::string(law) + "," + stepper + "," + numeric + ","));
+}
+
+// The number that the tool prints is the rule's, of a contact's shortest part, and it says why a line of the rule that
+// this number asks for is passed over.
+TEST_F(ImpactSim, TheRulesOwnNumberIsPrinted) {
+  const auto said = [&](const std::string& options) { return run(options + " --duration 0.01 --output run.csv").err; };
+  // k1 = 1e6 N/m, mu = 0.3/1.3 kg and c1 = 6 mu/(3.2 ms): of a contact the damper stops the ball in 3.2 ms, which is 8
+  // steps of 0.4 ms.
+  const std::string damped =
+      "--law hooke-newton --drive none --v2 0.5 --stops right --contact-stiffness 1e4 "
+      "--contact-damping 432.692 --step ";
+  EXPECT_THAT(said(damped + "3.99e-4"), HasSubstr("moment, 8.02 steps in the shortest part of a contact"));
+  EXPECT_THAT(said(damped + "4.1e-4"), HasSubstr("7.8 steps in the shortest part of a contact"));
+  // 0.2 rad of the main mass's vibration in a step, of which Moment takes 0.16.
+  EXPECT_THAT(said("--main-stiffness 4e4 --step 1e-3 --contact-stiffness 1e3 --contact-damping 10"),
+              HasSubstr("; not moment: 0.2 rad of the main mass's vibration in a step, at most 0.16"));
 }
 
 }  // namespace

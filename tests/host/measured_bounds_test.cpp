@@ -1,0 +1,112 @@
+// Bounds that the tool looks for are those of a run that was itself valid: over random scenes with balls of a
+// thousandth to a thousand main masses no motion without a drive gains energy, and none raises a fault within what was
+// found. IMPACT_MEASURED_SCENES: how many scenes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "host_ref/tool/run.hpp"
+
+namespace impact::host {
+namespace {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  bool one_in(unsigned n) { return engine_() % n == 0; }
+  double between(double least, double most) {
+    return least + (most - least) * static_cast<double>(engine_()) / 4294967296.0;
+  }
+  double wide(double least, double most) { return least * std::pow(most / least, between(0, 1)); }
+  template <class Value, size_t size>
+  Value one_of(const Value (&values)[size]) {
+    return values[engine_() % size];
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+Request random_request(unsigned seed) {
+  Random random(seed);
+  Request request;
+  Scene& scene = request.scene;
+  request.law = random.one_of({Law::hooke_newton, Law::hertz, Law::hunt_crossley});
+  request.stepper = random.one_of({Stepper::automatic, Stepper::automatic, Stepper::moment, Stepper::moment_4,
+                                   Stepper::moment_8, Stepper::energy, Stepper::impulsive});
+  request.numeric =
+      random.one_of({Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::fixed32});
+  scene.main_mass = random.wide(1e-2, 1e2);
+  scene.ball_mass = scene.main_mass * random.wide(1e-3, 1e3);
+  request.step = random.wide(1e-6, 1e-2);
+  const double pulsation = random.wide(1e-3, 0.3) / request.step;
+  scene.main_stiffness = random.one_in(8) ? 0 : scene.main_mass * pulsation * pulsation;
+  scene.main_damping = random.one_in(2) ? 0 : scene.main_mass * pulsation * random.wide(1e-3, 0.5);
+  const double speed = random.wide(1e-2, 10);
+  scene.clearance = speed * request.step * random.wide(2, 200);
+  scene.v2 = random.one_in(2) ? -speed : speed;
+  if (random.one_in(2)) scene.v1 = random.between(-1, 1) * speed;
+  const double y = random.between(-0.49, 0.49) * scene.clearance;
+  scene.x2 = y;
+  // Of a contact that takes a part of a step to a thousand of them, as Hertz has it; Hooke-Newton's is of this order.
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), time = request.step * random.wide(0.3, 1e3);
+  const double depth = speed * time / 2.9;
+  scene.contact_stiffness = mu * speed * speed / (depth * depth);
+  if (request.law != Law::hooke_newton) scene.contact_stiffness *= 1.25 / std::sqrt(depth);
+  scene.contact_damping = 0;
+  if (request.law == Law::hooke_newton) scene.contact_damping = mu / time * random.wide(1e-2, 10);
+  if (request.law == Law::hunt_crossley)
+    scene.contact_damping = scene.contact_stiffness / speed * random.wide(1e-2, random.one_in(3) ? 100 : 2);
+  request.drive = DriveKind::none;
+  if (random.one_in(4)) {
+    request.drive = DriveKind::sine;
+    scene.drive_pulsation = random.wide(1e-3, 0.5) / request.step;
+    scene.drive_amplitude = scene.main_mass * speed * scene.drive_pulsation * random.wide(1e-3, 1);
+  }
+  if (random.one_in(6)) scene.gravity = random.between(-1, 1) * speed / request.step / 1000;
+  if (random.one_in(6)) scene.ball_friction = scene.ball_mass * speed / request.step * random.wide(1e-6, 1e-3);
+  request.duration = 2000 * request.step;
+  return request;
+}
+
+double energy(const Scene& scene, const Sample& now) {
+  return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
+          scene.main_stiffness * now.x1 * now.x1) /
+             2 -
+         scene.gravity * (scene.main_mass * now.x1 + scene.ball_mass * now.x2);
+}
+
+TEST(MeasuredBounds, HoldAndGainNothing) {
+  const char* const asked = std::getenv("IMPACT_MEASURED_SCENES");
+  const unsigned scenes = asked ? static_cast<unsigned>(std::atol(asked)) : 300;
+  unsigned runs = 0;
+  for (unsigned seed = 1; seed <= scenes; ++seed) {
+    const Request request = random_request(seed);
+    double first = 0, largest = 0;
+    try {
+      const Outcome outcome = attempted(request, [&](Simulation& simulation) {
+        first = largest = energy(request.scene, simulation.sample());
+        run(simulation, request, 1,
+            [&](long, const double*, long) { largest = larger(largest, energy(request.scene, simulation.sample())); });
+      });
+      ++runs;
+      const std::string context = "scene " + std::to_string(seed) + ": " + std::string(name_of(outcome.made.stepper)) +
+                                  " " + std::string(name_of(request.numeric)) + " " + std::string(name_of(request.law));
+      const char* const fault = outcome.simulation->fault();
+      EXPECT_FALSE(fault) << context << ": " << fault;
+      if (request.drive == DriveKind::none) {
+        EXPECT_LE(largest - first, 0.01 * std::abs(first)) << context;
+      }
+    } catch (const BadInput&) {  // refused
+    }
+  }
+  RecordProperty("runs", static_cast<int>(runs));
+  EXPECT_GT(runs, scenes / 2);
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -33,7 +33,7 @@ x11='None Bool Status True False Success Always Above Below Unsorted Complex Con
   CurrentTime Expose FocusIn FocusOut GrayScale KeyPress KeyRelease Mod1Mask ParentRelative PseudoColor StaticGravity Union'
 others='BIT(n) MIN(a,b) MAX(a,b) CLAMP(x,a,b) ARRAY_SIZE(x) CONTAINER_OF(p,t,f) min max near far small interface IN OUT OPTIONAL CONST VOID
   STRICT ERROR interrupt likely(x) unlikely(x) TRUE FALSE NULL_PTR PACKED ALIGNED WEAK configASSERT(x) pdTRUE pdFALSE taskYIELD() EPS
-  EPSILON GRAVITY G_FORCE SCALE OFFSET STEP STATE VALUE FAULT LIMIT'
+  check(x) index move(y,x) EPSILON GRAVITY G_FORCE SCALE OFFSET STEP STATE VALUE FAULT LIMIT'
 {
   echo '#include <stdint.h>
 #include <stddef.h>

@@ -41,7 +41,7 @@ inline void a_converters_least_count_is_above_its_most() {}
 inline void a_converter_has_no_counts_per_si_unit() {}
 inline void a_converters_end_is_more_than_the_bound_of_its_quantity() {}
 
-constexpr void check(const Converter& converter) {
+constexpr void check_converter(const Converter& converter) {
   if (converter.least > converter.most) a_converters_least_count_is_above_its_most();
   if (!(constant::magnitude(converter.counts_per_si_unit) > 0)) a_converter_has_no_counts_per_si_unit();
 }
@@ -59,7 +59,7 @@ class CountsOut {
         zero_(converter.zero),
         least_(detail::held_in_32_bits(static_cast<double>(converter.least) - converter.zero)),
         most_(detail::held_in_32_bits(static_cast<double>(converter.most) - converter.zero)) {
-    detail::check(converter);
+    detail::check_converter(converter);
   }
 
   // Of a native value of your own.
@@ -80,7 +80,7 @@ class CountsIn {
         zero_(converter.zero),
         least_(detail::held_in_32_bits(static_cast<double>(zero_) - most(converter, unit))),
         most_(detail::held_in_32_bits(static_cast<double>(zero_) + most(converter, unit))) {
-    detail::check(converter);
+    detail::check_converter(converter);
   }
 
   constexpr Value of(int32_t counts) const {

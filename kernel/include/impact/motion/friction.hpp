@@ -125,14 +125,14 @@ struct DryFriction : ScenePart {
   static constexpr void begin(const Plan& plan, State& state, Value way, Value excess) {
     const Value change =
         within_full(plan, excess - DryFriction::excess(plan, state, way) + state.impulse) - state.impulse;
-    move(plan, state, change);
+    move_masses(plan, state, change);
     state.impulse = state.impulse + change;
     state.lasting = never<Plan>();
   }
   // The state without what the last impulse has taken ahead.
   template <class Plan, class State>
   static constexpr void undo(const Plan& plan, State& state) {
-    move(plan, state, -state.impulse);
+    move_masses(plan, state, -state.impulse);
     state.impulse = {};
   }
 
@@ -218,7 +218,7 @@ struct DryFriction : ScenePart {
   }
   // By half a step of this impulse.
   template <class Plan, class State, class Value>
-  static constexpr void move(const Plan& plan, State& state, Value impulse) {
+  static constexpr void move_masses(const Plan& plan, State& state, Value impulse) {
     plan.units.displace(state.dx1, plan.friction.main_ahead, impulse);
     plan.units.displace(state.dx2, plan.friction.ball_ahead, -impulse);
   }

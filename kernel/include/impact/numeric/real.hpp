@@ -298,8 +298,8 @@ struct RealFormat {
   template <size_t size>
   static constexpr Real interpolated(const Real (&values)[size], Real y) {
     const Real place = y * static_cast<Real>(size - 1);
-    const int index = place < static_cast<Real>(size - 2) ? static_cast<int>(place) : static_cast<int>(size - 2);
-    return values[index] + (values[index + 1] - values[index]) * (place - static_cast<Real>(index));
+    const int segment = place < static_cast<Real>(size - 2) ? static_cast<int>(place) : static_cast<int>(size - 2);
+    return values[segment] + (values[segment + 1] - values[segment]) * (place - static_cast<Real>(segment));
   }
   static constexpr Real quotient(Real numerator, Real denominator) {
     return numerator < denominator ? numerator / denominator : 1;

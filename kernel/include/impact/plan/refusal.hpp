@@ -35,7 +35,7 @@ struct StopInReach {
 };
 
 template <class Rig, class PlanType, PlanStatus status>
-constexpr bool check() {
+constexpr bool accepts() {
   static_assert(status != PlanStatus::main_mass, "Rig::scene.main_mass: 1e-9 to 1e9 kg");
   static_assert(status != PlanStatus::main_stiffness, "Rig::scene.main_stiffness: 0 to 1e12 N/m");
   static_assert(status != PlanStatus::main_damping, "Rig::scene.main_damping: 0 to 1e9 N s/m");

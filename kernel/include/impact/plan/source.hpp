@@ -36,7 +36,7 @@ class PlanSource {
   static constexpr bool is_constant = true;
 
  protected:
-  constexpr PlanSource() { (void)refusal::check<Rig, PlanType, plan.status>(); }
+  constexpr PlanSource() { (void)refusal::accepts<Rig, PlanType, plan.status>(); }
 };
 
 // An absorber's own copy of its plan, which a program reads: retune() alone puts another in its place.

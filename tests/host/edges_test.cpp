@@ -262,5 +262,35 @@ TEST(Edges, ASampleThatIsNoNumberIsRefused) {
   }
 }
 
+// Features of a user's own: two with members of one name, which the library's features and the state itself have too.
+template <uint32_t number>
+struct Counter : SilentFeature {
+  static constexpr uint32_t kind = 1000 + number;
+  static constexpr bool is_bound = false;
+  template <class Format>
+  struct State {
+    uint32_t steps, impacts, stored, contact_force, drive;
+  };
+  template <class Plan, class State>
+  static constexpr void after_step(const Plan&, State& state) {
+    auto& own = record_in<Counter, Plan>(state);
+    own.steps += number;
+    own.drive = own.steps;
+  }
+};
+
+TEST(Features, MayNameTheirMembersAlike) {
+  Absorber<Rig, HuntCrossley, Moment, Sine, Fixed32> alone;
+  Absorber<Rig, HuntCrossley, Moment, Sine, Fixed32, Counter<1>, Snapshots, ContactForce, Counter<2>, EnergyLedger,
+           ImpactLog>
+      absorber;
+  using PlanType = decltype(absorber)::PlanType;
+  for (int n = 0; n < 1000; ++n) alone.step(), absorber.step();
+  EXPECT_EQ((record_in<Counter<1>, PlanType>(absorber.state()).drive), 1000u);
+  EXPECT_EQ((record_in<Counter<2>, PlanType>(absorber.state()).steps), 2000u);
+  EXPECT_EQ(absorber.snapshot().steps, 1000u);
+  EXPECT_EQ(absorber.displacement().raw, alone.displacement().raw);
+}
+
 }  // namespace
 }  // namespace impact::host

@@ -241,7 +241,7 @@ class AbsorberOf
     constexpr bool is_named = detail::is_one_of<ContactForce, Features...>;
     static_assert(is_named, "contact_force() needs the feature ContactForce: append it to the absorber's type");
     if constexpr (is_named)
-      return plan.units.native_force(Machine::state.contact_force);
+      return plan.units.native_force(record_in<ContactForce, PlanType>(Machine::state).contact_force);
     else
       return {};
   }
@@ -426,7 +426,7 @@ class AbsorberOf
     now.ball_displacement = ball_displacement();
     now.ball_velocity = ball_velocity();
     if constexpr (detail::is_one_of<ContactForce, Features...>) now.contact_force = contact_force();
-    now.steps = Machine::state.steps;
+    now.steps = record_in<Snapshots, PlanType>(Machine::state).steps;
     now.fault = Source::is_refused() ? Fault::plan : Machine::state.fault;
     now.is_touching = is_touching();
   }

@@ -10,6 +10,16 @@
 
 namespace impact {
 
+// What a feature records, whatever other features and the state itself call theirs.
+template <class Feature, class Plan>
+constexpr auto& record_in(typename Feature::template State<typename Plan::FormatType>& state) {
+  return state;
+}
+template <class Feature, class Plan>
+constexpr auto& record_in(const typename Feature::template State<typename Plan::FormatType>& state) {
+  return state;
+}
+
 // Energies since the start: what contact has dissipated, what it stores now, and the work of the drive.
 //
 //     work on the contact in a step   = J1/h v0 + (J0 - J1/h) v1      (the rate linear in time; exact for a free pair)
@@ -53,34 +63,38 @@ struct EnergyLedger {
 
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
-    state.x1_before = Plan::FieldType::place(plan, state, state.x1);
-    state.drive_force = state.drive.force(plan.drive);
-    state.stored = stored_now(plan, state);  // which no contact has taken up
+    auto& own = record_in<EnergyLedger, Plan>(state);
+    own.x1_before = Plan::FieldType::place(plan, state, state.x1);
+    own.drive_force = state.drive.force(plan.drive);
+    own.stored = stored_now(plan, state);  // which no contact has taken up
   }
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
-    const auto rate_before = step.follows ? state.contact_rate : step.rate_at_impact;
+    auto& own = record_in<EnergyLedger, Plan>(state);
+    const auto rate_before = step.follows ? own.contact_rate : step.rate_at_impact;
     const auto done = step.has_way ? work(step.force.j0, step.way)
                                    : work(step.force.j0 - step.force.j1, step.rate) + work(step.force.j1, rate_before);
-    state.dissipated.add(done - (step.stored - state.stored));
-    state.stored = step.stored;
-    state.contact_rate = step.rate;
+    own.dissipated.add(done - (step.stored - own.stored));
+    own.stored = step.stored;
+    own.contact_rate = step.rate;
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan& plan, State& state) {
+    auto& own = record_in<EnergyLedger, Plan>(state);
     const auto force = state.drive.force(plan.drive);
     const auto x1 = Plan::FieldType::place(plan, state, state.x1);
-    const auto moved = plan.units.relative(x1 - state.x1_before);
-    state.drive_work.add(work(half(force), moved) + work(half(state.drive_force), moved));
-    state.drive_force = force;
-    state.x1_before = x1;
+    const auto moved = plan.units.relative(x1 - own.x1_before);
+    own.drive_work.add(work(half(force), moved) + work(half(own.drive_force), moved));
+    own.drive_force = force;
+    own.x1_before = x1;
   }
   template <class Plan, class State>
   static constexpr void after_correction(const Plan& plan, State& state) {
-    state.x1_before = Plan::FieldType::place(plan, state, state.x1);
-    const auto before = state.stored;
-    state.stored = stored_now(plan, state);
-    state.dissipated.add(before - state.stored);
+    auto& own = record_in<EnergyLedger, Plan>(state);
+    own.x1_before = Plan::FieldType::place(plan, state, state.x1);
+    const auto before = own.stored;
+    own.stored = stored_now(plan, state);
+    own.dissipated.add(before - own.stored);
   }
   // What the stop that the ball is in holds.
   template <class Plan, class State>
@@ -93,11 +107,12 @@ struct EnergyLedger {
   // Whether a state from elsewhere can be gone on with.
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
+    auto& own = record_in<EnergyLedger, Plan>(state);
     using Format = typename Plan::FormatType;
-    const auto moved = Plan::FieldType::place(plan, state, state.x1) - state.x1_before;
-    return plan.units.is_within(moved, plan.units.limits.main) && plan.units.is_sound(state.x1_before) &&
-           Format::is_sound(state.dissipated) && Format::is_sound(state.drive_work) && Format::is_sound(state.stored) &&
-           Format::is_sound(state.contact_rate) && Format::is_sound(state.drive_force);
+    const auto moved = Plan::FieldType::place(plan, state, state.x1) - own.x1_before;
+    return plan.units.is_within(moved, plan.units.limits.main) && plan.units.is_sound(own.x1_before) &&
+           Format::is_sound(own.dissipated) && Format::is_sound(own.drive_work) && Format::is_sound(own.stored) &&
+           Format::is_sound(own.contact_rate) && Format::is_sound(own.drive_force);
   }
 };
 
@@ -117,16 +132,18 @@ struct ImpactLog : SilentFeature {
 
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
+    auto& own = record_in<ImpactLog, Plan>(state);
     if (step.begins) {
-      ++state.impacts;
-      state.impact_rate = step.rate_at_touch;
+      ++own.impacts;
+      own.impact_rate = step.rate_at_touch;
     }
-    if (is_positive(step.force.j0 - state.peak_force)) state.peak_force = step.force.j0;
+    if (is_positive(step.force.j0 - own.peak_force)) own.peak_force = step.force.j0;
   }
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
+    auto& own = record_in<ImpactLog, Plan>(state);
     using Format = typename Plan::FormatType;
-    return Format::is_sound(state.impact_rate) && Format::is_sound(state.peak_force);
+    return Format::is_sound(own.impact_rate) && Format::is_sound(own.peak_force);
   }
 };
 
@@ -143,17 +160,20 @@ struct ContactForce : SilentFeature {
 
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
-    state.force_of_step = state.force_of_step + mirrored(step.force.j0, state.at_left & 1);
+    auto& own = record_in<ContactForce, Plan>(state);
+    own.force_of_step = own.force_of_step + mirrored(step.force.j0, state.at_left & 1);
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State& state) {
-    state.contact_force = state.force_of_step;
-    state.force_of_step = {};
+    auto& own = record_in<ContactForce, Plan>(state);
+    own.contact_force = own.force_of_step;
+    own.force_of_step = {};
   }
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
+    auto& own = record_in<ContactForce, Plan>(state);
     using Format = typename Plan::FormatType;
-    return Format::is_sound(state.contact_force) && Format::is_sound(state.force_of_step);
+    return Format::is_sound(own.contact_force) && Format::is_sound(own.force_of_step);
   }
 };
 
@@ -169,7 +189,8 @@ struct Snapshots : SilentFeature {
 
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State& state) {
-    ++state.steps;
+    auto& own = record_in<Snapshots, Plan>(state);
+    ++own.steps;
   }
 };
 

@@ -204,14 +204,16 @@ struct Impulsive {
         acceleration = main_part + units.increment_of_rate(step.ball_increment);
       }
       const auto bounce = plan.rebound.at(units.held(is_positive(travel) ? travel : rate, plan.largest_rate));
-      const Value pressed = Format::value(acceleration * bounce.depth);
+      // Products of what may all be small beside the unit, which has room for what presses at the bounds.
+      const auto unit = Format::own_unit(Format::spare_places(acceleration, bounce.depth, rate, travel));
+      const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(acceleration) * unit.own(bounce.depth));
       const Value half_rate = Format::value(half(rate));
-      if (!is_positive(pressed - Format::value(half(rate * rate)))) {
+      if (!is_positive(pressed - Format::value(half(own_rate * own_rate)))) {
         const Value beyond = trial - bounce.depth;
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto t = Format::quotient(positive_part(beyond), positive_part(travel));
         const Instant at(plan, t, rate, acceleration, main_part, plan.acceleration * step.half_change, step.main_rate);
-        const Value touch_rate = at.rate - over(pressed, travel);
+        const Value touch_rate = at.rate - unit.common(over(pressed, unit.own(travel)));
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
         const Value impulse = held(plan, units, no_more(asked, at.undamped(plan, t, step.damped)));
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));

@@ -46,8 +46,9 @@ class PlanInUse : public PlanType {
   explicit constexpr PlanInUse(const PlanType& plan) : PlanType(plan) {}
   constexpr PlanInUse(const PlanInUse&) = default;
   template <class Other>
-  void operator=(const Other&) {
+  PlanInUse& operator=(const Other&) {
     static_assert(sizeof(Other) == 0, "an absorber's plan is read only: absorber.retune(plan) changes it");
+    return *this;
   }
 
  private:

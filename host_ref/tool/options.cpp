@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <host_ref/tool/options.hpp>
+#include <host_ref/tool/summary.hpp>
 #include <host_ref/tool/text.hpp>
 #include <impact/status.hpp>
 #include <sstream>
@@ -239,6 +240,14 @@ const std::vector<Option>& options() {
           "rig", field(&Settings::rig), false,
           "write the run as a header for firmware: scene, bounds, step, law, stepper, drive and format as the run used "
           "them, and an absorber that makes the run's bits"),
+      file("summary", field(&Settings::summary), false,
+           "write one line of JSON with what the run has come to: impacts, peaks, shares of the bounds, errors, cost"),
+      {"part", "NAME", "say what a step costs on this part", known_parts(), "", false,
+       [](Settings& settings, const std::string& text) {
+         settings.part = text;
+         return !text.empty() && text.find(',') == text.npos && (known_parts() + ",").find(text + ",") != text.npos;
+       }},
+      flag("quiet", field(&Settings::is_quiet), false, "say nothing on standard error but refusals and faults"),
       file("sweep", field(&Settings::sweep), false,
            "one scene a line of a CSV whose header names options; the other options hold for all; a summary row a "
            "scene, on all cores; goes on where an interrupted run with the same --output stopped"),

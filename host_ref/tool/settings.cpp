@@ -11,7 +11,7 @@
 namespace impact::host {
 namespace {
 
-constexpr double most_steps = 1e9;
+constexpr double most_steps = 1e9, pi = 3.14159265358979323846;
 
 std::vector<double> samples_from(const SampleKind& kind, const std::string& file) {
   const std::string option = std::string("--") + kind.option;
@@ -69,7 +69,7 @@ void settle(Settings& settings, const Given& given) {
   refuse_unless(has("sweep"), "shard", "with --sweep");
   refuse_unless(!has("sweep"), "plot", "without --sweep");
   refuse_unless(!has("sweep"), "rig", "without --sweep");
-  refuse_unless(!has("sweep"), "every", "without --sweep");
+  for (const char* name : {"every", "summary", "part"}) refuse_unless(!has("sweep"), name, "without --sweep");
   // Nothing written may take the place of what is read, or of what is written beside it; standard input is read once.
   struct File {
     const char* name;
@@ -82,7 +82,7 @@ void settle(Settings& settings, const Given& given) {
        {File{"drive-file", settings.drive_file, true}, File{"base-file", settings.base_file, true},
         File{"base-acceleration-file", settings.base_acceleration_file, true}, File{"sweep", settings.sweep, true},
         File{"output", settings.output.empty() ? standard : settings.output, false}, File{"plot", settings.plot, false},
-        File{"rig", settings.rig, false}}) {
+        File{"rig", settings.rig, false}, File{"summary", settings.summary, false}}) {
     if (file.path.empty()) continue;
     for (const File& other : before) {
       const bool is_stream = file.path == standard && other.path == standard;
@@ -118,6 +118,7 @@ void settle(Settings& settings, const Given& given) {
     scene.contact_damping = per_impact ? 0 : damping_from(settings, given.at("restitution"));
   } else if (!has("contact-damping")) {
     scene.contact_damping = default_damping(request.law);
+    settings.is_damping_unstated = request.law != Law::hertz;
   }
 
   const bool has_samples = has("drive-file") || has("base-file");
@@ -144,6 +145,10 @@ void settle(Settings& settings, const Given& given) {
       !has("drive-pulsation"))
     settings.remarks.push_back("beside the base a sine drives with " + short_text(scene.drive_amplitude) + " N at " +
                                short_text(scene.drive_pulsation) + " rad/s; the base alone: --drive none");
+  const bool is_sine = request.drive == DriveKind::sine && scene.drive_amplitude > 0;
+  if (is_sine && has("drive-pulsation") && scene.drive_pulsation > 0 && scene.drive_pulsation < 2 * pi)
+    settings.remarks.push_back("--drive-pulsation " + short_text(scene.drive_pulsation) + " rad/s is " +
+                               short_text(scene.drive_pulsation / (2 * pi)) + " Hz: hertz times 6.2832 are rad/s");
   // A file of samples and a stepper that was named are for a step that the user knows.
   settings.is_step_automatic = !has("step") && lines == 0 && request.stepper == Stepper::automatic;
   if (settings.is_step_automatic) request.step = automatic_step(request);

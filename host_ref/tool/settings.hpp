@@ -19,7 +19,8 @@ struct Settings {
   long every = 1;
   double impact_speed = 0.8;  // m/s, at which Hunt-Crossley is to show the stated restitution
   bool paper_damping = false, benchmark = false, is_step_automatic = false;
-  std::string drive_file, base_file, base_acceleration_file, output, plot, rig, sweep;
+  bool is_quiet = false, is_damping_unstated = false;
+  std::string drive_file, base_file, base_acceleration_file, output, plot, rig, sweep, summary, part;
   std::vector<std::string> remarks;  // what was not stated and may be taken for something else
   Shard shard;
 };

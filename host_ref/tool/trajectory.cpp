@@ -4,6 +4,7 @@
 #include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/rig.hpp>
 #include <host_ref/tool/run.hpp>
+#include <host_ref/tool/summary.hpp>
 #include <host_ref/tool/text.hpp>
 #include <host_ref/tool/trajectory.hpp>
 #include <iostream>
@@ -57,22 +58,29 @@ int write_trajectory(const Settings& settings, const std::vector<Argument>& argu
   const Outcome outcome = outcome_that_holds(request);
   Simulation* const simulation = outcome.simulation.get();
   const std::string step = settings.is_step_automatic ? "step " + short_text(request.step) + " s, " : "";
-  if (!outcome.description.empty()) std::cerr << "impact-sim: " << step << outcome.description << "\n";
-
-  for (const std::string& remark : settings.remarks) std::cerr << "impact-sim: " << remark << "\n";
+  const auto say = [&settings](const std::string& line) {
+    if (!settings.is_quiet) std::cerr << "impact-sim: " << line << "\n";
+  };
+  if (!outcome.description.empty()) say(step + outcome.description);
+  for (const std::string& remark : settings.remarks) say(remark);
 
   const long steps = step_count(request);
   const int digits = significant_digits(request.numeric);
   const bool plots = !settings.plot.empty();
   Curve curve(steps);
   const Curve bare = plots ? bare_curve(request) : Curve(0);
+  Summary summary(settings, outcome);
+  // Each step is looked at for what a summary says of the whole run.
+  const long seen_every = settings.is_quiet && settings.summary.empty() ? settings.every : 1;
   Output output(settings.output);
   output.write("t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n");
   const char* fault = nullptr;
   {
     Progress progress("steps", steps);
-    fault = run(*simulation, request, settings.every, [&](long n, const double* x1, long count) {
-      if (n % settings.every == 0) output.write(row(simulation->sample(), digits));
+    fault = run(*simulation, request, seen_every, [&](long n, const double* x1, long count) {
+      const Sample sample = simulation->sample();
+      summary.see(sample);
+      if (n % settings.every == 0) output.write(row(sample, digits));
       if (plots) extend(curve, request.step, n, x1, count);
       if (n % steps_between_looks_at_the_clock < count) progress.at(n);
     });
@@ -84,6 +92,12 @@ int write_trajectory(const Settings& settings, const std::vector<Argument>& argu
     rig.commit();
   }
   if (plots) draw(settings.plot, request, curve, bare);
+  if (!settings.summary.empty()) {
+    Output file(settings.summary);
+    file.write(summary.json(fault));
+    file.commit();
+  }
+  for (const std::string& line : summary.lines()) say(line);
   if (!fault) return 0;
   std::cerr << "impact-sim: fault at t = " << short_text(simulation->sample().t) << " s: " << fault << "\n";
   return 3;

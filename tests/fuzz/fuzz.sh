@@ -17,7 +17,7 @@ case $kind in
   kernel) # which has no heap; the bounds of its arrays are `undefined`'s
     sanitize=undefined sources="" flags="-DIMPACT_NUMERIC=impact::$1" libraries="" ;;
   tool)
-    sanitize=address,undefined flags="" libraries="$* -lpthread"
+    sanitize=address,undefined flags='-DIMPACT_BUDGETS="budgets.csv"' libraries="$* -lpthread"
     sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) ;;
 esac
 compiled=-O0 && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || compiled="-O1 -gline-tables-only"

@@ -15,8 +15,7 @@ TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
   write(file("data.csv"), "old\n");
   const Result result = run(scene);
   EXPECT_EQ(result.code, 3);
-  EXPECT_THAT(lines_of(result.err), SizeIs(1));
-  EXPECT_THAT(result.err, HasSubstr("fault at t = "));
+  EXPECT_THAT(lines_of(result.err).back(), HasSubstr("fault at t = "));
   const auto lines = lines_of(read(file("data.csv")));
   EXPECT_EQ(lines.at(0), header);
   ASSERT_GT(lines.size(), 100u);

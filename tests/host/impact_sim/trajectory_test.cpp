@@ -10,7 +10,7 @@ namespace impact::host {
 namespace {
 
 TEST_F(ImpactSim, WritesTheInitialStateAndEveryNthStep) {
-  const Result result = run("--newmark moment --numeric float64 --step 1e-3 --duration 0.1 --every 10");
+  const Result result = run("--newmark moment --numeric float64 --step 1e-3 --duration 0.1 --every 10 --quiet");
   EXPECT_EQ(result.code, 0);
   EXPECT_THAT(result.err, IsEmpty());
   const auto lines = lines_of(result.out);
@@ -30,7 +30,7 @@ TEST_F(ImpactSim, EqualsSignAndBlankSayTheSame) {
 TEST_F(ImpactSim, SaysWhatThePlanChoseOnStandardErrorOnly) {
   const Result result = run("--duration 0.01");
   EXPECT_EQ(result.code, 0);
-  EXPECT_THAT(lines_of(result.err), SizeIs(1));
+  EXPECT_THAT(result.err, StartsWith("impact-sim: step "));
   EXPECT_THAT(result.out, StartsWith(header + "\n"));
 }
 
@@ -61,7 +61,7 @@ TEST_F(ImpactSim, NearResonanceTheRuleRestsOnWhatTheSceneReaches) {
 
 TEST_F(ImpactSim, WarnsOfAClassicalSchemeWithFewStepsPerContact) {
   EXPECT_THAT(run("--newmark average --duration 0.01 --contact-stiffness 1e10").err, HasSubstr("may gain energy"));
-  EXPECT_THAT(run("--newmark average --duration 0.01").err, IsEmpty());
+  EXPECT_THAT(run("--newmark average --duration 0.01").err, testing::Not(HasSubstr("may gain energy")));
 }
 
 // The widest mantissa that a format's neighbours need.
@@ -213,6 +213,9 @@ TEST_F(ImpactSim, HelpNamesEveryOptionWithItsRange) {
       {"output", any},
       {"plot", any},
       {"rig", any},
+      {"summary", any},
+      {"part", "cortex-m0, "},
+      {"quiet", any},
       {"sweep", any},
       {"shard", "1 <= I <= N;"},
       {"benchmark", any}};

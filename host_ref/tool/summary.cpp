@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <host_ref/extremes.hpp>
+#include <host_ref/settled.hpp>
+#include <host_ref/tool/summary.hpp>
+#include <host_ref/tool/text.hpp>
+#include <impact/stepper/moment.hpp>
+#include <sstream>
+
+namespace impact::host {
+namespace {
+
+// The columns of a row of the budgets: target,law,newmark,numeric,drive,quantity,budget.
+std::vector<std::string> columns_of(const std::string& row) {
+  std::vector<std::string> columns;
+  std::istringstream input(row);
+  for (std::string column; std::getline(input, column, ',');) columns.push_back(column);
+  return columns;
+}
+template <class See>
+void for_each_budget(See see) {
+  std::ifstream budgets(IMPACT_BUDGETS);
+  std::string row;
+  std::getline(budgets, row);
+  while (std::getline(budgets, row))
+    if (const auto columns = columns_of(row); columns.size() == 7) see(columns);
+}
+
+std::string three_digits(double value) { return rounded_text(value, 3); }
+std::string percent(double share) { return rounded_text(100 * share, 2) + " %"; }
+
+// By how much the restitution of the fastest impact that the bounds allow misses the law's; NaN where no formula says.
+double expected_error(const Request& made) {
+  const int parts = made.stepper == Stepper::moment     ? 1
+                    : made.stepper == Stepper::moment_4 ? 4
+                    : made.stepper == Stepper::moment_8 ? 8
+                                                        : 0;
+  if (parts == 0) return std::nan("");
+  return Moment::restitution_error(resolution(made), made.step / parts);
+}
+
+}  // namespace
+
+StepCost step_cost(const std::string& part, const Request& made) {
+  const char* drive = made.drive == DriveKind::sine ? "sine" : made.drive == DriveKind::none ? "none" : "sampled";
+  StepCost cost;
+  for_each_budget([&](const std::vector<std::string>& columns) {
+    if (columns[0] != part || columns[1] != name_of(made.law) || columns[2] != name_of(made.stepper) ||
+        columns[3] != name_of(made.numeric) || columns[4] != drive)
+      return;
+    if (columns[5] == "free") cost.free = std::stol(columns[6]);
+    if (columns[5] == "contact") cost.contact = std::stol(columns[6]);
+  });
+  return has_parts(made) || made.damping != Damping::constant ? StepCost{} : cost;
+}
+
+std::string known_parts() {
+  std::string parts, last;
+  for_each_budget([&](const std::vector<std::string>& columns) {
+    if ((parts + ",").find(columns[0] + ",") == std::string::npos) parts += (parts.empty() ? "" : ", ") + columns[0];
+  });
+  return parts;
+}
+
+Summary::Summary(const Settings& settings, const Outcome& outcome) : settings_(settings), outcome_(outcome) {}
+
+void Summary::see(const Sample& sample) {
+  largest_x1_ = larger(largest_x1_, std::abs(sample.x1));
+  largest_v1_ = larger(largest_v1_, std::abs(sample.v1));
+  largest_x2_ = larger(largest_x2_, std::abs(sample.x2));
+  largest_v2_ = larger(largest_v2_, std::abs(sample.v2));
+  if (sample.impacts > 0) fastest_impact_ = larger(fastest_impact_, sample.impact_speed);
+  last_ = sample;
+}
+
+std::vector<std::string> Summary::lines() const {
+  const Request& made = outcome_.made;
+  const Scene& scene = made.scene;
+  std::vector<std::string> lines;
+  if (last_.impacts == 0 && scene.stops != Stops::none)
+    lines.push_back("NO IMPACT: the ball has not met a stop, each " + three_digits(scene.clearance / 2) +
+                    " m from the middle (--clearance is the whole way, in m)");
+  if (last_.impacts > 0) {
+    const double e = restitution_at(made, fastest_impact_);
+    lines.push_back(std::to_string(last_.impacts) + (last_.impacts == 1 ? " impact" : " impacts") +
+                    ", the fastest at " + three_digits(fastest_impact_) + " m/s, where the law's restitution is " +
+                    three_digits(e));
+    if (settings_.is_damping_unstated && e > 0.95)
+      lines.push_back(
+          "--contact-damping is not stated, and its default belongs to the default --contact-stiffness: "
+          "the stops are nearly elastic");
+  }
+  std::string peaks = "the main mass reaches " + three_digits(largest_x1_) + " m and " + three_digits(largest_v1_) +
+                      " m/s, the ball " + three_digits(largest_x2_) + " m and " + three_digits(largest_v2_) + " m/s";
+  if (settings_.request.bounds)
+    peaks += ": " + percent(larger(largest_x1_, largest_x2_) / made.bounds->displacement) + " and " +
+             percent(larger(largest_v1_, largest_v2_) / made.bounds->speed) + " of the bounds";
+  lines.push_back(peaks);
+  if (made.numeric == Numeric::fixed32) {
+    const double reach = std::max({largest_x1_, largest_x2_, scene.clearance / 2});
+    const double bits = std::floor(std::log2(made.bounds->displacement / reach));
+    if (bits >= 6)
+      lines.push_back("--bound-displacement " + three_digits(made.bounds->displacement) +
+                      " m is so wide that fixed32 loses " + three_digits(bits) + " bits of a displacement");
+  }
+  if (last_.impacts > 0) {
+    std::string contact = "contact force up to " + three_digits(last_.peak_force) + " N";
+    if (outcome_.description.empty()) {  // which says so already
+      contact += "; " + std::string(name_of(made.stepper)) +
+                 " at N = " + three_digits(resolution(made).steps_per_contact(made.step));
+      if (const double error = expected_error(made); error >= 0)
+        contact += ", the restitution within " + rounded_text(error, 2) + " of the law's";
+    }
+    lines.push_back(contact);
+  }
+  if (!settings_.part.empty()) {
+    const StepCost cost = step_cost(settings_.part, made);
+    lines.push_back(cost.contact == 0 ? "no budget of such a step on " + settings_.part
+                                      : "a step on " + settings_.part + ": up to " + std::to_string(cost.free) +
+                                            " instructions in flight, " + std::to_string(cost.contact) +
+                                            " in contact (the paper's scene)");
+  }
+  return lines;
+}
+
+std::string Summary::json(const char* fault) const {
+  const Request& made = outcome_.made;
+  std::string text = "{";
+  const auto name = [&text](const char* key) {
+    if (text.size() > 1) text += ",";
+    text += std::string("\"") + key + "\":";
+  };
+  const auto number = [&](const char* key, double value) {
+    name(key);
+    text += std::isfinite(value) ? shortest_text(value) : "null";
+  };
+  const auto word = [&](const char* key, std::string_view value) {
+    name(key);
+    text += "\"" + std::string(value) + "\"";
+  };
+  number("time_s", last_.t);
+  name("impacts");
+  text += std::to_string(last_.impacts);
+  number("fastest_impact_m_per_s", last_.impacts > 0 ? fastest_impact_ : std::nan(""));
+  number("restitution", last_.impacts > 0 ? restitution_at(made, fastest_impact_) : std::nan(""));
+  number("largest_x1_m", largest_x1_);
+  number("largest_v1_m_per_s", largest_v1_);
+  number("largest_x2_m", largest_x2_);
+  number("largest_v2_m_per_s", largest_v2_);
+  number("peak_force_N", last_.peak_force);
+  number("energy_dissipated_J", last_.energy_dissipated);
+  word("stepper", name_of(made.stepper));
+  word("numeric", name_of(made.numeric));
+  number("step_s", made.step);
+  number("steps_per_contact", resolution(made).steps_per_contact(made.step));
+  number("restitution_error", expected_error(made));
+  number("share_of_displacement_bound", larger(largest_x1_, largest_x2_) / made.bounds->displacement);
+  number("share_of_speed_bound", larger(largest_v1_, largest_v2_) / made.bounds->speed);
+  if (!settings_.part.empty()) {
+    const StepCost cost = step_cost(settings_.part, made);
+    word("part", settings_.part);
+    number("instructions_free", cost.contact > 0 ? static_cast<double>(cost.free) : std::nan(""));
+    number("instructions_contact", cost.contact > 0 ? static_cast<double>(cost.contact) : std::nan(""));
+  }
+  name("fault");
+  text += fault ? "\"" + std::string(fault) + "\"" : "null";
+  return text + "}\n";
+}
+
+}  // namespace impact::host

@@ -1,0 +1,83 @@
+// What the tool ends with: counted again from the rows that it has written.
+
+#include <cmath>
+
+#include "host_ref/extremes.hpp"
+#include "impact_sim.hpp"
+
+namespace impact::host {
+namespace {
+
+using testing::Not;
+
+double number_of(const std::string& json, const std::string& key) {
+  const size_t at = json.find("\"" + key + "\":");
+  return at == std::string::npos ? std::nan("") : std::stod(json.substr(at + key.size() + 3));
+}
+
+TEST_F(ImpactSim, EndsWithWhatItsRowsSay) {
+  const Result result = run("--newmark moment --numeric float64 --step 1e-4 --duration 3 --summary summary.json");
+  ASSERT_EQ(result.code, 0) << result.err;
+  double x1 = 0, x2 = 0, v2 = 0, force = 0, before = 0, fastest = 0;
+  long impacts = 0;
+  const auto lines = lines_of(result.out);
+  for (size_t i = 1; i < lines.size(); ++i) {
+    const auto columns = split(lines[i], ',');
+    const auto at = [&](size_t column) { return std::stod(columns[column]); };
+    x1 = larger(x1, std::abs(at(1)));
+    x2 = larger(x2, std::abs(at(3)));
+    v2 = larger(v2, std::abs(at(4)));
+    force = larger(force, at(6));
+    if (at(5) > 0 && before <= 0) {
+      ++impacts;
+      fastest = larger(fastest, std::abs(at(4) - at(2)));
+    }
+    before = at(5);
+  }
+  ASSERT_GT(impacts, 10);
+  const std::string json = read(file("summary.json"));
+  EXPECT_EQ(number_of(json, "impacts"), impacts);
+  EXPECT_EQ(number_of(json, "largest_x1_m"), x1);
+  EXPECT_EQ(number_of(json, "largest_x2_m"), x2);
+  EXPECT_EQ(number_of(json, "largest_v2_m_per_s"), v2);
+  // The first row in contact is up to a step into it, and the largest force is of a step's mean.
+  EXPECT_NEAR(number_of(json, "fastest_impact_m_per_s"), fastest, 0.02 * fastest);
+  EXPECT_NEAR(number_of(json, "peak_force_N"), force, 0.01 * force);
+  EXPECT_THAT(result.err, HasSubstr(std::to_string(impacts) + " impacts, the fastest at "));
+  EXPECT_THAT(json, HasSubstr("\"fault\":null}"));
+  EXPECT_THAT(lines_of(json), SizeIs(1));
+}
+
+TEST_F(ImpactSim, SaysLoudlyThatNothingWasHit) {
+  const Result result = run("--newmark moment --duration 0.1 --drive-amplitude 0.01 --summary summary.json");
+  EXPECT_THAT(result.err, HasSubstr("NO IMPACT"));
+  EXPECT_EQ(number_of(read(file("summary.json")), "impacts"), 0);
+  EXPECT_THAT(run("--newmark moment --duration 0.1 --stops none").err, Not(HasSubstr("NO IMPACT")));
+}
+
+TEST_F(ImpactSim, AdvisesOfWhatMayBeMeantOtherwise) {
+  EXPECT_THAT(run("--newmark moment --duration 0.1 --drive-pulsation 5").err, HasSubstr("hertz times 6.2832"));
+  EXPECT_THAT(run("--newmark moment --duration 1 --numeric fixed32 --bound-displacement 20").err,
+              HasSubstr("fixed32 loses 9 bits"));  // 20 m for the 30 mm of the ball
+  const std::string stiff = "--duration 2 --contact-stiffness 1e7 --step 1e-4 ";
+  EXPECT_THAT(run(stiff).err, HasSubstr("nearly elastic"));
+  EXPECT_THAT(run(stiff + "--restitution 0.97").err, Not(HasSubstr("nearly elastic")));
+  EXPECT_THAT(run("--duration 2 --step 1e-4").err, Not(HasSubstr("nearly elastic")));
+}
+
+TEST_F(ImpactSim, SaysWhatAStepCostsWhereItIsKnown) {
+  const std::string fixed = "--newmark moment --duration 0.1 --numeric fixed32 ";
+  EXPECT_THAT(run(fixed + "--part cortex-m3").err, HasSubstr("a step on cortex-m3: up to "));
+  EXPECT_THAT(run("--newmark moment --duration 0.1 --part cortex-m3").err, HasSubstr("no budget of such a step"));
+  const Result refused = run(fixed + "--part pdp-11");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("cortex-m0, "));
+}
+
+TEST_F(ImpactSim, IsQuiet) {
+  EXPECT_THAT(run("--duration 0.1 --quiet").err, IsEmpty());
+  EXPECT_THAT(run("--newmark moment --numeric fixed32 --bound-speed 0.1 --quiet").err, HasSubstr("fault at t = "));
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -197,8 +197,10 @@ const std::vector<Option>& options() {
       choice<Tension>("tension", {{"allow", Tension::allow}, {"clamp", Tension::clamp}}, field(&Scene::tension),
                       "allow: a stop may pull until the penetration ends; clamp: it lets go at zero force"),
 
-      choice<DriveKind>("drive", {{"none", DriveKind::none}, {"sine", DriveKind::sine}}, field(&Request::drive),
-                        "force on the main mass"),
+      choice<DriveKind>(
+          "drive", {{"none", DriveKind::none}, {"sine", DriveKind::sine}, {"sampled", DriveKind::sampled}},
+          field(&Request::drive),
+          "force on the main mass; sampled: the sine as one sample a step, for a --rig that takes samples"),
       number("drive-amplitude", "N", force_range, field(&Scene::drive_amplitude), "of the sine"),
       number("drive-pulsation", "rad/s", drive_pulsation_range, field(&Scene::drive_pulsation), "of the sine"),
       file("drive-file", field(&Settings::drive_file), true,
@@ -293,7 +295,6 @@ std::string plain(const std::string& name) {
 
 // The choice that is meant by a name like Moment, HuntCrossley or AverageAcceleration; what another option has by it.
 std::string meant(const Option& option, const std::string& value) {
-  if (option.name == "drive" && plain(value) == "sampled") return "; --drive-file FILE?";
   std::string best;
   std::istringstream names(option.allowed);
   for (std::string name; std::getline(names >> std::ws, name, ',');)

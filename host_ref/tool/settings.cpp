@@ -121,6 +121,8 @@ void settle(Settings& settings, const Given& given) {
     settings.is_damping_unstated = request.law != Law::hertz;
   }
 
+  const bool is_sampled_sine = request.drive == DriveKind::sampled;
+  if (is_sampled_sine) request.drive = DriveKind::sine;
   const bool has_samples = has("drive-file") || has("base-file");
   refuse_unless(!has("drive-file"), "base-file", "without --drive-file: both are forces on the main mass");
   refuse_unless(!has_samples, "drive", "without --drive-file and --base-file");
@@ -156,6 +158,15 @@ void settle(Settings& settings, const Given& given) {
     throw BadInput("--duration", has("duration") ? given.at("duration") : short_text(request.duration),
                    "a number from 0 to " + texts_within(0, most_steps * request.step).second + " s, 1e9 steps of " +
                        shortest_text(request.step) + " s");
+  if (is_sampled_sine) {
+    constexpr long most_samples = 100000000;
+    const long steps = step_count(request);
+    if (steps > most_samples) throw BadInput("--drive", "sampled", "sine, or at most 1e8 steps");
+    for (long n = 1; n <= steps; ++n)
+      request.samples.push_back(scene.drive_amplitude *
+                                std::sin(scene.drive_pulsation * request.step * static_cast<double>(n)));
+    request.drive = DriveKind::sampled;
+  }
   const auto cut_to_steps = [&](const SampleKind& kind, const std::string& file, std::vector<double>& samples) {
     const Refusal refusal = cut(samples, request, kind, file);
     if (!refusal.field.empty()) throw BadInput(refusal);

@@ -192,7 +192,7 @@ TEST_F(ImpactSim, HelpNamesEveryOptionWithItsRange) {
        "constant, per-impact, hunt-crossley, herbert-mcwhannell, lee-wang, lankarani-nikravesh, flores, hu-guo, "
        "exact;"},
       {"tension", "allow, clamp;"},
-      {"drive", "none, sine;"},
+      {"drive", "none, sine, sampled;"},
       {"drive-amplitude", force},
       {"drive-pulsation", "from 0 to 1e+06 rad/s;"},
       {"drive-file", any},

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Every public header compiles alone; all of them compile in either order, in two translation units that link together.
+# Every public header compiles alone, with each compiler and with each standard, though not with every pair of them; all of
+# them compile in either order, in two translation units that link together.
 #   headers.sh PROJECT COMPILER STANDARD
 set -eu
 project=$(cd "$1" && pwd) compiler=$2 standard=$3
@@ -15,7 +16,8 @@ compile() {
 cd "$project/kernel/include"
 headers=$(find . -name '*.h' -o -name '*.hpp' | sed 's|^\./||' | LC_ALL=C sort)
 failures=0
-for header in $headers; do
+alone="" && case $compiler,$standard in g++,c++17 | clang++,c++20) alone=$headers ;; esac
+for header in $alone; do
   echo "#include <$header>" | compile -x c++ -fsyntax-only - || { echo "$header does not compile alone" && failures=1; }
 done
 

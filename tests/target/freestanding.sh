@@ -1,22 +1,16 @@
 #!/bin/sh
 # Clang compiles the kernel for a target with no C and no C++ library, where its own <stdint.h>, <stddef.h>, <float.h>
-# and <limits.h> are all that there is: each header alone, then a third of the configurations that the targets run, in
-# which each law, stepper and drive meets each other.
+# and <limits.h> are all that there is: every header (each alone: tests/host/headers.sh), and a third of the configurations
+# that the targets run, in which each law, stepper and drive meets each other.
 #   freestanding.sh TRIPLE PROJECT
 set -eu
 triple=$1 project=$2
 command -v clang++ >/dev/null || { echo "skipped: clang++ is not installed" && exit 77; }
 
-compile() {
-  clang++ --target="$triple" -std=c++17 -nostdlibinc -nostdinc++ -ffreestanding -fno-exceptions -fno-rtti \
-    -ffp-contract=off -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Werror \
-    -DIMPACT_GOLDEN_PART=3 -DIMPACT_NUMERICS=impact::Fixed32,impact::Float32,impact::Float32Plain \
-    -I "$project/kernel/include" -I "$project/toolchains" -x c++ -fsyntax-only "$1"
-}
-
-failures=0
-for header in $(cd "$project/kernel/include" && find impact -name '*.hpp' | sort); do
-  echo "#include <$header>" | compile - || { echo "$header does not compile for $triple" && failures=1; }
-done
-compile "$project/tests/target/trajectory_test.cpp" || failures=1
-exit $failures
+{
+  (cd "$project/kernel/include" && find impact -name '*.hpp' | sort | sed 's|.*|#include <&>|')
+  echo '#include "tests/target/trajectory_test.cpp"'
+} | clang++ --target="$triple" -std=c++17 -nostdlibinc -nostdinc++ -ffreestanding -fno-exceptions -fno-rtti \
+  -ffp-contract=off -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Werror \
+  -DIMPACT_GOLDEN_PART=3 -DIMPACT_NUMERICS=impact::Fixed32,impact::Float32,impact::Float32Plain \
+  -I "$project" -I "$project/kernel/include" -I "$project/toolchains" -x c++ -fsyntax-only -

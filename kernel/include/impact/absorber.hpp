@@ -236,7 +236,8 @@ class AbsorberOf
       rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * Machine::state.impulse);
     return plan.units.velocity(rate);
   }
-  // On the main mass, along x, the mean of the last step; the ball feels the opposite.
+  // On the main mass, along x, the mean of the last step; the ball feels the opposite. With Impulsive it is an impact's
+  // impulse over the step, which grows with the rate and is not the law's force.
   constexpr Value contact_force() const {
     constexpr bool is_named = detail::is_one_of<ContactForce, Features...>;
     static_assert(is_named, "contact_force() needs the feature ContactForce: append it to the absorber's type");

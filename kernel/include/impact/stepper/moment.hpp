@@ -23,7 +23,7 @@
 // the exponential series to fourth order, which grows above q = 2.785. Without damping the map damps, by 1 - (h
 // omega)^6/900 at first, and grows above h omega = 2.69. With both it grows nowhere within q <= 2.7, h omega <= 2.2.
 // The step is taken up to q = 2.5 and h omega = 0.9 (5 steps a contact), where both are well inside.
-// The response of the main mass (moment/response.hpp) leaves out terms of third order in w0 h. Of the energy of both
+// The main mass is displaced as by a constant force (moment/response.hpp). Of the energy of both
 // masses a contact without damping creates by them up to 8e-5 at 0.16, with the fourth power of w0 h (coupled to a ball
 // of 1e-1 to 1e2 main masses, 8 to 20 steps a contact). Beside a ball that is hardly ever
 // free, since it crosses its clearance in a small part of a step, a machine without any damping gains 0.5 % in 2000

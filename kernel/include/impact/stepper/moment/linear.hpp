@@ -38,7 +38,7 @@ struct MomentLinear : ResolvedForces {
     bool clamped;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
-    const MomentResponse answer(terms);
+    const MomentResponse answer(terms, flow);
     const double damping = terms.damping_time / terms.step;
     const double stiffness = terms.stiffness * terms.step * terms.step * (1 / terms.ball_mass + answer.g0);
     struct Moments {

@@ -54,7 +54,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
-    const MomentResponse response(terms);
+    const MomentResponse response(terms, flow);
     const double of_force = terms.force_unit * terms.step * terms.step * response.mobility(terms);
     const double stiffness = of_force * constant::power_of_two(-terms.damping_exponent - unit.recoil);
     const double damping = ContactLaw::is_damped_per_impact ? terms.damping_ratio : terms.damping_time / terms.step;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The response of both masses to an impulse J0 and a moment J1 of the contact force within a step, the main mass on its
-// spring and damper, to first order in c h/M and k h^2/M: v1 for a force that is linear in time, and x1 for a constant
-// one (of a force that grows from 0, c h/(4 M) and k h^2/(20 M) stand in gx).
+// The response of both masses to an impulse J0 and a moment J1 of the contact force within a step of length h, the main
+// mass on its spring and damper: v1 exactly for a force that is linear in time, and x1 for a constant one. With what
+// its flow makes of a force held linear, x1 = b0 F + b1 F' and h v1 = c0 F + c1 F' (motion/linear_flow.hpp):
 //
-//     x1 += gx J1                 gx = (1 - c h/(3 M) - k h^2/(12 M)) / M
-//     v1 += g0 J0 + g1 J1         g0 = (1 + k h^2/(12 M)) / M        g1 = -(c/M + k h/(2 M)) / M
+//     x1 += gx J1                 gx = 2 (b0 + b1)/h^2
+//     v1 += g0 J0 + g1 J1         g0 = (4 c1 - 2 c0)/h^2         h g1 = 6 (c0 - c1)/h^2
 
 #include <impact/law/terms.hpp>
 #include <impact/motion/linear_flow.hpp>
@@ -17,12 +17,11 @@ namespace impact {
 struct MomentResponse {
   double gx, g0, hg1;  // 1/kg
 
-  explicit constexpr MomentResponse(const ContactTerms& terms)
-      : gx((1 - terms.main_damping * terms.step / (3 * terms.main_mass) - square_pulsation_step(terms) / 12) /
-           terms.main_mass),
-        g0((1 + square_pulsation_step(terms) / 12) / terms.main_mass),
-        hg1(-(terms.main_damping * terms.step / terms.main_mass + square_pulsation_step(terms) / 2) / terms.main_mass) {
-  }
+  // By the main mass's exact flow over the step.
+  constexpr MomentResponse(const ContactTerms& terms, const LinearFlow& flow)
+      : gx(2 * flow.constant_start() / (terms.step * terms.step)),
+        g0((4 * flow.c1 - 2 * flow.c0) / (terms.step * terms.step)),
+        hg1(6 * (flow.c0 - flow.c1) / (terms.step * terms.step)) {}
 
   template <class Format>
   constexpr Response<typename Format::Gain> gains(const ContactTerms& terms, const LinearFlow& flow,
@@ -48,11 +47,6 @@ struct MomentResponse {
             Format::weight(1, unit.recoil, unit.penetration),
             Format::weight(ball + scale * g0, unit.recoil, unit.penetration),
             Format::weight(scale * hg1, unit.recoil, unit.penetration)};
-  }
-
- private:
-  static constexpr double square_pulsation_step(const ContactTerms& terms) {
-    return terms.main_stiffness * terms.step * terms.step / terms.main_mass;
   }
 };
 

@@ -80,22 +80,22 @@ struct SubsteppedMoment {
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const ContactTerms sub = in_a_part(terms);
-      const MomentResponse answer(sub);
-      const double scale = is_linear ? terms.force_unit * sub.step * sub.step : 1 / (1 / terms.ball_mass + answer.gx);
-      const int from = is_linear ? 0 : unit.recoil;
-      const double of_ball = scale / terms.ball_mass, share = is_linear ? 1 : of_ball;  // of what the sums count
-      const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step) * share;
       Scene main{};
       main.main_mass = terms.main_mass;
       main.main_stiffness = terms.main_stiffness;
       main.main_damping = terms.main_damping;
       const LinearFlow part = exact_flow(main, sub.step);
+      const MomentResponse answer(sub, part);
+      const double scale = is_linear ? terms.force_unit * sub.step * sub.step : 1 / (1 / terms.ball_mass + answer.gx);
+      const int from = is_linear ? 0 : unit.recoil;
+      const double of_ball = scale / terms.ball_mass, share = is_linear ? 1 : of_ball;  // of what the sums count
+      const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step) * share;
       Plan plan{};
       plan.response = {{Format::gain(1, unit.recoil, unit.push), Format::gain(n * flow.e12, unit.recoil, unit.push),
                         Format::gain(flow.e11, unit.recoil, unit.push),
                         Format::gain(share, unit.recoil, unit.penetration),
                         Format::gain(n * share, unit.recoil, unit.penetration)}};
-      plan.inner = Inner::make_plan(sub, flow, unit);
+      plan.inner = Inner::make_plan(sub, part, unit);
       if constexpr (!is_linear) plan.inner.change_places = unit.recoil - unit.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);
       plan.square = Format::gain(1.0 / (n * n), 0, 0);

@@ -1,7 +1,7 @@
 // A ball that is nearly never free: it crosses its cavity in a small part of a step, so that most impacts begin in the
-// step that ends the last one, beside a main mass that its spring brakes meanwhile. Nothing dissipates. What the main
-// mass's response and the step across leave out creates energy, at w0 h = 0.16 up to 1 % in 2000 steps, and falls with
-// the fourth power of w0 h, in Hooke-Newton contacts 0.3 % with the second (moment.hpp).
+// step that ends the last one, beside a main mass that its spring brakes meanwhile. Nothing dissipates. What the step
+// leaves out creates energy: at w0 h = 0.16 up to 0.02 % in 2000 steps, and falls with the fourth power of w0 h, in
+// Hooke-Newton contacts 0.3 % with the second (moment.hpp).
 
 #include <gtest/gtest.h>
 
@@ -103,8 +103,8 @@ void expect_gain_within(double bound, double phase) {
 TEST(NarrowCavity, GivesLittleEnergy) {
   for (const double phase : {0.159, 0.08, 0.04}) {
     const double share = phase / Moment::longest_phase, square = share * share;
-    expect_gain_within<Hertz, Float64>(0.01 * square * square, phase);
-    expect_gain_within<Hertz, Fixed32>(0.01 * square * square, phase);
+    expect_gain_within<Hertz, Float64>(2e-4 * square * square, phase);
+    expect_gain_within<Hertz, Fixed32>(2e-4 * square * square + 1e-5, phase);  // and what 2000 steps round
     expect_gain_within<HookeNewton, Float64>(0.003 * square, phase);
     expect_gain_within<HookeNewton, Fixed32>(0.003 * square, phase);
   }

@@ -58,11 +58,11 @@ template <class Format>
 template <class Format>
 inline constexpr uint32_t proved_bits = 0;
 template <>
-inline constexpr uint32_t proved_bits<Fixed32> = 0x0e063673;
+inline constexpr uint32_t proved_bits<Fixed32> = 0xbbf88836;
 template <>
-inline constexpr uint32_t proved_bits<Float32> = 0xba96a9a6;
+inline constexpr uint32_t proved_bits<Float32> = 0x1fbec415;
 template <>
-inline constexpr uint32_t proved_bits<Float32Plain> = 0xef84eed3;
+inline constexpr uint32_t proved_bits<Float32Plain> = 0x47683345;
 
 }  // namespace detail
 

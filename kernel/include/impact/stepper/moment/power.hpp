@@ -21,8 +21,10 @@
 //
 // or d1 is the trial's (entering), and J0 and J1 are corrected once by their derivatives for what d1 missed. The law
 // has no force where 1 + C d' < 0: a step in which it has none on average has no impulse, and no impulse pulls
-// (of_push). How a drive changes within a step is not in them: samples that jump to and fro by dF in each step of an
-// impact of 8 steps at the rate V make up to 0.5 % of dF h/(M V) of its energy, in one of 16 steps 0.1 %.
+// (of_push). The change of the rate without contact, g, is the mean of those at both ends; to the one at the start what
+// spring and damper answer to the moment of the step before is added. How a drive changes within a step is not in them:
+// samples that jump to and fro by dF in each step of an impact of 8 steps at the rate V make up to 0.5 % of dF h/(M V)
+// of its energy, in one of 16 steps 0.1 %.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/moment/response.hpp>
@@ -48,6 +50,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     Factor stiffness, part_stiffness;  // K, 2 K/5
     Weight damping, part_damping;      // K C, 2 K C/5
     Weight sixth_damping;              // K C/6, by what an impulse does to a rate
+    Gain back;                         // from a moment to what spring and damper answer to it in the next step
     Gain force;                        // 1/K: from an impulse to the force's own impulse
     int travel_places, change_places;  // from impulses to penetrations, from increments to impulses
     int ahead_places;  // by which K goes to the left before an impulse that counts coarser multiplies it
@@ -66,6 +69,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             Format::weight(stiffness * damping, from, 0),
             Format::weight(0.4 * stiffness * damping, from, 0),
             Format::weight(stiffness * damping / 6, unit.recoil, 0),
+            Format::gain(-2 * response.hg1 / response.mobility(terms), 0, 0),
             Format::gain(1 / of_force, unit.recoil, 0),
             unit.penetration - unit.recoil,
             unit.recoil - unit.increment,
@@ -78,7 +82,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   static constexpr bool meets_both_stops = true, reads_rate = ContactLaw::is_damped_per_impact,
                         sees_change = ContactLaw::is_damped_per_impact;
 
-  // While touching, at the start of the step: the change is that of the rate in a step around it, without contact.
+  // While touching, at the start of the step: the change is that of the rate in a step around it, by all but contact.
   Value penetration, change;
   Root root;
   Phase phase;
@@ -226,6 +230,7 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   [[gnu::always_inline]] constexpr Impulse<Value> ended(const Plan& plan, Value trial, Impulse<Value> impulse,
                                                         const Known& known) {
     impulse = of_push<Format>(impulse);
+    change = change + Format::term(plan.back, impulse.j1);
     penetration = trial - travel(plan, impulse.j1);
     if (is_positive(penetration))
       root = known.beside(penetration);

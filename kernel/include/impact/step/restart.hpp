@@ -23,7 +23,7 @@ struct Restart {
   // The scene's initial state.
   static constexpr void start(Model& m) {
     auto& state = m.state;
-    state = typename Model::State{};
+    m.state = typename Model::State{};
     state.contact.phase = Phase::apart;  // compiler.hpp
     state.contact.drop_force();
     if (m.is_refused()) return;

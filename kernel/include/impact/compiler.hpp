@@ -2,8 +2,8 @@
 #pragma once
 // What GCC 12 must be told about a step, in one place. Each was measured by `ctest -R step_cost` on the target named.
 //
-//     call boundary     Format::calls_contact: a step in contact is a call of its own (call_touch_and_rub in
-//                       step/step.hpp). Otherwise a free step saves the registers of the contact: Cortex-Model, RISC-V.
+//     call boundary     Format::calls_contact: a step in contact is a call of its own (call_contact in
+//                       step/step.hpp). Otherwise a free step saves the registers of the contact: Cortex-M, RISC-V.
 //     reload_state      after a contact was solved the state is read from memory again. Otherwise copies of it are kept
 //                       on the stack meanwhile: all cores without a large register file (Format::has_spare_registers).
 //     not const         an impulse that several branches make is not a `const` local: GCC keeps such a one in memory.

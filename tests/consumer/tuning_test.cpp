@@ -355,5 +355,18 @@ TEST(SavedState, IsRefusedByAnotherSceneTypeOrVersion) {
   EXPECT_FALSE(kernel.restore(saved));
 }
 
+TEST(Tuning, ASnapshotsStepsCountOn) {
+  using Kernel = Tunable<Fixed32, Moment, Sine, Snapshots, DryFriction>;
+  Scene scene = first_scene();
+  scene.ball_friction = 0.5;
+  Kernel kernel(plan_of<Kernel>(scene));
+  for (int n = 0; n < 5; ++n) kernel.step();
+  scene.drive_pulsation += 1;
+  ASSERT_TRUE(kernel.retune(plan_of<Kernel>(scene)));
+  EXPECT_EQ(kernel.snapshot().steps, 5u);
+  kernel.step();
+  EXPECT_EQ(kernel.snapshot().steps, 6u);
+}
+
 }  // namespace
 }  // namespace impact

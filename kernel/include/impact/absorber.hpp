@@ -410,10 +410,10 @@ class AbsorberOf
                   "Q1.31 as Absorber::Value{raw}");
   }
 
-  // What records starts anew.
+  // What records by the plan starts anew.
   template <class Feature>
   constexpr void restart() {
-    if constexpr (!__is_base_of(ScenePart, Feature)) {
+    if constexpr (!__is_base_of(ScenePart, Feature) && Feature::is_bound) {
       static_cast<typename Feature::template State<Format>&>(Machine::state) = {};
       Feature::start(plan, Machine::state);
     }

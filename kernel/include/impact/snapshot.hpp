@@ -22,7 +22,7 @@ template <class Value>
 struct Snapshot {
   Value displacement, velocity, ball_displacement, ball_velocity;
   Value contact_force;  // 0 without the feature ContactForce
-  uint32_t steps;       // since the start or the last retune()
+  uint32_t steps;       // since the start or the last reset(): retune() does not touch it
   Fault fault;
   bool is_touching;
   bool is_whole;  // false after four interrupted tries

@@ -151,7 +151,8 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
     const auto z = half(difference(s, root));
     const auto zz = square(z);
     const auto zz_5p = Format::square_over_five(z, p);
-    const auto n = p * (without_sign(half(d + penetration)) + zz) + zz * zz_5p;  // p^2 + z^2 is their mean
+    const auto n =
+        p * (half(without_sign(d) + without_sign(penetration)) + zz) + zz * zz_5p;  // p^2 + z^2 is their mean
     const auto w = eighth(p) + quarter(zz_5p);
     const Value dd = d - penetration, dv = g - taken;
     const Value mean = strength(plan, dd);

@@ -19,6 +19,8 @@ Planned plan_with_parts(const Request& request, const Bounds& bounds) {
       return plan_in_field<Format, ContactLaw, SubsteppedMoment<4>>(request, bounds);
     case Stepper::moment_8:
       return plan_in_field<Format, ContactLaw, SubsteppedMoment<8>>(request, bounds);
+    case Stepper::moment_n:
+      return plan_in_field<Format, ContactLaw, SubsteppedMoment<>>(request, bounds);
     case Stepper::energy:
       return plan_in_field<Format, ContactLaw, EnergyConsistent>(request, bounds);
     case Stepper::impulsive:

@@ -29,10 +29,8 @@ Stepper chosen(const Request& request) {
   switch (choice_for(resolution(request), request.step)) {
     case Choice::moment:
       return Stepper::moment;
-    case Choice::four_sub_steps:
-      return Stepper::moment_4;
-    case Choice::eight_sub_steps:
-      return Stepper::moment_8;
+    case Choice::sub_steps:
+      return Stepper::moment_n;
     case Choice::impulsive:
       return Stepper::impulsive;
     case Choice::energy:

@@ -68,6 +68,7 @@ std::string description(const Request& request, bool is_automatic) {
   const int parts = request.stepper == Stepper::moment     ? 1
                     : request.stepper == Stepper::moment_4 ? 4
                     : request.stepper == Stepper::moment_8 ? 8
+                    : request.stepper == Stepper::moment_n ? SubsteppedMoment<>::parts_for(contact, request.step)
                                                            : 0;
   if (parts > 0)
     line += ", restitution within " + rough_text(Moment::restitution_error(contact, request.step / parts)) +
@@ -101,8 +102,10 @@ Refusal refusal_of_parts(const Request& request) {
   const char* part = request.is_shaken                 ? "base-acceleration-file"
                      : request.scene.ball_friction > 0 ? "ball-friction"
                                                        : "gravity";
-  return {"newmark", std::string(name_of(request.stepper)),
-          std::string("auto, moment, moment-4, moment-8, energy, impulsive: the classical schemes take no --") + part};
+  return {
+      "newmark", std::string(name_of(request.stepper)),
+      std::string("auto, moment, moment-4, moment-8, moment-n, energy, impulsive: the classical schemes take no --") +
+          part};
 }
 
 }  // namespace

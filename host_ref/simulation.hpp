@@ -18,7 +18,19 @@
 
 namespace impact::host {
 
-enum class Stepper { average, linear, fox_goodwin, central, moment, moment_4, moment_8, energy, impulsive, automatic };
+enum class Stepper {
+  average,
+  linear,
+  fox_goodwin,
+  central,
+  moment,
+  moment_4,
+  moment_8,
+  moment_n,
+  energy,
+  impulsive,
+  automatic
+};
 enum class Numeric { float32, float32_plain, fixed32, float64 };
 enum class DriveKind { none, sine, sampled };
 
@@ -147,7 +159,7 @@ double automatic_step(const Request& request);
 
 std::optional<Law> law_named(std::string_view name);          // hooke-newton, hertz, hunt-crossley
 std::optional<Stepper> stepper_named(std::string_view name);  // auto, average, linear, fox-goodwin, central, moment,
-                                                              // moment-4, moment-8, energy, impulsive
+                                                              // moment-4, moment-8, moment-n, energy, impulsive
 std::optional<Numeric> numeric_named(std::string_view name);  // float32, float32-plain, fixed32, float64
 std::string_view name_of(Law law);
 std::string_view name_of(Damping damping);

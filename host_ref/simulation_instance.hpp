@@ -21,6 +21,8 @@ Planned plan_with_law(const Request& request, const Bounds& bounds) {
       return plan_with_drive<Format, ContactLaw, SubsteppedMoment<4>>(request, bounds);
     case Stepper::moment_8:
       return plan_with_drive<Format, ContactLaw, SubsteppedMoment<8>>(request, bounds);
+    case Stepper::moment_n:
+      return plan_with_drive<Format, ContactLaw, SubsteppedMoment<>>(request, bounds);
     case Stepper::energy:
       return plan_with_drive<Format, ContactLaw, EnergyConsistent>(request, bounds);
     case Stepper::impulsive:

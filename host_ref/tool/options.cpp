@@ -155,10 +155,12 @@ const std::vector<Option>& options() {
       choice("law", named({Law::hooke_newton, Law::hertz, Law::hunt_crossley}), field(&Request::law), "contact law"),
       choice("newmark",
              named({Stepper::automatic, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
-                    Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::energy, Stepper::impulsive}),
+                    Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::moment_n, Stepper::energy,
+                    Stepper::impulsive}),
              field(&Request::stepper),
              "time stepper (auto: the plan's rule, said on standard error; the next four: classical Newmark with "
-             "pointwise contact; moment-4 and moment-8: with as many sub-steps in contact)"),
+             "pointwise contact; moment-4 and moment-8: with as many sub-steps in contact; moment-n: with as many as "
+             "it asks for)"),
       choice("numeric", named({Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}),
              field(&Request::numeric), "number format (float32: with compensated state)"),
       number("step", "s", step_range, field(&Request::step), "length of a step")

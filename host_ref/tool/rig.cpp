@@ -51,6 +51,8 @@ const char* stepper_type(Stepper stepper) {
       return "SubsteppedMoment<4>";
     case Stepper::moment_8:
       return "SubsteppedMoment<8>";
+    case Stepper::moment_n:
+      return "SubsteppedMoment<>";
     case Stepper::energy:
       return "EnergyConsistent";
     case Stepper::impulsive:

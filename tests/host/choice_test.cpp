@@ -86,23 +86,32 @@ Rebounds rebounds(Request request) {
 // Just inside a range's end: the longest step there is, and the first that there is not.
 constexpr double just_below = 1 - 1e-9, just_above = 1 + 1e-9;
 
+// Or from twenty on, where sub-steps are allowed.
 TEST(Choice, IsMomentFromEightStepsOn) {
   for (const Contact& contact : contacts) {
     const Resolution r = resolution(pair_of(contact.law, contact.e, contact.tension));
-    EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 8), Choice::moment) << name_of(contact);
-    EXPECT_NE(choice_for(r, just_above * r.shortest_part / 8), Choice::moment) << name_of(contact);
+    EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 8, 1), Choice::moment) << name_of(contact);
+    EXPECT_NE(choice_for(r, just_above * r.shortest_part / 8, 1), Choice::moment) << name_of(contact);
+    EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 20), Choice::moment) << name_of(contact);
+    EXPECT_NE(choice_for(r, just_above * r.shortest_part / 20), Choice::moment) << name_of(contact);
   }
 }
 
-TEST(Choice, IsImpulsiveBelowWhileTheMainMassHardlyMovesElseSubStepped) {
+// 20 sub-steps in a contact, as many as are allowed.
+TEST(Choice, IsSubSteppedBelowElseImpulsiveWhileTheMainMassHardlyMoves) {
   Resolution r = resolution(pair_of(Law::hunt_crossley, 0.7));
   r.main_phase = 0.05;
-  EXPECT_EQ(choice_for(r, r.shortest_part), Choice::impulsive);
+  EXPECT_EQ(choice_for(r, r.shortest_part), Choice::sub_steps);
+  EXPECT_EQ(choice_for(r, r.shortest_part, 1), Choice::impulsive);
+  EXPECT_EQ(SubsteppedMoment<>::parts_for(r, just_below * 0.8 * r.shortest_part), 16);
+  EXPECT_EQ(SubsteppedMoment<>::parts_for(r, just_above * 0.8 * r.shortest_part), 32);
+  EXPECT_EQ(choice_for(r, just_below * 0.8 * r.shortest_part, 16), Choice::sub_steps);
+  EXPECT_EQ(choice_for(r, just_above * 0.8 * r.shortest_part, 16), Choice::impulsive);
+  EXPECT_EQ(choice_for(r, just_below * 64 * r.shortest_part), Choice::sub_steps);
+  EXPECT_EQ(choice_for(r, just_above * 64 * r.shortest_part), Choice::impulsive);
   r.main_phase = 0.0501;
-  EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 2), Choice::four_sub_steps);
-  EXPECT_EQ(choice_for(r, just_above * r.shortest_part / 2), Choice::eight_sub_steps);
-  EXPECT_EQ(choice_for(r, just_below * r.shortest_part), Choice::eight_sub_steps);
-  EXPECT_EQ(choice_for(r, just_above * r.shortest_part), Choice::energy);
+  EXPECT_EQ(choice_for(r, just_below * 0.8 * r.shortest_part, 1), Choice::sub_steps);
+  EXPECT_EQ(choice_for(r, just_above * 0.8 * r.shortest_part, 1), Choice::energy);
 }
 
 // 2e-5 of the energy at 8 steps is what a restitution of 1 - 1e-5 loses.
@@ -129,14 +138,14 @@ struct SlowestRig : Rig {
 };
 static_assert(std::is_same_v<Chosen<Rig, HuntCrossley>::Type, Moment>);
 static_assert(std::is_same_v<Absorber<Rig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, Moment>);
-static_assert(std::is_same_v<Chosen<SlowRig, HuntCrossley>::Type, SubsteppedMoment<4>>);
-static_assert(std::is_same_v<Absorber<SlowRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, SubsteppedMoment<4>>);
+static_assert(std::is_same_v<Chosen<SlowRig, HuntCrossley>::Type, SubsteppedMoment<>>);
+static_assert(std::is_same_v<Absorber<SlowRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, SubsteppedMoment<>>);
 static_assert(std::is_same_v<Chosen<SlowestRig, HuntCrossley>::Type, EnergyConsistent>);
 static_assert(std::is_same_v<Absorber<SlowestRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, EnergyConsistent>);
 
 // An absorber AtRunTime, of the rig with the stiffest scene.
 static_assert(std::is_same_v<Absorber<AtRunTime, HuntCrossley, Chosen<SlowRig, HuntCrossley>, Sine, Fixed32>::Stepper,
-                             SubsteppedMoment<4>>);
+                             SubsteppedMoment<>>);
 
 // The refusal names a step; that one is accepted, and the next is not.
 TEST(Choice, ARefusedStepperNamesTheStepThatWouldDo) {

@@ -85,18 +85,19 @@ TEST_F(ImpactSim, PartsAreRefusedByName) {
   write(file("bad"), "1\nx\n");
   const struct {
     const char *options, *refused;
-  } cases[] = {{"--gravity nan", "--gravity nan: allowed: a number from -1e+06 to 1e+06 m/s^2"},
-               {"--ball-friction -1", "--ball-friction -1: allowed: a number from 0"},
-               {"--ball-friction 1e6", "--ball-friction 1e+06: allowed: 0 to "},
-               {"--ball-friction 1e6 --step 1e-4", "--ball-friction 1e+06: allowed: 0 to "},
-               {"--gravity 1 --newmark average",
-                "--newmark average: allowed: auto, moment, moment-4, moment-8, energy, impulsive: the classical "
-                "schemes take no --gravity"},
-               {"--base-acceleration-file bad", "--base-acceleration-file bad line 2: 'x': allowed: a number from"},
-               {"--base-acceleration-file a --duration 1", "--base-acceleration-file a with 2 lines"},
-               {"--base-file none", "--base-file none: allowed: a file that can be read"},
-               {"--base-file a --drive-file a", "--base-file a: allowed: without --drive-file"},
-               {"--bound-base-acceleration 3", "--bound-base-acceleration 3: allowed: with --base-acceleration-file"}};
+  } cases[] = {
+      {"--gravity nan", "--gravity nan: allowed: a number from -1e+06 to 1e+06 m/s^2"},
+      {"--ball-friction -1", "--ball-friction -1: allowed: a number from 0"},
+      {"--ball-friction 1e6", "--ball-friction 1e+06: allowed: 0 to "},
+      {"--ball-friction 1e6 --step 1e-4", "--ball-friction 1e+06: allowed: 0 to "},
+      {"--gravity 1 --newmark average",
+       "--newmark average: allowed: auto, moment, moment-4, moment-8, moment-n, energy, impulsive: the classical "
+       "schemes take no --gravity"},
+      {"--base-acceleration-file bad", "--base-acceleration-file bad line 2: 'x': allowed: a number from"},
+      {"--base-acceleration-file a --duration 1", "--base-acceleration-file a with 2 lines"},
+      {"--base-file none", "--base-file none: allowed: a file that can be read"},
+      {"--base-file a --drive-file a", "--base-file a: allowed: without --drive-file"},
+      {"--bound-base-acceleration 3", "--bound-base-acceleration 3: allowed: with --base-acceleration-file"}};
   for (const auto& [options, refused] : cases) {
     const Result result = run(options);
     EXPECT_EQ(result.code, 2) << options;

@@ -89,8 +89,8 @@ const std::string& folder() {
 Command random_command(Random& random) {
   Command command;
   command["law"] = random.one_of({"hooke-newton", "hertz", "hunt-crossley"});
-  command["newmark"] = random.one_of(
-      {"auto", "average", "linear", "fox-goodwin", "central", "moment", "moment-4", "moment-8", "energy", "impulsive"});
+  command["newmark"] = random.one_of({"auto", "average", "linear", "fox-goodwin", "central", "moment", "moment-4",
+                                      "moment-8", "moment-n", "energy", "impulsive"});
   command["numeric"] = random.one_of({"float32", "float32-plain", "fixed32", "fixed32", "fixed32", "float64"});
   command["step"] = random.wide(1e-6, 0.1);
   command["main-mass"] = random.wide(1e-3, 1e3);

@@ -48,9 +48,9 @@ struct Resolution {
 // The steps of a stepper that takes any contact, s.
 inline constexpr Range any_step{0, 1};
 
+// What the contact's terms alone say of it.
 template <class ContactLaw>
-constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
-  const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
+constexpr Resolution resolution_of(const ContactTerms& terms) {
   const FreeImpact impact = free_impact<ContactLaw>(terms, terms.largest_rate);
   const double e = impact.restitution, time = impact.contact_time;
   double shortest_part = time * constant::smaller(1, 4 * e / (1 + e));
@@ -59,21 +59,30 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
     shortest_part = constant::smaller(time, 6 * relaxation);
   }
   const double mu = terms.reduced_mass(), d = terms.deepest, k1 = terms.stiffness;
+  const double slope = terms.is_linear ? k1 : 1.5 * k1 * constant::square_root(d);
+  Resolution contact{};
+  contact.is_linear = ContactLaw::is_linear;
+  contact.contact_time = time;
+  contact.restitution = e;
+  contact.shortest_part = shortest_part;
+  contact.pulsation = constant::square_root(slope / mu);
+  contact.damping = contact.lasting_damping = terms.damping_at(d);
+  return contact;
+}
+
+template <class ContactLaw>
+constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
+  const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
+  Resolution contact = resolution_of<ContactLaw>(terms);
   const double w0 = constant::square_root(scene.main_stiffness / scene.main_mass);
   const double field = constant::magnitude(scene.gravity) + bounds.base_acceleration;
   const double press = largest_acceleration(scene, bounds, constant::larger(scene.drive_amplitude, bounds.force));
-  const double slope = terms.is_linear ? k1 : 1.5 * k1 * constant::square_root(d);
-  return {ContactLaw::is_linear,
-          time,
-          e,
-          shortest_part,
-          w0 * time,
-          w0,
-          constant::square_root(slope / mu),
-          terms.damping_at(d),
-          terms.is_linear || ContactLaw::is_damped_per_impact ? terms.damping_at(d) : terms.damping_under(press),
-          scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never,
-          (1 + scene.ball_mass / scene.main_mass) * field * time / terms.largest_rate};
+  contact.main_phase = w0 * contact.contact_time;
+  contact.main_pulsation = w0;
+  if (!ContactLaw::is_linear && !ContactLaw::is_damped_per_impact) contact.lasting_damping = terms.damping_under(press);
+  contact.crossing = scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never;
+  contact.field_share = (1 + scene.ball_mass / scene.main_mass) * field * contact.contact_time / terms.largest_rate;
+  return contact;
 }
 
 }  // namespace impact

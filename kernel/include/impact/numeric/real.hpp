@@ -272,6 +272,10 @@ struct RealFormat {
   static constexpr int spare_places(Values...) {
     return 0;
   }
+  // k of as many parts of 1 as `part` says; and how many of them x has, rounded up, within two.
+  static constexpr Real parts(int k, int, Gain part) { return static_cast<Real>(k) * part; }
+  static constexpr int parts_of(Real x, int, Gain part) { return x > 0 && x < 1 ? static_cast<int>(x / part) + 2 : 0; }
+  static constexpr Real times(Real x, int k) { return x * static_cast<Real>(k); }
   static constexpr int exponent_of(double) { return 0; }
   static constexpr Value power_of_two(int) { return 1; }
   // x / (x + a) for x >= 0

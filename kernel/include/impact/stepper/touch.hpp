@@ -7,15 +7,27 @@
 
 namespace impact {
 
-// `way` is the divisor D, of which u = way.share(d); the acceleration counts `places` finer than penetrations.
+// How far the cubic, of the bend j and half the acceleration, is above its chord u steps before the step's end.
+template <class Format, class Share, class Value>
+[[gnu::always_inline]] constexpr Value above_chord(Share u, Value bend, Value half_acceleration) {
+  const Value slope = Format::value(u * (bend + Format::value(u * bend) - half_acceleration));
+  return slope - Format::value(u * slope);
+}
+// By how much of a step the touch is earlier than the chord has it. `way` is the divisor D, of which u = way.share(d).
+template <class Format, class Way, class Share, class Value>
+[[gnu::always_inline]] constexpr Value earlier_than_chord(const Way& way, Share u, Value bend,
+                                                          Value half_acceleration) {
+  return Format::value(way.ratio(above_chord<Format>(u, bend, half_acceleration)));
+}
+
+// The acceleration counts `places` finer than penetrations.
 template <class Format, class Way, class Share, class Value>
 [[gnu::always_inline]] constexpr Value rate_at_touch(const Way& way, Share u, Value travel, Value rate,
                                                      Value acceleration, int places) {
   const Value half_acceleration = Format::moved(Format::value(half(acceleration)), places),
-              bend = Format::beyond_rounding(travel - rate + half_acceleration), bent = Format::value(u * bend),
-              missed = Format::value(u * (bend + bent - half_acceleration));
+              bend = Format::beyond_rounding(travel - rate + half_acceleration), bent = Format::value(u * bend);
   const Value later = Format::value(Format::constant(0.5)) - Format::value(u) -
-                      Format::value(way.ratio(missed - Format::value(u * missed)));
+                      earlier_than_chord<Format>(way, u, bend, half_acceleration);
   return travel - bend + Format::value(u * (bent + bent + bent)) +
          Format::moved(Format::value(acceleration * later), places);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The moment-fitted step with n sub-steps while in contact, for a contact of few steps. Free flight is that of Moment;
-// within a step in contact the free relative motion is the cubic through its penetrations and rates at both ends, and
-// what the contact's impulses have done so far is carried along apart for each mass,
+// The moment-fitted step with n sub-steps while in contact, for a contact of few steps or of a part of one. Free flight
+// is that of Moment; within a step in contact the free relative motion is a cubic, of a contact that begins that of
+// touch.hpp, later that through the penetrations and rates at both ends. What the contact's impulses have done so far
+// is carried along apart for each mass,
 //
 //     ball        displacement D += R                      R: rate, per sub-step
 //     main mass   (X, U) by its own exact flow over a sub-step, linear_flow.hpp
@@ -10,27 +11,44 @@
 // so that a sub-step's trial is the cubic at its end less X + D. Both masses have the sums at the step's end; the
 // ball's D and R are its share of the impulses' own sums, so that however heavy it is they have places. Fourth order in
 // h/n, for a main mass that turns by less than a radian in h.
+//
+// The sub-steps before the touch are skipped, by where the cubic has it, and those after the ball has left, by the main
+// mass's flow over 1, 2, 4, .. of them: an impact takes as many as it lasts, and two or three. A ball that stays in
+// contact takes all n.
+
+#include <stddef.h>
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/scene.hpp>
 #include <impact/stepper/moment.hpp>
+#include <impact/stepper/touch.hpp>
 
 namespace impact {
 
-template <int n>
+// As many sub-steps as are named, or by default as the shortest contact asks for (parts_for).
+template <int named = 0>
 struct SubsteppedMoment {
-  static_assert(n >= 2 && n <= 16, "2 to 16 sub-steps");
-  static constexpr uint32_t kind = n;  // a saved state is of one kind of stepper
+  static constexpr int most = named == 0 ? 512 : named;
+  static_assert(most >= 2 && most <= 512 && (most & (most - 1)) == 0, "a power of two from 2 to 512");
+  static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
+  // So that the shortest contact has precise_parts sub-steps, and any is within Moment's range.
+  static constexpr int precise_parts = 20;
+  static constexpr int parts_for(const Resolution& contact, double step) {
+    const double longest = constant::smaller(contact.shortest_part / precise_parts, Moment::steps(contact).most);
+    int n = named == 0 ? 2 : named;
+    while (n < most && step > n * longest) n *= 2;
+    return n;
+  }
   // The cubic misses the main mass's displacement by (w0 h)^4/384 of its amplitude.
   static constexpr double longest_phase = 0.35;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
   // A contact that ends within a step must not be followed by one at the other stop.
   static constexpr Range steps(const Resolution& contact) {
-    return {0, constant::smaller(n * Moment::steps(contact).most, contact.crossing)};
+    return {0, constant::smaller(most * Moment::steps(contact).most, contact.crossing)};
   }
   static constexpr double restitution_error(const Resolution& contact, double step) {
-    return Moment::restitution_error(contact, step / n);
+    return Moment::restitution_error(contact, step / parts_for(contact, step));
   }
 
   template <class Format, class ContactLaw>
@@ -54,15 +72,21 @@ struct SubsteppedMoment {
     // Power laws' impulses are changes of the relative rate, Hooke-Newton's count in forces and become the ball's at
     // once.
     static constexpr bool is_linear = ContactLaw::is_linear;
+    static constexpr int places_of(int n) { return constant::exponent_above(n + 0.5) - 1; }
+    // The main mass's flow over k sub-steps, less (1 k; 0 1).
+    struct Stride {
+      Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;
+    };
     struct Plan {
       StepAnswer response;
       typename Inner::Plan inner;
-      Gain part, square, cube;                          // 1/n, 1/n^2, 1/n^3
-      Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // the main mass's flow over a sub-step, less (1 1; 0 1)
-      Gain main_x, main_u, main_u_by_moment, ball;      // of a sub-step's impulse
-      Gain to_penetration;                              // n, from impulses to penetrations
-      int increment_places;                             // from increments to penetrations
-      Gain force;                                       // from the ball's impulse to the force's impulse
+      int places;                                            // n = 2^places
+      Gain part, square;                                     // 1/n, 1/n^2
+      Stride strides[static_cast<size_t>(places_of(most))];  // over 1, 2, 4, .. sub-steps
+      Gain main_x, main_u, main_u_by_moment, ball;           // of a sub-step's impulse
+      Gain to_penetration;                                   // n, from impulses to penetrations
+      int increment_places;                                  // from increments to penetrations
+      Gain force;                                            // from the ball's impulse to the force's impulse
       int travel_places;
     };
     // An impulse counts by what it does in a sub-step. A step's n impulses change the displacement per step by no more
@@ -71,15 +95,17 @@ struct SubsteppedMoment {
       Inner::bound_forces(in_a_part(terms), largest);
       // The displacements of both masses have room together.
       if (terms.is_linear) largest.push *= constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
+      const double n = parts_for(resolution_of<ContactLaw>(terms), terms.step);
       largest.push =
           constant::larger(largest.push, constant::smaller(4 * terms.largest_rate * terms.step, n * n * largest.push));
     }
     static constexpr ContactTerms in_a_part(ContactTerms terms) {
-      terms.step /= n;
+      terms.step /= parts_for(resolution_of<ContactLaw>(terms), terms.step);
       return terms;
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const ContactTerms sub = in_a_part(terms);
+      const double n = terms.step / sub.step;
       Scene main{};
       main.main_mass = terms.main_mass;
       main.main_stiffness = terms.main_stiffness;
@@ -91,6 +117,13 @@ struct SubsteppedMoment {
       const double of_ball = scale / terms.ball_mass, share = is_linear ? 1 : of_ball;  // of what the sums count
       const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step) * share;
       Plan plan{};
+      plan.places = places_of(static_cast<int>(n + 0.5));
+      for (int i = 0; i < plan.places; ++i) {
+        const double k = constant::power_of_two(i);
+        const LinearFlow over = exact_flow(main, k * sub.step);
+        plan.strides[i] = {Format::gain(over.e11, 0, 0), Format::gain((over.e12 - 1) * k, 0, 0),
+                           Format::gain(over.e21 / k, 0, 0), Format::gain(over.e22, 0, 0)};
+      }
       plan.response = {{Format::gain(1, unit.recoil, unit.push), Format::gain(n * flow.e12, unit.recoil, unit.push),
                         Format::gain(flow.e11, unit.recoil, unit.push),
                         Format::gain(share, unit.recoil, unit.penetration),
@@ -99,11 +132,6 @@ struct SubsteppedMoment {
       if constexpr (!is_linear) plan.inner.change_places = unit.recoil - unit.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);
       plan.square = Format::gain(1.0 / (n * n), 0, 0);
-      plan.cube = Format::gain(1.0 / (n * n * n), 0, 0);
-      plan.by_x_to_x = Format::gain(part.e11, 0, 0);
-      plan.by_u_to_x = Format::gain(part.e12 - 1, 0, 0);
-      plan.by_x_to_u = Format::gain(part.e21, 0, 0);
-      plan.by_u_to_u = Format::gain(part.e22, 0, 0);
       plan.main_x = Format::gain(scale * answer.gx, from, unit.recoil);
       plan.main_u = Format::gain(scale * answer.g0, from, unit.recoil);
       plan.main_u_by_moment = Format::gain(scale * answer.hg1, from, unit.recoil);
@@ -145,36 +173,29 @@ struct SubsteppedMoment {
 
     template <class Seen>
     constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, const Seen& step) {
-      const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
+      const Value trial = step.penetration;
       const bool begins = this->phase == Phase::apart;
-      Value at = begins ? before : this->penetration;
-      Value rate_before = step_rate;
+      Value at = begins ? step.before : this->penetration;
+      // Free of the stop: the penetration s steps before the step's end, trial - v s + a s^2/2 - j s^3.
+      Cubic free{trial, step.rate, {}, {}};
+      int i = 0;
       if (begins) {
-        const Value less = trial - before - trial_rate;
-        rate_before =
-            trial - before + less + less + Format::value(half(Format::moved(step.increment, plan.increment_places)));
+        free.half_acceleration = Format::moved(Format::value(half(step.increment)), plan.increment_places);
+        free.bend = trial - at - free.rate + free.half_acceleration;
+        skip_flight(plan, free, i, at);
+      } else {
+        const Value curving = trial - at - step_rate, rate_change = free.rate - step_rate;
+        free.bend = rate_change - curving - curving;
+        free.half_acceleration = rate_change + rate_change - curving - curving - curving;
       }
-      const Value curving = trial - at - rate_before, rate_change = trial_rate - rate_before;
-      const Value second = plan.square * (curving + curving + curving - rate_change),
-                  third = plan.cube * (rate_change - curving - curving);
-      const Value third3 = third + third + third, third6 = third3 + third3;
-      // The cubic, its rate and its curvature by their differences from one sub-step to the next.
-      Value free = at, free_rate = plan.part * rate_before, curvature = second + second;
-      Value first_difference = free_rate + second + third, second_difference = curvature + third6,
-            rate_difference = curvature + third3;
-      Value x{}, u{}, y{}, w{};  // what the impulses have done to the main mass (x, u), and the ball's sums (y, w)
-      for (int i = 1; i <= n; ++i) {
-        free = free + first_difference;
-        first_difference = first_difference + second_difference;
-        second_difference = second_difference + third6;
-        free_rate = free_rate + rate_difference;
-        rate_difference = rate_difference + third6;
-        curvature = curvature + third6;
-        const Value moved = x + u + plan.by_x_to_x * x + plan.by_u_to_x * u;
-        u = u + plan.by_x_to_u * x + plan.by_u_to_u * u;
-        x = moved;
-        y = y + w;
-        const Value part_trial = (i == n ? trial : free) - Format::moved(x + of_ball(plan, y), plan.travel_places);
+      Sums sums{};  // what the impulses have done
+      const int n = 1 << plan.places;
+      while (i < n) {
+        ++i;
+        sums.advance(plan, 0);
+        const auto s = Format::parts(n - i, plan.places, plan.part);
+        const Value part_trial =
+            (i == n ? trial : free.at(s)) - Format::moved(sums.x + of_ball(plan, sums.y), plan.travel_places);
         if (this->phase == Phase::apart) {
           if (!is_positive(part_trial)) {
             at = part_trial;
@@ -182,25 +203,78 @@ struct SubsteppedMoment {
           }
           if (is_positive(at)) at = Value{};
         }
-        const Value part_rate = free_rate - Format::moved(u + of_ball(plan, w), plan.travel_places);
         Approach<Value> part{};
         part.penetration = part_trial;
-        part.rate = part_rate;
+        part.rate = plan.part * (i == n ? free.rate : free.rate_at(s)) -
+                    Format::moved(sums.u + of_ball(plan, sums.w), plan.travel_places);
         part.travel = part_trial - at;
         part.before = at;
-        part.increment = curvature;
+        part.increment = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
         Impulse<Value> impulse = Inner::resolve(plan.inner, units, part);  // not const: GCC would keep it in memory
-        x = x + plan.main_x * impulse.j1;
-        u = u + plan.main_u * impulse.j0 + plan.main_u_by_moment * impulse.j1;
-        y = y + for_ball(plan, impulse.j1);
-        w = w + for_ball(plan, impulse.j0);
+        sums.x = sums.x + plan.main_x * impulse.j1;
+        sums.u = sums.u + plan.main_u * impulse.j0 + plan.main_u_by_moment * impulse.j1;
+        sums.y = sums.y + for_ball(plan, impulse.j1);
+        sums.w = sums.w + for_ball(plan, impulse.j0);
         at = this->penetration;
+        if (this->phase == Phase::apart) {
+          Sums end = sums;
+          for (int stride = 0; stride < plan.places; ++stride)
+            if ((((n - i) >> stride) & 1) != 0) end.advance(plan, stride);
+          if (is_positive(trial - Format::moved(end.x + of_ball(plan, end.y), plan.travel_places))) continue;
+          sums = end;
+          break;
+        }
       }
-      step_rate = trial_rate - plan.to_penetration * (u + of_ball(plan, w));
-      return {{u, x}, {w, y}, rate_before};
+      step_rate = free.rate - plan.to_penetration * (sums.u + of_ball(plan, sums.w));
+      return {{sums.u, sums.x}, {sums.w, sums.y}, {}};
     }
 
    private:
+    struct Cubic {
+      Value end, rate, half_acceleration, bend;
+
+      template <class Share>
+      constexpr Value at(Share s) const {
+        const Value slope = rate - Format::value(s * (half_acceleration - Format::value(s * bend)));
+        return end - Format::value(s * slope);
+      }
+      template <class Share>
+      constexpr Value rate_at(Share s) const {
+        return rate - Format::value(s * (acceleration() - Format::value(s * (bend + bend + bend))));
+      }
+      template <class Share>
+      constexpr Value acceleration_at(Share s) const {
+        const Value bent = Format::value(s * bend), three = bent + bent + bent;
+        return acceleration() - three - three;
+      }
+      constexpr Value acceleration() const { return half_acceleration + half_acceleration; }
+    };
+    // Of the main mass (x, u) by its own flow, of the ball (y, w); rates per sub-step.
+    struct Sums {
+      Value x, u, y, w;
+
+      constexpr void advance(const Plan& plan, int stride) {
+        const Stride& flow = plan.strides[stride];
+        const Value moved = x + Format::times(u, 1 << stride) + flow.by_x_to_x * x + flow.by_u_to_x * u;
+        u = u + flow.by_x_to_u * x + flow.by_u_to_u * u;
+        x = moved;
+        y = y + Format::times(w, 1 << stride);
+      }
+    };
+    // On to a sub-step or two before the touch.
+    static constexpr void skip_flight(const Plan& plan, const Cubic& free, int& i, Value& at) {
+      const Value travel = free.end - at;
+      if (is_positive(at) || !is_positive(travel)) return;
+      const auto way = Format::divisor(without_sign(travel));
+      const auto u = way.share(without_sign(free.end));
+      const Value ahead = Format::value(u) + earlier_than_chord<Format>(way, u, free.bend, free.half_acceleration);
+      const int n = 1 << plan.places, left = Format::parts_of(ahead, plan.places, plan.part);
+      if (left < 1 || left >= n) return;
+      const Value there = free.at(Format::parts(left, plan.places, plan.part));
+      if (is_positive(there)) return;
+      i = n - left;
+      at = there;
+    }
     // An impulse as the ball's sums count, and what such a sum does to the ball.
     static constexpr Value for_ball(const Plan& plan, Value impulse) {
       return is_linear ? plan.ball * impulse : impulse;

@@ -67,7 +67,7 @@ struct Rebound {
     if constexpr (ContactLaw::is_linear)
       return {depth * speed, loss};
     else
-      return {depth * Format::power_four_fifths(speed), ContactLaw::is_damped ? loss : Value{}};
+      return {depth * Format::template power_four_fifths<true>(speed), ContactLaw::is_damped ? loss : Value{}};
   }
 };
 
@@ -91,7 +91,7 @@ struct Rebound<Format, ContactLaw, true> {
     const auto share = positive_part(speed_share * speed);
     const auto y = Format::quotient(share, share + damping_share);
     const auto& known = hunt_crossley_rebounds<Format>;
-    const Value undamped = depth * Format::power_four_fifths(speed);
+    const Value undamped = depth * Format::template power_four_fifths<true>(speed);
     return {Format::value(undamped * Format::interpolated(known.depth, y)), Format::interpolated(known.loss, y)};
   }
 };

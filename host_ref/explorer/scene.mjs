@@ -40,7 +40,7 @@ export const groups = [
     { name: 'v2', label: 'with the velocity v2', unit: () => 'm/s', least: -2, most: 2 },
   ] },
   { title: 'Computation', values: [
-    { name: 'newmark', label: 'Stepper', choices: { 'auto': 'auto: by the rule', 'moment': 'moment-fitted', 'moment-4': 'moment-fitted, 4 sub-steps', 'moment-8': 'moment-fitted, 8 sub-steps', 'energy': 'energy-consistent', 'impulsive': 'impulsive', 'average': "average acceleration (the paper's)", 'linear': 'linear acceleration', 'fox-goodwin': 'Fox-Goodwin', 'central': 'central difference' } },
+    { name: 'newmark', label: 'Stepper', choices: { 'auto': 'auto: by the rule', 'moment': 'moment-fitted', 'moment-4': 'moment-fitted, 4 sub-steps', 'moment-8': 'moment-fitted, 8 sub-steps', 'moment-n': 'moment-fitted, sub-steps as many as it asks for', 'energy': 'energy-consistent', 'impulsive': 'impulsive', 'average': "average acceleration (the paper's)", 'linear': 'linear acceleration', 'fox-goodwin': 'Fox-Goodwin', 'central': 'central difference' } },
     { name: 'numeric', label: 'Number format', choices: { 'fixed32': 'Fixed32', 'float32': 'Float32', 'float32-plain': 'Float32Plain', 'float64': 'Float64 (host)' } },
     { name: 'step', label: 'Step, h', unit: () => 's', least: 2e-6, most: 1e-2, log: true },
     { name: 'duration', label: 'Simulated time', unit: () => 's', least: 0.1, most: 20, log: true },

@@ -26,14 +26,14 @@ std::string rough_text(double value) {
 // number. The order is that of the rule.
 std::string passed_over(const Request& request, const Resolution& contact) {
   const double h = request.step, steps = contact.shortest_part / h;
-  for (const auto& [stepper, parts] : {std::pair(Stepper::moment, 1), {Stepper::moment_4, 4}, {Stepper::moment_8, 8}}) {
-    // Impulsive, where an impact is short beside the main mass's vibration, comes before sub-steps.
-    if (request.stepper == stepper || (parts > 1 && request.stepper == Stepper::impulsive)) break;
+  const int n = SubsteppedMoment<>::parts_for(contact, h);
+  for (const auto& [stepper, parts] : {std::pair(Stepper::moment, 1), {Stepper::moment_n, n}}) {
+    if (request.stepper == stepper) break;
     if (parts * steps < Moment::precise_steps) continue;
     const double turn = contact.main_pulsation * h, phase = contact.pulsation * h / parts,
                  damping = contact.damping * h / parts;
     const std::string name = "; not " + std::string(name_of(stepper)) + ": ";
-    const double longest_turn = parts == 1 ? Moment::longest_phase : SubsteppedMoment<4>::longest_phase;
+    const double longest_turn = parts == 1 ? Moment::longest_phase : SubsteppedMoment<>::longest_phase;
     if (turn > longest_turn)
       return name + rough_text(turn) + " rad of the main mass's vibration in a step, at most " +
              rough_text(longest_turn);
@@ -44,6 +44,8 @@ std::string passed_over(const Request& request, const Resolution& contact) {
     if (damping > Moment::largest_damping)
       return name + "the deepest contact's damping h c/mu is " + rough_text(damping) + ", at most " +
              rough_text(Moment::largest_damping);
+    if (request.stepper == Stepper::moment_n)
+      return name + "with fewer than " + std::to_string(SubsteppedMoment<>::precise_parts) + " steps less exact";
     return name + "a contact loses less than it may create";
   }
   return {};
@@ -70,6 +72,7 @@ std::string description(const Request& request, bool is_automatic) {
                     : request.stepper == Stepper::moment_8 ? 8
                     : request.stepper == Stepper::moment_n ? SubsteppedMoment<>::parts_for(contact, request.step)
                                                            : 0;
+  if (parts > 1) line += ", " + std::to_string(parts) + " sub-steps";
   if (parts > 0)
     line += ", restitution within " + rough_text(Moment::restitution_error(contact, request.step / parts)) +
             " of the law's";

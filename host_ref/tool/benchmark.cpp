@@ -44,7 +44,7 @@ void write_benchmark(const Settings& settings) {
   for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
     for (const Stepper stepper :
          {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central, Stepper::moment, Stepper::moment_4,
-          Stepper::moment_8, Stepper::energy, Stepper::impulsive}) {
+          Stepper::moment_8, Stepper::moment_n, Stepper::energy, Stepper::impulsive}) {
       for (const Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}) {
         const double time = nanoseconds_per_step(law, stepper, numeric);
         if (time < 0) continue;

@@ -54,10 +54,7 @@ class Watched final : public Simulation {
     broken.count = 0;
     simulation_->step(force, base);
     if (broken.count == 0 || simulation_->fault()) return;
-    // A share of a step that is clamped by itself, but not with what is taken from it: of a touch that hardly moves.
-    const std::string where = places();
-    if (where.find("rate_at_touch") == std::string::npos && where.find("touch_rate") == std::string::npos)
-      found.emplace(where, scene_now);
+    found.emplace(places(), scene_now);
   }
   Sample sample() const override { return simulation_->sample(); }
   const char* fault() const override { return simulation_->fault(); }
@@ -148,8 +145,8 @@ TEST_P(WatchedFixed32, WrapsNowhereInFreePairs) {
 std::vector<Kind> kinds() {
   std::vector<Kind> result;
   // What the classical schemes gain in a stiff contact leaves their forces' units before it raises a fault.
-  for (const Stepper stepper :
-       {Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::energy, Stepper::impulsive}) {
+  for (const Stepper stepper : {Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::moment_n,
+                                Stepper::energy, Stepper::impulsive}) {
     for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
       result.push_back({law, Damping::constant, stepper});
     result.push_back({Law::hunt_crossley, Damping::exact, stepper});

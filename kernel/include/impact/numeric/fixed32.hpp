@@ -195,9 +195,13 @@ struct Fixed32 : Fixed32Numbers {
     if (later) return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
     return {t.raw < step ? 0 : t.raw - step};
   }
-  // k of 2^places parts of 1, for k below that; and how many of them x has, rounded up, within two.
+  static constexpr Value within_a_quarter(Value x) {
+    constexpr int32_t quarter = 1 << 29;
+    return {x.raw > quarter ? quarter : x.raw < -quarter ? -quarter : x.raw};
+  }
+  // k of 2^places parts of 1, for k below that; and how many of them x has, rounded down.
   static constexpr Unsigned<32> parts(int k, int places, Gain) { return {static_cast<uint32_t>(k) << (32 - places)}; }
-  static constexpr int parts_of(Value x, int places, Gain) { return (x.raw >> (31 - places)) + 2; }
+  static constexpr int parts_of(Value x, int places, Gain) { return x.raw >> (31 - places); }
   static constexpr Value times(Value x, int k) {
     return {static_cast<int32_t>(static_cast<uint32_t>(x.raw) * static_cast<uint32_t>(k))};
   }

@@ -272,9 +272,14 @@ struct RealFormat {
   static constexpr int spare_places(Values...) {
     return 0;
   }
-  // k of as many parts of 1 as `part` says; and how many of them x has, rounded up, within two.
+  // No number: -1/4.
+  static constexpr Real within_a_quarter(Real x) {
+    constexpr auto quarter = static_cast<Real>(0.25);
+    return x > -quarter ? (x < quarter ? x : quarter) : -quarter;
+  }
+  // k of as many parts of 1 as `part` says; and how many of them x has, between -1 and 1.
   static constexpr Real parts(int k, int, Gain part) { return static_cast<Real>(k) * part; }
-  static constexpr int parts_of(Real x, int, Gain part) { return x > 0 && x < 1 ? static_cast<int>(x / part) + 2 : 0; }
+  static constexpr int parts_of(Real x, int, Gain part) { return static_cast<int>(x / part); }
   static constexpr Real times(Real x, int k) { return x * static_cast<Real>(k); }
   static constexpr int exponent_of(double) { return 0; }
   static constexpr Value power_of_two(int) { return 1; }

@@ -13,11 +13,12 @@ template <class Format, class Share, class Value>
   const Value slope = Format::value(u * (bend + Format::value(u * bend) - half_acceleration));
   return slope - Format::value(u * slope);
 }
-// By how much of a step the touch is earlier than the chord has it. `way` is the divisor D, of which u = way.share(d).
+// By how much of a step the touch is earlier than the chord has it, no more than a quarter: a touch that is farther
+// from it hardly moves. `way` is the divisor D, of which u = way.share(d).
 template <class Format, class Way, class Share, class Value>
 [[gnu::always_inline]] constexpr Value earlier_than_chord(const Way& way, Share u, Value bend,
                                                           Value half_acceleration) {
-  return Format::value(way.ratio(above_chord<Format>(u, bend, half_acceleration)));
+  return Format::within_a_quarter(Format::value(way.ratio(above_chord<Format>(u, bend, half_acceleration))));
 }
 
 // The acceleration counts `places` finer than penetrations.

@@ -267,8 +267,9 @@ struct SubsteppedMoment {
       if (is_positive(at) || !is_positive(travel)) return;
       const auto way = Format::divisor(without_sign(travel));
       const auto u = way.share(without_sign(free.end));
-      const Value ahead = Format::value(u) + earlier_than_chord<Format>(way, u, free.bend, free.half_acceleration);
-      const int n = 1 << plan.places, left = Format::parts_of(ahead, plan.places, plan.part);
+      const Value earlier = earlier_than_chord<Format>(way, u, free.bend, free.half_acceleration);
+      const int n = 1 << plan.places, left = Format::parts_of(Format::value(u), plan.places, plan.part) +
+                                             Format::parts_of(earlier, plan.places, plan.part) + 3;
       if (left < 1 || left >= n) return;
       const Value there = free.at(Format::parts(left, plan.places, plan.part));
       if (is_positive(there)) return;

@@ -5,7 +5,7 @@
 #include <host_ref/settled.hpp>
 #include <host_ref/tool/summary.hpp>
 #include <host_ref/tool/text.hpp>
-#include <impact/stepper/moment.hpp>
+#include <impact/stepper/moment/substepped.hpp>
 #include <sstream>
 
 namespace impact::host {
@@ -35,6 +35,7 @@ double expected_error(const Request& made) {
   const int parts = made.stepper == Stepper::moment     ? 1
                     : made.stepper == Stepper::moment_4 ? 4
                     : made.stepper == Stepper::moment_8 ? 8
+                    : made.stepper == Stepper::moment_n ? SubsteppedMoment<>::parts_for(resolution(made), made.step)
                                                         : 0;
   if (parts == 0) return std::nan("");
   return Moment::restitution_error(resolution(made), made.step / parts);

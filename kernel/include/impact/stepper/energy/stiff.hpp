@@ -212,8 +212,17 @@ struct StiffContact {
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of<true>(end.rate);
       if constexpr (is_in_field) {
+        const End unpaid = end;
         Value taken{};
         for (int pass = 0; pass < 2; ++pass) pay_for_correction(end, taken);
+        // What is not paid for waits: the ball stays where the force leaves it. At rest, where nothing is to be had, it
+        // must not sink by what x^(4/5) rounds.
+        const Value unmoved = step.trial - unpaid.recoil;
+        if (is_positive(unmoved - end.penetration - Format::value(end.penetration * Format::short_constant(0x1p-10))) &&
+            is_positive(gained_by_field(end) - taken)) {
+          end = unpaid;
+          end.penetration = unmoved;
+        }
       }
       end.is_inside = is_positive(end.rate);
       return true;
@@ -275,6 +284,10 @@ struct StiffContact {
       const bool is_negative = !is_positive(x);
       return mirrored(Format::value(Format::quotient(without_sign(mirrored(x, is_negative)), without_sign(y))),
                       is_negative);
+    }
+    // By the correction, as a square of rates.
+    [[gnu::always_inline]] constexpr Value gained_by_field(const End& end) const {
+      return -Format::value(afresh(scaled(step.field)) * scaled(moved_to(end)));
     }
     static constexpr Value square_of(Value x) { return Format::value(x * x); }
 
@@ -342,6 +355,15 @@ struct StiffContact {
       if constexpr (is_in_field) {
         const Value least = is_positive(step.travel - step.field) ? step.field : step.travel;
         if (is_positive(least - recoil)) recoil = least;
+        if (step.is_inside && is_positive(step.field) && is_positive(step.trial - recoil) &&
+            Format::spare_places(step.trial) >= places) {
+          const Value own_field = scaled(step.field), middle = Format::value(half(d)) + Format::value(half(own_field));
+          const Value squares =
+              square_of(middle) + square_of(v) - Format::value(afresh(own_field) * scaled(step.trial));
+          const Value most =
+              is_positive(squares) ? middle + Format::value(Format::root_of_product(without_sign(squares))) : middle;
+          if (is_positive(recoil - unscaled(most))) recoil = unscaled(most);
+        }
       }
       const Value free = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
       Value end{};

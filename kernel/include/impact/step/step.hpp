@@ -203,7 +203,8 @@ struct Step {
   }
   template <class Units>
   static constexpr Value touch_rate(const Units& units, const Approach<Value>& approach) {
-    if (is_positive(approach.before) || !is_positive(approach.penetration)) return approach.rate;
+    if (is_positive(approach.before) || !is_positive(approach.penetration) || !is_positive(approach.travel))
+      return approach.rate;
     const auto way = Format::divisor(without_sign(approach.travel));
     return rate_at_touch<Format>(way, way.share(without_sign(approach.penetration)), approach.travel, approach.rate,
                                  units.increment_of_rate(approach.increment), 0);

@@ -217,9 +217,11 @@ struct StiffContact {
         for (int pass = 0; pass < 2; ++pass) pay_for_correction(end, taken);
         // What is not paid for waits: the ball stays where the force leaves it. At rest, where nothing is to be had, it
         // must not sink by what x^(4/5) rounds.
+        // A correction that has no room in the step's own unit was not paid for at all.
         const Value unmoved = step.trial - unpaid.recoil;
+        const bool has_room = Format::spare_places(moved_to(end)) >= places;
         if (is_positive(unmoved - end.penetration - Format::value(end.penetration * Format::short_constant(0x1p-10))) &&
-            is_positive(gained_by_field(end) - taken)) {
+            is_positive(has_room ? gained_by_field(end) - taken : step.field)) {
           end = unpaid;
           end.penetration = unmoved;
         }

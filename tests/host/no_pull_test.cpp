@@ -176,7 +176,8 @@ TYPED_TEST(NoPull, WithWeightShakenBaseAndFriction) { TypeParam::expect_no_pull(
 template <class KindUnderTest>
 class NoPullAlone : public testing::Test {};
 using OtherKinds =
-    testing::Types<Kind<HookeNewton, EnergyConsistent, Float64>, Kind<HookeNewton, EnergyConsistent, Fixed32>,
+    testing::Types<Kind<HuntCrossley, EnergyConsistent, Float64>, Kind<Exact, EnergyConsistent, Fixed32>,
+                   Kind<HookeNewton, EnergyConsistent, Float64>, Kind<HookeNewton, EnergyConsistent, Fixed32>,
                    Kind<HuntCrossley, AverageAcceleration, Float32>, Kind<HuntCrossley, AverageAcceleration, Fixed32>,
                    Kind<HuntCrossley, CentralDifference, Fixed32>, Kind<HookeNewton, LinearAcceleration, Fixed32>>;
 TYPED_TEST_SUITE(NoPullAlone, OtherKinds, );

@@ -262,6 +262,7 @@ struct StiffContact {
       Value by_both = taken;
       if (is_by_back) {
         paid.recoil = unscaled(back + change);
+        if (is_negative(paid.recoil)) return;
         by_both = by_both + Format::value(change * (d - back - back - change));
       } else {
         paid.rate = unscaled(v1 - change);
@@ -367,6 +368,7 @@ struct StiffContact {
           if (is_positive(recoil - unscaled(most))) recoil = unscaled(most);
         }
       }
+      if (is_negative(recoil)) recoil = Value{};  // a ball that leaves faster than the law pushes it is not held back
       const Value free = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
       Value end{};
       if (step.is_inside && !is_positive(free)) end = is_positive(free - farthest) ? free : farthest;

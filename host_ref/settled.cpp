@@ -25,8 +25,8 @@ Resolution resolution(const Request& request) {
   return resolution_of<HuntCrossley>(scene, bounds);
 }
 
-Stepper chosen(const Request& request) {
-  switch (choice_for(resolution(request), request.step)) {
+Stepper chosen(const Request& request, int most_sub_steps) {
+  switch (choice_for(resolution(request), request.step, most_sub_steps)) {
     case Choice::moment:
       return Stepper::moment;
     case Choice::sub_steps:

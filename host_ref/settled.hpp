@@ -2,6 +2,7 @@
 // From a request as it was asked to the stepper and the bounds that it is planned with.
 
 #include <impact/law/resolution.hpp>
+#include <impact/stepper/moment/substepped.hpp>
 
 #include "host_ref/simulation_of.hpp"
 
@@ -17,7 +18,8 @@ Settled settled(const Request& asked, bool may_run = true);
 
 // Of requests with bounds.
 Resolution resolution(const Request& request);
-Stepper chosen(const Request& request);  // by the plan's rule
+// By the plan's rule.
+Stepper chosen(const Request& request, int most_sub_steps = SubsteppedMoment<>::most);
 Planned plan(const Request& request);
 
 // Whether a fault, or nullptr, is that a bound is passed which is not stated.

@@ -1,5 +1,5 @@
 #pragma once
-// The stepper that the kernel's rule takes for the paper's main mass at a stop, in impacts at 0.8 m/s without damping:
+// The stepper that a firmware's Chosen<> takes for the paper's main mass at a stop, in impacts at 0.8 m/s without damping:
 // the restitution of two free masses does not say how far a contact may last beside the main mass's vibration.
 
 #include <host_ref/settled.hpp>
@@ -13,7 +13,7 @@ inline std::string_view machine_rule(Law law, double step, double contact_stiffn
   request.scene.contact_stiffness = contact_stiffness;
   request.scene.contact_damping = 0;
   request.bounds.emplace().speed = 0.4;  // m/s, of each mass
-  return host::name_of(host::chosen(request));
+  return host::name_of(host::chosen(request, 1));
 }
 
 }  // namespace impact::report

@@ -131,7 +131,7 @@ export const partsRows = (accuracy) => groupsOf(accuracy, 'part', 'newmark', 'nu
 // where the kernel's rule takes it for the paper's main mass: the restitution of free masses says nothing of a contact
 // that lasts. Stability is known on a grid of quarters of a decade of step and halves of a decade of stiffness.
 const types = { 'hooke-newton': 'HookeNewton', hertz: 'Hertz', 'hunt-crossley': 'HuntCrossley', moment: 'Moment',
-  'moment-4': 'SubsteppedMoment<4>', impulsive: 'Impulsive', average: 'AverageAcceleration', linear: 'LinearAcceleration',
+  'moment-4': 'SubsteppedMoment<4>', 'moment-n': 'SubsteppedMoment<>', impulsive: 'Impulsive', average: 'AverageAcceleration', linear: 'LinearAcceleration',
   'fox-goodwin': 'FoxGoodwin', central: 'CentralDifference', fixed32: 'Fixed32', float32: 'Float32' };
 export function chooserOf(budget, stability) {
   const configuration = configurationsOf(budget), candidates = new Map();

@@ -173,7 +173,8 @@ TEST_F(ImpactSim, HelpNamesEveryOptionWithItsRange) {
                     speed = "from -1000 to 1000 m/s;", bound = "from 1e-09 to 1e+06 m", any;
   const std::map<std::string, std::string> allowed = {
       {"law", "hooke-newton, hertz, hunt-crossley;"},
-      {"newmark", "auto, average, linear, fox-goodwin, central, moment, moment-4, moment-8, energy, impulsive;"},
+      {"newmark",
+       "auto, average, linear, fox-goodwin, central, moment, moment-4, moment-8, moment-n, energy, impulsive;"},
       {"numeric", "float32, float32-plain, fixed32, float64;"},
       {"step", "from 1e-09 to 0.1 s;"},
       {"duration", "from 0 to 1e+07 s;"},
@@ -238,8 +239,8 @@ TEST_F(ImpactSim, TheBenchmarkHasEveryStepperInEveryFormat) {
   const Result result = run("--benchmark");
   EXPECT_EQ(result.code, 0) << result.err;
   for (const char* law : {"hooke-newton", "hertz", "hunt-crossley"})
-    for (const char* stepper :
-         {"average", "linear", "fox-goodwin", "central", "moment", "moment-4", "moment-8", "energy", "impulsive"})
+    for (const char* stepper : {"average", "linear", "fox-goodwin", "central", "moment", "moment-4", "moment-8",
+                                "moment-n", "energy", "impulsive"})
       for (const char* numeric : {"float32", "float32-plain", "fixed32", "float64"})
         EXPECT_THAT(result.out, HasSubstr("\n" + std::string(law) + "," + stepper + "," + numeric + ","));
 }

@@ -189,9 +189,12 @@ Measured measure(const Request& asked) {
     const Stepper stepper = request.stepper;
     take_longer_steps(request, planned);
     const Bounds limits = only_open(stated, bounds);
-    const Reached reached =
-        planned.simulation->reached_in(step_count(request), samples_after(0, step_count(request), request.samples),
-                                       samples_after(0, step_count(request), request.base_samples), limits);
+    // No further than there are samples.
+    long steps = step_count(request);
+    for (const auto* samples : {&request.samples, &request.base_samples})
+      if (!samples->empty()) steps = std::min(steps, static_cast<long>(samples->size()));
+    const Reached reached = planned.simulation->reached_in(steps, samples_after(0, steps, request.samples),
+                                                           samples_after(0, steps, request.base_samples), limits);
     if (!reached.is_within(limits) || is_of_open_bound(planned.simulation->fault(), stated)) {
       bounds = wider_than(asked, bounds, reached, round < doubled_rounds ? 2 : 16);
       continue;

@@ -251,6 +251,7 @@ std::string text_of(const Request& request) {
                {"v2", scene.v2},
                {"bound-displacement", bounds.displacement},
                {"bound-speed", bounds.speed},
+               {"bound-penetration", bounds.penetration},
                {"bound-force", bounds.force}});
   return text;
 }

@@ -19,7 +19,7 @@ Settled settled(const Request& asked, bool may_run = true);
 // Of requests with bounds.
 Resolution resolution(const Request& request);
 // By the plan's rule.
-Stepper chosen(const Request& request, int most_sub_steps = SubsteppedMoment<>::most);
+Stepper chosen(const Request& request, int most_sub_steps = 1);
 Planned plan(const Request& request);
 
 // Whether a fault, or nullptr, is that a bound is passed which is not stated.

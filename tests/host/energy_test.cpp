@@ -128,7 +128,7 @@ TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {
 TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
   Request request;
   request.stepper = Stepper::energy;
-  request.bounds = Bounds{0.2, 2, 0, 10};
+  request.bounds = Bounds{0.2, 4, 0, 10};
   Scene& scene = request.scene;
   scene.contact_stiffness = 2e5;
   scene.contact_damping = 4e6;

@@ -26,7 +26,9 @@ inline Request paper_request(Law law, Stepper stepper, double step, Tension tens
 // Samples at multiples of `interval`, which is one of the step; drive samples are one a step, from the first step's end
 // on.
 inline Samples kernel_samples(const Request& request, double interval, double duration) {
-  const Outcome outcome = make_simulation(request);
+  Request asked = request;
+  asked.duration = duration;  // over which bounds are found
+  const Outcome outcome = make_simulation(asked);
   EXPECT_TRUE(outcome.simulation) << outcome.refusal.field << " " << outcome.refusal.value
                                   << ", allowed: " << outcome.refusal.allowed;
   if (!outcome.simulation) return {};

@@ -44,7 +44,7 @@ namespace impact {
 
 enum class Choice { moment, sub_steps, energy, impulsive };
 
-constexpr Choice choice_for(const Resolution& contact, double step, int most_sub_steps = SubsteppedMoment<>::most) {
+constexpr Choice choice_for(const Resolution& contact, double step, int most_sub_steps = 1) {
   constexpr double longest_instant = 0.05;  // w0 tc
   const double e = contact.restitution, loss = 1 - e * e;
   const auto part = [&](int parts) { return Moment::precise_steps * step / (parts * contact.shortest_part); };

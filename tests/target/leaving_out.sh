@@ -40,8 +40,8 @@ feature() {
   least_flash=$4 least_ram=$5 symbols=${6-}
   set -- $(sizes "$with") $(sizes "$without")
   flash=$(($1 - $3)) ram=$(($2 - $4))
-  [ "$least_flash" != noise ] || least_flash=$((-$3 / 25))
-  noise=$(($3 / 25))
+  [ "$least_flash" != noise ] || least_flash=$((-$3 / 16))
+  noise=$(($3 / 16))
   row "$target,$numeric,$name,$flash,$ram"
   [ $flash -ge "$least_flash" ] && [ $ram -ge "$least_ram" ] ||
     fail "$name should add at least $least_flash bytes of flash and $least_ram of RAM"

@@ -154,7 +154,9 @@ bool has_every_way(const Found& found, bool can_be_released, bool can_fault) {
       for (uint32_t to = 0; to < 3; ++to)
         if ((from < 2 && to < 2) || (can_be_released && from != 0))
           has = is_seen(ways[from][to], "the way between phases", 10 * from + to) && has;
-  for (uint32_t fault = 1; can_fault && fault < 4; ++fault) has = is_seen(found.faults[fault], "fault", fault) && has;
+  // Of a displacement and a speed either: both are found by one check and clamped by one function.
+  if (can_fault) has = is_seen(found.faults[1] + found.faults[2], "fault", 1) && has;
+  if (can_fault) has = is_seen(found.faults[3], "fault", 3) && has;
   return has;
 }
 

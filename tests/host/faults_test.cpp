@@ -9,6 +9,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "host_ref/extremes.hpp"
+
 namespace impact {
 namespace {
 
@@ -100,7 +102,7 @@ void expect_fault_at_bound(Kernel absorber, Fault expected, double error, Share 
   for (int n = 0; n < 20000 && absorber.fault() == Fault::none; ++n) {
     EXPECT_LE(largest, 1.01 + error) << n << ": a fault too late";
     absorber.step();
-    largest = std::max(largest, of(n + 1));
+    largest = host::larger(largest, of(n + 1));
   }
   EXPECT_EQ(absorber.fault(), expected);
   EXPECT_GE(largest, 1 - error) << "a fault too early";
@@ -275,7 +277,7 @@ TYPED_TEST(Faults, ABoundWithinTheCavity) {
     for (int n = 0; n < 20000 && absorber.fault() == Fault::none; ++n) {
       absorber.step();
       const auto now = absorber.reading();
-      most = std::max(most, std::abs(now.x1));
+      most = host::larger(most, std::abs(now.x1));
       EXPECT_LE(now.v1 * now.v1 + 1000 * now.x1 * now.x1 + 0.3 * now.v2 * now.v2, 0.2501);
     }
     EXPECT_LE(most, 1.01 * bound);

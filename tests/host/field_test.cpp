@@ -286,9 +286,9 @@ TEST(Field, AStiffContactUnderWeightGainsNothingInWideBounds) {
     for (int n = 0; n < 2000; ++n) {
       absorber.step();
       const auto now = absorber.reading();
-      most = std::max(most,
-                      scene.gravity * (scene.main_mass * (now.x1 - scene.x1) + scene.ball_mass * (now.x2 - scene.x2)));
-      if (!absorber.is_touching() && depth_of(now) <= 0) gain = std::max(gain, energy(now) - at_start);
+      most =
+          larger(most, scene.gravity * (scene.main_mass * (now.x1 - scene.x1) + scene.ball_mass * (now.x2 - scene.x2)));
+      if (!absorber.is_touching() && depth_of(now) <= 0) gain = larger(gain, energy(now) - at_start);
     }
     EXPECT_LE(gain, 1e-6 * (most + size)) << found.main_mass;
   }

@@ -14,7 +14,7 @@
 //
 //     b = (t^2 D + 2 t V0)/(1 + t^2)        t = (V1 - V0)/(d1 - d0)
 //
-// is the step whose force is the difference quotient of the potential. t hardly hangs on the end: t^2 = (5/8) G sqrt(d)
+// is the step whose force is the difference quotient. t depends little on the end: t^2 = (5/8) G sqrt(d)
 // at the mean d of d0 and d1, or for a ball that enters from d0 < 0, (2/5) G sqrt(d1) times the square of
 // d1/(d1 - d0). d1 is taken for that as the free end, d0 + D or within a contact d0 + D - p (p below), or, where that
 // is beyond it, K (V0 + D/2)^(4/5) to 1 %, which no step passes. An elastic contact ends late by less than a step, by
@@ -22,7 +22,7 @@
 //
 // A ball at rest under a press has D = b = p and stays where b = 2 t V0 = G d^(3/2) for the t^2 of its own d, as the
 // law says, (m g/k1)^(2/3): d1 = d0 + D instead would leave it (h omega)^2/36 of itself higher. What x^(4/5)
-// rounds, 4.4e-5 of d, leaves the ball trembling by up to 2e-3 of d, in the mean within 1.5e-4, up to h omega = 3
+// rounds, 4.4e-5 of d, leaves the ball trembling by up to 2e-3 of d, on average within 1.5e-4, up to h omega = 3
 // (tests/host/field_test.cpp).
 //
 // Hunt-Crossley. Spring, drive and field change the rate by 2 p in the step, from D - p to D + p - 2 b. With the

@@ -179,8 +179,9 @@ class PlanMaking {
     largest.penetration = larger(largest.penetration, largest_change);  // again: a treatment may have set it lower
     // The others are refused such a start where it is deeper than what they bound.
     if (Contact::is_instantaneous) largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
-    // Classical schemes end as deep as a flight does, and an impact at an instant goes nowhere.
-    const bool is_of_flight = Contact::is_instantaneous || (Contact::keeps_force && !(bounds.penetration > 0));
+    // An impact at an instant goes nowhere.
+    const bool is_of_flight =
+        Contact::is_instantaneous || (Contact::ends_as_deep_as_flight(terms) && !(bounds.penetration > 0));
     largest.limits.penetration = limit_of(is_of_flight ? largest.penetration : terms.largest_penetration);
     // Between two stops the ball is where they are.
     const bool is_between = scene.stops == Stops::both;

@@ -97,6 +97,7 @@ struct Pointwise {
     }
 
     static constexpr bool keeps_force = true;
+    static constexpr bool ends_as_deep_as_flight(const ContactTerms&) { return true; }
 
     Value force;  // at the start of the step
     Phase phase;

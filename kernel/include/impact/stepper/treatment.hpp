@@ -22,6 +22,8 @@ struct Treatment {
   static constexpr bool sees_change = false;
   // Whether it keeps a force from step to step, in its plan's units.
   static constexpr bool keeps_force = false;
+  // Whether a step may leave the ball as deep as its free flight comes, deeper than the law allows.
+  static constexpr bool ends_as_deep_as_flight(const ContactTerms&) { return false; }
   // Whether it may change the rate of penetration in a step as no force over that step does.
   template <class Plan>
   static constexpr bool is_sudden(const Plan&) {

@@ -69,6 +69,10 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
   };
 
   static constexpr bool is_sudden(const Plan& plan) { return !plan.is_resolved; }
+  // In a field a stiff contact may leave the ball where its force does, deeper than its energy says (stiff.hpp).
+  static constexpr bool ends_as_deep_as_flight(const ContactTerms& terms) {
+    return terms.field > 0 && !is_resolved(terms);
+  }
   // Whether a contact lasts 20 steps and u = h c/(2 mu) stays below 1/2, at the deepest penetration and at the peak of
   // an elastic impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d). And a
   // contact that lasts has u of at most 1/10: where it bears what presses, with a damping set per impact anywhere.

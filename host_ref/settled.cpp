@@ -195,7 +195,7 @@ Measured measure(const Request& asked) {
       if (!samples->empty()) steps = std::min(steps, static_cast<long>(samples->size()));
     const Reached reached = planned.simulation->reached_in(steps, samples_after(0, steps, request.samples),
                                                            samples_after(0, steps, request.base_samples), limits);
-    if (!reached.is_within(limits) || is_of_open_bound(planned.simulation->fault(), stated)) {
+    if (!reached.is_within(limits) || open_bound_passed(planned.simulation->fault(), stated)) {
       bounds = wider_than(asked, bounds, reached, round < doubled_rounds ? 2 : 16);
       continue;
     }
@@ -239,12 +239,13 @@ bool has_open_bounds(const Request& asked) {
   return is_open(stated.displacement) || is_open(stated.speed) || is_open(stated.penetration);
 }
 
-bool is_of_open_bound(const char* fault, const Bounds& stated) {
+double Bounds::*open_bound_passed(const char* fault, const Bounds& stated) {
   const std::string_view what = fault ? fault : "";
-  return is_open(what == displacement_fault  ? stated.displacement
-                 : what == speed_fault       ? stated.speed
-                 : what == penetration_fault ? stated.penetration
-                                             : 0);
+  for (const auto& [said, bound] : {std::pair(displacement_fault, &Bounds::displacement),
+                                    {speed_fault, &Bounds::speed},
+                                    {penetration_fault, &Bounds::penetration}})
+    if (what == said && is_open(stated.*bound)) return bound;
+  return nullptr;
 }
 
 bool hangs_on_bounds(PlanStatus status, const Request& request) {

@@ -22,8 +22,8 @@ Resolution resolution(const Request& request);
 Stepper chosen(const Request& request, int most_sub_steps = 1);
 Planned plan(const Request& request);
 
-// Whether a fault, or nullptr, is that a bound is passed which is not stated.
-bool is_of_open_bound(const char* fault, const Bounds& stated);
+// The bound that a fault, or nullptr, says is passed, where it is not stated: one that may be widened. Else nullptr.
+double Bounds::*open_bound_passed(const char* fault, const Bounds& stated);
 // Whether with other bounds a plan that was refused so may be made.
 bool hangs_on_bounds(PlanStatus status, const Request& request);
 

@@ -126,12 +126,15 @@ Outcome make_simulation(const Request& request) {
 
 std::optional<Request> widened(const Request& asked, const Outcome& outcome) {
   const Bounds stated = asked.bounds.value_or(open_bounds);
-  if (!is_of_open_bound(outcome.simulation->fault(), stated)) return std::nullopt;
+  const auto passed = open_bound_passed(outcome.simulation->fault(), stated);
+  if (!passed) return std::nullopt;
   Request wider = asked;
   wider.bounds = outcome.made.bounds;
   for (double Bounds::*bound : {&Bounds::displacement, &Bounds::speed, &Bounds::penetration})
     if (std::isnan(stated.*bound)) (*wider.bounds).*bound = std::min(bound_range.most, 2 * (*wider.bounds).*bound);
-  return (*wider.bounds).displacement < bound_range.most ? std::optional<Request>(wider) : std::nullopt;
+  // One that is at its end, or a penetration that follows from the others, is no wider.
+  if (!((*wider.bounds).*passed > (*outcome.made.bounds).*passed)) return std::nullopt;
+  return wider;
 }
 
 Refusal refusal_before_a_run(const Request& asked) {

@@ -167,7 +167,9 @@ class PlanMaking {
       Contact::bound_forces(terms, of_forces);
       largest.displacement += of_forces.push / 2;
     }
-    largest.limits.main = limit_of(bounds.displacement);
+    // In a sampled field the state keeps a position less up to h^2 a / 6 (motion/field.hpp).
+    const double offset = Field::is_sampled ? h * h * Field::largest(scene, bounds) / 6 : 0;
+    largest.limits.main = limit_of(bounds.displacement + offset);
     largest.limits.way = limit_of(largest.displacement);
     // Of a displacement that has just passed its limit, too, which is looked at afterwards.
     const double spring = scene.main_stiffness * (largest.limits.main + 2 * largest.limits.way),
@@ -185,9 +187,9 @@ class PlanMaking {
     largest.limits.penetration = limit_of(is_of_flight ? largest.penetration : terms.largest_penetration);
     // Between two stops the ball is where they are.
     const bool is_between = scene.stops == Stops::both;
-    largest.limits.ball = is_between
-                              ? limit_of(bounds.displacement + largest.gap + largest.penetration) + largest.limits.way
-                              : largest.limits.main;
+    largest.limits.ball =
+        is_between ? limit_of(bounds.displacement + offset + largest.gap + largest.penetration) + largest.limits.way
+                   : largest.limits.main;
     largest.apart = (is_between ? largest.limits.ball : 2 * largest.limits.main) + 2 * largest.limits.way;
     return largest;
   }

@@ -9,7 +9,7 @@ namespace impact::host {
 
 template <class Format, class ContactLaw, class Stepper>
 Planned plan_in_field(const Request& request, const Bounds& bounds) {
-  return plan_with_drive<Format, ContactLaw, Stepper, AnyField, DryFriction, ContactForce>(request, bounds);
+  return plan_with_drive<Format, ContactLaw, Stepper, AnyField, DryFriction>(request, bounds);
 }
 
 template <class Format, class ContactLaw>

@@ -49,7 +49,7 @@ struct Ledger : EnergyLedger {
 template <class Format, class ContactLaw, class Stepper, class Drive, class... Parts>
 class KernelSimulation final : public Simulation {
  public:
-  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, Ledger, ImpactLog, Parts...>;
+  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, Ledger, ImpactLog, ContactForce, Parts...>;
 
   KernelSimulation(const Request& request, const Bounds& bounds, const typename Kernel::PlanType& plan)
       : scene_(request.scene),
@@ -73,7 +73,6 @@ class KernelSimulation final : public Simulation {
   // Not inlined into step(): it is the whole kernel.
   [[gnu::noinline]] long run(long steps, const double* forces, double* x1, const double* base) override {
     for (long n = 0; n < steps; ++n) {
-      if (n == steps - 1) note_ball();
       advance(forces ? forces[n] : 0, base ? base[n] : 0);
       if (kernel_.fault() != Fault::none || is_sample_beyond_) return n;
       x1[n] = displacement();
@@ -105,11 +104,8 @@ class KernelSimulation final : public Simulation {
     sample.x2 = now.x2;
     sample.v2 = now.v2;
     sample.penetration = penetration(now.x2 - now.x1);
-    if constexpr (detail::is_one_of<ContactForce, Parts...>) {
-      sample.contact_force = std::abs(plan.units.fraction(state.contact_force)) * plan.force_scale;
-    } else if constexpr (Kernel::Contact::is_instantaneous) {
-      // The mean over the last step.
-      sample.contact_force = scene.ball_mass * std::abs(now.v2 - v2_before_) / step_;
+    if constexpr (has_impulse) {
+      sample.contact_force = std::abs(plan.units.fraction(kernel_.contact_force())) * plan.force_unit();
     } else if (kernel_.is_touching()) {
       // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
       const double depth = ContactLaw::is_linear ? sample.penetration : larger(sample.penetration, 0.0);
@@ -122,8 +118,8 @@ class KernelSimulation final : public Simulation {
     sample.drive_work = state.drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit();
     sample.friction_dissipated = kernel_.friction_dissipated();
     sample.impacts = static_cast<long>(state.impacts);
-    sample.impact_speed = plan.units.si_penetration(state.impact_rate) / plan.step;
-    sample.peak_force = plan.units.fraction(state.peak_force) * plan.force_scale;
+    sample.impact_speed = kernel_.impact_speed();
+    sample.peak_force = kernel_.peak_force();
     return sample;
   }
 
@@ -147,17 +143,15 @@ class KernelSimulation final : public Simulation {
   }
 
  private:
+  // Whether a contact's force is known by its impulse only.
+  static constexpr bool has_impulse = detail::is_one_of<DryFriction, Parts...> || Kernel::Contact::is_instantaneous;
+
   // By x2 - x1; of the stop that is touched, where one is.
   double penetration(double y) const {
     const double gap = scene_.clearance / 2;
-    constexpr bool is_impulse = detail::is_one_of<ContactForce, Parts...> || Kernel::Contact::is_instantaneous;
-    if (!is_impulse && kernel_.is_touching()) return (kernel_.state().at_left ? -1 : 1) * y - gap;
+    if (!has_impulse && kernel_.is_touching()) return (kernel_.state().at_left ? -1 : 1) * y - gap;
     if (scene_.stops == Stops::none) return -gap;
     return scene_.stops == Stops::right ? y - gap : scene_.stops == Stops::left ? -y - gap : std::abs(y) - gap;
-  }
-  // The mean force of an impact that may have come and gone within a step is had from what the ball has felt.
-  void note_ball() {
-    if constexpr (Kernel::Contact::is_instantaneous) v2_before_ = kernel_.reading().v2;
   }
 
   void advance([[maybe_unused]] double force, [[maybe_unused]] double base) {
@@ -197,8 +191,7 @@ class KernelSimulation final : public Simulation {
 
   double damping() const {
     if constexpr (ContactLaw::is_damped_per_impact) {
-      const auto& plan = kernel_.plan;
-      const double v0 = plan.units.si_penetration(kernel_.state().impact_rate) / plan.step;
+      const double v0 = kernel_.impact_speed();
       return v0 > 0 ? damping_ratio_ * scene_.contact_stiffness / v0 : 0;
     }
     return ContactLaw::is_damped ? scene_.contact_damping : 0;
@@ -211,7 +204,6 @@ class KernelSimulation final : public Simulation {
   bool is_sample_beyond_ = false;
   Kernel kernel_;
   long steps_ = 0;
-  double v2_before_ = kernel_.reading().v2;
 };
 
 template <class Format, class ContactLaw, class Stepper, class Drive, class... Parts>

@@ -106,7 +106,7 @@ double impact_displacement_unit(void); /* m of a native 1.0 */
 double impact_velocity_unit(void);     /* m/s */
 
 #ifdef IMPACT_C_CONTACT_FORCE
-impact_number impact_contact_force(const impact_absorber*); /* on the main mass, mean of the last step */
+impact_number impact_contact_force(const impact_absorber*); /* on the main mass: absorber.hpp */
 double impact_force_unit(void);                             /* N */
 #endif
 

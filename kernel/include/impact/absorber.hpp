@@ -236,13 +236,26 @@ class AbsorberOf
       rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * Machine::state.impulse);
     return plan.units.velocity(rate);
   }
-  // On the main mass, along x, the mean of the last step; the ball feels the opposite. With Impulsive it is an impact's
-  // impulse over the step, which grows with the rate and is not the law's force.
+  // The contact's force on the main mass along x, in native numbers of force_unit(); the ball feels the opposite. With
+  // a stepper that resolves the contact it is the mean over the last step. With Impulsive, whose impacts take no time,
+  // it is the peak that the law has in the impact of the last step, whatever the step, or the force on a ball at rest.
+  // Needs the feature ContactForce.
   constexpr Value contact_force() const {
-    constexpr bool is_named = detail::is_one_of<ContactForce, Features...>;
-    static_assert(is_named, "contact_force() needs the feature ContactForce: append it to the absorber's type");
-    if constexpr (is_named)
-      return plan.units.native_force(record_in<ContactForce, PlanType>(Machine::state).contact_force);
+    static_assert(has_force, "contact_force() needs the feature ContactForce: append it to the absorber's type");
+    if constexpr (!has_force)
+      return {};
+    else if constexpr (Contact::is_instantaneous)
+      return impact_force().peak;
+    else
+      return plan.units.native_force(record_in<ContactForce, PlanType>(Machine::state).force);
+  }
+  // With Impulsive: the mean over the contact of the force whose peak is contact_force().
+  constexpr Value mean_impact_force() const {
+    static_assert(has_force, "mean_impact_force() needs the feature ContactForce: append it to the absorber's type");
+    static_assert(Contact::is_instantaneous,
+                  "mean_impact_force() is of Impulsive: with this stepper contact_force() is the mean over each step");
+    if constexpr (has_force && Contact::is_instantaneous)
+      return impact_force().mean;
     else
       return {};
   }
@@ -303,7 +316,7 @@ class AbsorberOf
   // beyond the bounds has just left, and that the next step would hold, is refused as well. It is no signature: of
   // bytes that somebody has made up to pass, the next steps are defined and end in range or with a fault, but they are
   // no motion of this absorber, and what features recorded may be anything.
-  static constexpr uint32_t state_version = 4;
+  static constexpr uint32_t state_version = 5;
   struct Saved {
     uint32_t version, plan_identity;
     State state;
@@ -347,6 +360,19 @@ class AbsorberOf
     return true;
   }
 
+  // With ImpactLog, for a host: the speed at which the last contact began, m/s, and the largest contact force since the
+  // start, N, as contact_force() has it. Double arithmetic.
+  constexpr double impact_speed() const {
+    return plan.units.si_penetration(record_in<ImpactLog, PlanType>(Machine::state).impact_rate) / plan.step;
+  }
+  constexpr double peak_force() const {
+    const Value peak = record_in<ImpactLog, PlanType>(Machine::state).peak;
+    if constexpr (Contact::is_instantaneous)
+      return plan.units.fraction(plan.contact.force.at(plan.contact.rebound, peak).peak) * plan.force_unit();
+    else
+      return plan.units.fraction(peak) * plan.force_scale;
+  }
+
   // J by dry friction since the start, for a host: double arithmetic.
   constexpr double friction_dissipated() const {
     if constexpr (counts_slid_way) {
@@ -381,6 +407,11 @@ class AbsorberOf
   }
 
  private:
+  static constexpr bool has_force = detail::is_one_of<ContactForce, Features...>;
+  constexpr auto impact_force() const {
+    const auto& seen = record_in<ContactForce, PlanType>(Machine::state);
+    return plan.contact.force.of(plan.contact.rebound, seen.force, seen.impact_rate);
+  }
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   using Steps = Step<Machine>;
@@ -426,7 +457,7 @@ class AbsorberOf
     now.velocity = velocity();
     now.ball_displacement = ball_displacement();
     now.ball_velocity = ball_velocity();
-    if constexpr (detail::is_one_of<ContactForce, Features...>) now.contact_force = contact_force();
+    if constexpr (has_force) now.contact_force = contact_force();
     now.steps = record_in<Snapshots, PlanType>(Machine::state).steps;
     now.fault = Source::is_refused() ? Fault::plan : Machine::state.fault;
     now.is_touching = is_touching();

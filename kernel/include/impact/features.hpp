@@ -116,10 +116,18 @@ struct EnergyLedger {
   }
 };
 
-// Contacts begun, the rate at which the last one began, and the largest mean force over a step. In m/s and N:
-//
-//     plan.units.si_penetration(impact_rate) / plan.step
-//     plan.units.fraction(peak_force) * plan.force_scale
+// The rate of an impact at an instant, and 0 in a step in which the ball rests on its stop or flies on inside it.
+template <class Contact, class Step>
+constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
+  using Value = decltype(step.rate_at_impact);
+  if constexpr (Contact::is_instantaneous)
+    return contact.rests || !is_positive(step.force.j0) ? Value{} : step.rate_at_impact;
+  else
+    return Value{};
+}
+
+// Contacts begun, the rate at which the last one began, and what the largest force follows from: the largest mean force
+// over a step or, of impacts at an instant, the rate of the fastest. In m/s and N: impact_speed(), peak_force().
 struct ImpactLog : SilentFeature {
   static constexpr uint32_t kind = 2;
   static constexpr bool is_bound = true;
@@ -127,53 +135,56 @@ struct ImpactLog : SilentFeature {
   template <class Format>
   struct State {
     uint32_t impacts;
-    typename Format::Value impact_rate, peak_force;
+    typename Format::Value impact_rate, peak;
   };
 
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
+    using Contact = typename Plan::ContactType;
     auto& own = record_in<ImpactLog, Plan>(state);
     if (step.begins) {
       ++own.impacts;
       own.impact_rate = step.rate_at_touch;
     }
-    if (is_positive(step.force.j0 - own.peak_force)) own.peak_force = step.force.j0;
+    const auto size = Contact::is_instantaneous ? impact_rate_of(state.contact, step) : step.force.j0;
+    if (is_positive(size - own.peak)) own.peak = size;
   }
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
     auto& own = record_in<ImpactLog, Plan>(state);
     using Format = typename Plan::FormatType;
-    return Format::is_sound(own.impact_rate) && Format::is_sound(own.peak_force);
+    return Format::is_sound(own.impact_rate) && Format::is_sound(own.peak);
   }
 };
 
-// The mean contact force of the last step, on the main mass along x: contact_force(). Of the state in N:
-// plan.units.fraction(contact_force) * plan.force_scale.
+// The contact force of the last step: contact_force(), mean_impact_force(). `force` is the mean over the step, on the
+// main mass along x; `impact_rate` is recorded of an impact at an instant, and is 0 of a ball that rests.
 struct ContactForce : SilentFeature {
   static constexpr uint32_t kind = 3;
   static constexpr bool is_bound = true;
 
   template <class Format>
   struct State {
-    typename Format::Value contact_force, force_of_step;
+    typename Format::Value force, force_of_step, impact_rate;
   };
 
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     auto& own = record_in<ContactForce, Plan>(state);
     own.force_of_step = own.force_of_step + mirrored(step.force.j0, state.at_left & 1);
+    if constexpr (Plan::ContactType::is_instantaneous) own.impact_rate = impact_rate_of(state.contact, step);
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State& state) {
     auto& own = record_in<ContactForce, Plan>(state);
-    own.contact_force = own.force_of_step;
+    own.force = own.force_of_step;
     own.force_of_step = {};
   }
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan&, const State& state) {
     auto& own = record_in<ContactForce, Plan>(state);
     using Format = typename Plan::FormatType;
-    return Format::is_sound(own.contact_force) && Format::is_sound(own.force_of_step);
+    return Format::is_sound(own.force) && Format::is_sound(own.force_of_step) && Format::is_sound(own.impact_rate);
   }
 };
 

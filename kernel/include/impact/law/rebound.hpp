@@ -87,9 +87,13 @@ struct Rebound<Format, ContactLaw, true> {
     return {Format::gain(impact.centroid / terms.step, 0, 0), Format::gain(1 / scale, 0, 0),
             Format::constant(2 / a / scale)};
   }
-  constexpr Bounce<Value> at(Value speed) const {
+  // y of an impact's speed.
+  [[gnu::always_inline]] constexpr auto damped_share(Value speed) const {
     const auto share = positive_part(speed_share * speed);
-    const auto y = Format::quotient(share, share + damping_share);
+    return Format::quotient(share, share + damping_share);
+  }
+  constexpr Bounce<Value> at(Value speed) const {
+    const auto y = damped_share(speed);
     const auto& known = hunt_crossley_rebounds<Format>;
     const Value undamped = depth * Format::template power_four_fifths<true>(speed);
     return {Format::value(undamped * Format::interpolated(known.depth, y)), Format::interpolated(known.loss, y)};

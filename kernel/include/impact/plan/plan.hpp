@@ -54,7 +54,12 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   // The SI values of native 1.0: m, m/s, and N of a contact force and of a sample.
   constexpr double displacement_unit() const { return units.displacement_unit(); }
   constexpr double velocity_unit() const { return units.velocity_unit(step); }
-  constexpr double force_unit() const { return Format::sample_unit(force_scale); }
+  constexpr double force_unit() const {
+    if constexpr (ContactType::is_instantaneous)
+      return contact.force.unit;
+    else
+      return Format::sample_unit(force_scale);
+  }
   constexpr double sample_unit() const { return drive_scale; }
   // m/s^2, of a sample of the base's acceleration.
   constexpr double base_sample_unit() const {

@@ -54,6 +54,7 @@
 // One impact a step: a ball that crosses the clearance in less goes beyond the other stop by less than it flies in a
 // step, and is turned back in the next.
 
+#include <impact/law/impact_force.hpp>
 #include <impact/law/rebound.hpp>
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>
@@ -95,6 +96,7 @@ struct Impulsive {
     struct Plan {
       Answer<Gain> response;
       Rebound<Format, ContactLaw> rebound;
+      ImpactForce<Format, ContactLaw> force;
       Gain acceleration;  // the change of the displacement per step, as one of the rate
       Gain turn, fading;  // (w0 h)^2, and c h/M
       bool fades;
@@ -134,6 +136,7 @@ struct Impulsive {
            Format::gain(impulse / main_mass * flow.e11, 0, unit.push), Format::gain(impulse / ball_mass, 0, unit.push),
            Format::gain(impulse / ball_mass, 0, unit.push)},
           Rebound<Format, ContactLaw>::make(terms, unit),
+          ImpactForce<Format, ContactLaw>::make(terms, unit),
           // What a force does to a free main mass over what it adds to the displacement per step, so that the rate is
           // that of the derivation above.
           Format::gain(h * h / (main_mass * flow.constant_increment()), unit.increment, unit.penetration),

@@ -1,5 +1,5 @@
 # Read by the tests that run the README's image: makes the folder with a copy of kernel/ and what the manual says under
-# "From nothing to an image", and goes there. Needs $project.
+# "First image", and goes there. Needs $project.
 for tool in arm-none-eabi-g++ qemu-system-arm; do
   command -v $tool >/dev/null || { echo "skipped: $tool is not installed" && exit 77; }
 done

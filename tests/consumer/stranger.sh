@@ -1,5 +1,5 @@
 #!/bin/sh
-# A stranger's path, timed: an empty folder, a copy of kernel/, and what the manual says under "From nothing to an image";
+# A stranger's path, timed: an empty folder, a copy of kernel/, and what the manual says under "First image";
 # nothing else. Ends with a Cortex-M4F image that has stepped the paper's scene for a second, in an emulator, to the same
 # bits as on this machine.  stranger.sh PROJECT
 set -eu

@@ -270,7 +270,7 @@ Settled settled(const Request& asked, bool may_run) {
     return plan(with);
   };
   result.planned = planned(request);
-  // What hardly moves is told from rest, in the places of a format, by wider bounds than it reaches; and a start deep
+  // What hardly moves is told from rest, in the LSBs of a format, by wider bounds than it reaches; and a start deep
   // in a stop is one within wider ones. To wider bounds a contact is no longer.
   const PlanStatus status = result.planned.status;
   const bool may_be_wider = found.is_of_run && status != PlanStatus::contact_time && hangs_on_bounds(status, request);

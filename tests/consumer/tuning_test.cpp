@@ -47,7 +47,7 @@ TYPED_TEST_SUITE(Tuning, Formats);
 // One rounding of a velocity, m/s: of the reading's own 32-bit terms, and in floating point of dx1 and of the
 // increment.
 template <class Kernel>
-double velocity_place(const Kernel& kernel) {
+double velocity_lsb(const Kernel& kernel) {
   using Format = typename Kernel::Format;
   const Bounds bounds;
   if constexpr (std::is_same_v<Format, Fixed32>) return std::ldexp(kernel.plan.units.si_penetration_unit(), -31) / h;
@@ -73,7 +73,7 @@ TYPED_TEST(Tuning, LeavesPositionsAndVelocitiesWhereTheyAre) {
     ASSERT_TRUE(same_bits(state.x2, kernel.state().x2));
     ASSERT_TRUE(same_bits(state.dx2, kernel.state().dx2));
     // Four terms are rounded in each reading and twelve in the change.
-    ASSERT_NEAR(after.v1, before.v1, 20 * velocity_place(kernel)) << "after " << i << " steps";
+    ASSERT_NEAR(after.v1, before.v1, 20 * velocity_lsb(kernel)) << "after " << i << " steps";
   }
   EXPECT_GT(in_contact, 100);
   EXPECT_EQ(kernel.fault(), Fault::none);
@@ -98,12 +98,12 @@ TYPED_TEST(Tuning, KeepsTheDrivesPhase) {
     worst = host::larger(worst, std::fabs(force - std::sin(phase)));
   }
   // A change rounds sine and cosine, each from two products, and value and slope of the oscillator: eight roundings of
-  // half a place, whose signs are random. Plain float's oscillator adds its own, 6e-8 sqrt(steps).
-  const double place = std::is_same_v<TypeParam, Fixed32>   ? std::ldexp(1.0, -29)
-                       : std::is_same_v<TypeParam, Float64> ? std::ldexp(1.0, -31)  // the step count's own phase
-                                                            : std::ldexp(1.0, -24);
+  // half an LSB, whose signs are random. Plain float's oscillator adds its own, 6e-8 sqrt(steps).
+  const double lsb = std::is_same_v<TypeParam, Fixed32>   ? std::ldexp(1.0, -29)
+                     : std::is_same_v<TypeParam, Float64> ? std::ldexp(1.0, -31)  // the step count's own phase
+                                                          : std::ldexp(1.0, -24);
   const double own = std::is_same_v<TypeParam, Float32Plain> ? 6e-8 * std::sqrt(200000.0) : 0;
-  EXPECT_LT(worst, 8 * place * std::sqrt(changes) + own);
+  EXPECT_LT(worst, 8 * lsb * std::sqrt(changes) + own);
 }
 
 // Of an impact without loss, at whatever step of it the stop becomes harder or softer: the ball leaves with what both
@@ -211,7 +211,7 @@ TEST(TuningOfAStopInFixed32, LeavesTheBallInPlace) {
   harder.contact_damping = 42;
   expect_ball_left_in_place<Absorber<AtRunTime, HookeNewton, Moment, Sine, Fixed32>>(softer, harder, h, 0);
   expect_ball_left_in_place<Absorber<AtRunTime, HookeNewton, SubsteppedMoment<4>, Sine, Fixed32>>(softer, harder, h, 0);
-  // On an impulsive stop the ball lies whole places of a penetration deep.
+  // On an impulsive stop the ball lies whole LSBs of a penetration deep.
   for (Scene* scene : {&softer, &harder}) {
     scene->gravity = -9.81;
     scene->drive_amplitude = 0;

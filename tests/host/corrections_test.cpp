@@ -76,7 +76,7 @@ struct Case {
   using Kernel = Absorber<AtRunTime, ContactLaw_, Stepper_, NoDrive, Format_>;
 };
 // What Fixed32 may do to the energy of a step in contact, J: of the products that make an impulse, each rounded down,
-// two places in each sub-step at the rate at which the masses come together. An impulse counts coarser than a
+// two LSBs in each sub-step at the rate at which the masses come together. An impulse counts coarser than a
 // penetration beside a stiff main spring whose displacement has a wide bound (travel_places).
 template <class Kernel>
 double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step) {
@@ -84,9 +84,9 @@ double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step)
                 !std::is_same_v<typename Kernel::Stepper, EnergyConsistent>) {
     constexpr int sub_steps = std::is_same_v<typename Kernel::Stepper, Moment> ? 1 : 4;
     const auto now = kernel.reading();
-    const double place = std::ldexp(kernel.plan.units.si_penetration_unit(), -31 - kernel.plan.contact.travel_places),
+    const double lsb = std::ldexp(kernel.plan.units.si_penetration_unit(), -31 - kernel.plan.contact.travel_places),
                  mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
-    return 2 * sub_steps * mu * place / step * std::abs(now.v2 - now.v1);
+    return 2 * sub_steps * mu * lsb / step * std::abs(now.v2 - now.v1);
   } else {
     return 0;
   }
@@ -157,8 +157,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, CasesOf<Float32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, CasesOf<Float32Plain>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
 
-// To the last place of a state, some 2^-45 of it in Float32: where a contact is so stiff that its penetrations are
-// below a float's place of the clearance, what the ball stood inside would be energy from nothing.
+// To the LSB of a state, some 2^-45 of it in Float32: where a contact is so stiff that its penetrations are
+// below a float's LSB of the clearance, what the ball stood inside would be energy from nothing.
 TEST(Corrections, PutABallInAStopOntoIt) {
   Chance chance;
   const auto is_put = [](auto format, const Scene& scene) {
@@ -299,7 +299,7 @@ TEST(Corrections, OfNothingLeaveTheMotion) {
                      7.1e-5);
 }
 
-// Far on the side without a stop the difference of both positions, less the stop's place, passes 2^63 in Fixed32.
+// Far on the side without a stop the difference of both positions, less the stop's position, passes 2^63 in Fixed32.
 template <class Format>
 struct CorrectionsFarFromTheStop : testing::Test {};
 using AllFormats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;

@@ -10,15 +10,15 @@
 namespace impact::host {
 
 // Of the scene's energy, what Fixed32 rounds: kinetic energy, by displacements per step that are wrong by some last
-// places each step.
+// LSBs each step.
 //
 // In flight a step forms up to six products for dx1 (spring, damper, drive, field). Each counts in increments, whose
 // unit is at most twice the largest of them, I: the spring at twice the bound of displacement X, twice the drive, twice
-// the field. The spring's reads x1 to half a place of positions, whose unit has room for twice X, and for four pushes.
+// the field. The spring's reads x1 to half an LSB of positions, whose unit has room for twice X, and for four pushes.
 // In contact as many products count in pushes. With D the deepest penetration, four of the fastest impact's ways in a
 // step and what increments add, a push is at most 4 D: no stepper takes steps in which a contact does more.
 //
-// A rounding by a place p has the variance p^2/12 and is as often for as against the motion: a mass M of the energy E
+// A rounding by an LSB p has the variance p^2/12 and is as often for as against the motion: a mass M of the energy E
 // or less, M v <= (2 M E)^(1/2), has after N steps of n roundings the standard deviation (2 M E)^(1/2) (n N/12)^(1/2)
 // p/h. Both masses feel those of contact. Of 10^6 scenes none should pass five of them.
 inline double energy_rounded(const CoupledScene& found) {
@@ -35,8 +35,8 @@ inline double energy_rounded(const CoupledScene& found) {
   const double push = 4 * deepest;
   const double in_flight = 0x1p-31 * (2 * increment + turn * larger(4 * bounds.displacement, 8 * push)),
                in_contact = 0x1p-31 * 2 * push;
-  const double places = std::sqrt(mass) * in_flight + std::sqrt(mass + scene.ball_mass) * in_contact;
-  return 5 * std::sqrt(static_cast<double>(6 * found.steps) / 12) * std::sqrt(2 / found.energy) * places / h;
+  const double lsbs = std::sqrt(mass) * in_flight + std::sqrt(mass + scene.ball_mass) * in_contact;
+  return 5 * std::sqrt(static_cast<double>(6 * found.steps) / 12) * std::sqrt(2 / found.energy) * lsbs / h;
 }
 
 // Of the scene's energy. The moment-fitted steppers create up to 1e-5 of it in each of some hundred contacts, named

@@ -104,11 +104,11 @@ constexpr Kept kept_cases[] = {
      Stepper::moment_4, Numeric::fixed32, 2.0126323454018782, 1.6363261742062647, 48.315417500990968,
      0.00031110296315478656, 158845466.83622244, 0, 0, 0, 2.9300688392863929e-05, 0.014687099366961623,
      -3.0022971070287767e-05, -0.0089034018045945698, 0.003609914762072708, 0.018748726498431734},
-    {"a stiff main spring and a wide clearance leave a displacement 3000 places: 85 %", Law::hertz, Stepper::energy,
+    {"a stiff main spring and a wide clearance leave a displacement 3000 LSBs: 85 %", Law::hertz, Stepper::energy,
      Numeric::fixed32, 0.017564261561161941, 0.0040245938593592018, 54760252.582203574, 0.082203994176548681,
      142590563393.59021, 0, 0.0051782068406258184, 53123.048078474021, 1.4535294154689277e-05, 0, 0.014041454239578754,
      -0.0010096534914464537, 0.041513354758666465, 0.010061419250456819},
-    {"the same with 43000 places: 5.9 %", Law::hertz, Stepper::energy, Numeric::fixed32, 0.54432119014134184,
+    {"the same with 43000 LSBs: 5.9 %", Law::hertz, Stepper::energy, Numeric::fixed32, 0.54432119014134184,
      0.0024559464856980895, 251593364.82800984, 0.098455255867748157, 4280136615151.6836, 0, 0, 0,
      3.0913172566662959e-05, 0.0035360815406244115, -0.040823229017380822, 0.00441670657031567, 0.049721804442926863,
      0.05335621074527469},
@@ -152,16 +152,16 @@ class KeptCase : public testing::TestWithParam<Kept> {};
 TEST_P(KeptCase, IsRefusedOrHolds) { EXPECT_LE(badness(scene_of(GetParam())), 1); }
 INSTANTIATE_TEST_SUITE_P(Found, KeptCase, testing::ValuesIn(kept_cases));
 
-// Found by the search at 2000 to 8000 scenes each: places of its own.
-struct KeptPlace {
+// Found by the search at 2000 to 8000 scenes each: start values of its own.
+struct KeptPoint {
   const char* what;
   Law law;
   Stepper stepper;
   Everywhere at;
   bool is_damped_per_impact = false;
 };
-void PrintTo(const KeptPlace& kept, std::ostream* out) { *out << kept.what; }
-constexpr KeptPlace kept_places[] = {
+void PrintTo(const KeptPoint& kept, std::ostream* out) { *out << kept.what; }
+constexpr KeptPoint kept_points[] = {
     {"a position correction lifts a ball of a thousand main masses: 2.3 %",
      Law::hertz,
      Stepper::automatic,
@@ -234,7 +234,7 @@ constexpr KeptPlace kept_places[] = {
       0.80651427433166134,
       0.96028908626412435,
       0.64405397314945434}},
-    {"the same by name: 17 times the energy",
+    {"the same stepper, named: 17 times the energy",
      Law::hunt_crossley,
      Stepper::energy,
      {0.56509299347576725,
@@ -471,7 +471,7 @@ constexpr KeptPlace kept_places[] = {
       0.58719277576310769,  0.9512729571787526,   0.081762382306792239, 0.99825564183135818, 0.014320772192090662,
       0.022356998508617821, 0.89577710176706948,  0.3984042573432256,   0.17532471007826264, 0.0010726725031784327,
       0.82623259091713552}},
-    {"a ball whose contact is below a place is put out of its stop against its weight each time: 17 times the energy",
+    {"a ball whose contact is below an LSB is put out of its stop against its weight each time: 17 times the energy",
      Law::hunt_crossley,
      Stepper::energy,
      {0.99980581835961502,
@@ -495,7 +495,7 @@ constexpr KeptPlace kept_places[] = {
       0.98881239140951116,
       0.0088607728648856399,
       0.99818029234159922}},
-    {"impulses that count coarser than penetrations round in the places of the ratio: 2.2 %",
+    {"impulses that count coarser than penetrations round in LSBs of the ratio: 2.2 %",
      Law::hunt_crossley,
      Stepper::automatic,
      {0.75858397491855301,
@@ -519,7 +519,7 @@ constexpr KeptPlace kept_places[] = {
       0,
       0.025791162080543915,
       0.14350505965800722}},
-    {"what sub-steps do to a ball of 900 main masses has no place, while friction holds it at its stop: 9 %",
+    {"what sub-steps do to a ball of 900 main masses is below an LSB, while friction holds it at its stop: 9 %",
      Law::hunt_crossley,
      Stepper::moment_4,
      {0.0084515298574574932, 0.99228619892438608, 0.064607289294310505,
@@ -529,7 +529,8 @@ constexpr KeptPlace kept_places[] = {
       0.2495850333362353,    0.97693474751747511, 0.22351737569207017,
       0.75066751664385001,   0.97196065401431175, 0,
       0.21704819846608345,   0.10694410264779948, 0.96966445693615588}},
-    {"a soft stop whose stored energy has no place puts a ball out against its weight each time: 22 times the energy",
+    {"a soft stop whose stored energy is below an LSB puts a ball out against its weight each time: 22 times the "
+     "energy",
      Law::hunt_crossley,
      Stepper::energy,
      {0.98685104101894483,  0.67451895897688818,   0,
@@ -541,13 +542,13 @@ constexpr KeptPlace kept_places[] = {
       0.82213126051957353,  0.0055522227199232789, 0.99113586179581936}},
 };
 
-class KeptPlaceIn : public testing::TestWithParam<std::tuple<KeptPlace, Numeric>> {};
-TEST_P(KeptPlaceIn, IsRefusedOrHolds) {
+class KeptPointIn : public testing::TestWithParam<std::tuple<KeptPoint, Numeric>> {};
+TEST_P(KeptPointIn, IsRefusedOrHolds) {
   const auto& [kept, numeric] = GetParam();
   EXPECT_LE(badness(scene_at({kept.law, kept.is_damped_per_impact, kept.stepper, numeric}, kept.at)), 1);
 }
-INSTANTIATE_TEST_SUITE_P(Found, KeptPlaceIn,
-                         testing::Combine(testing::ValuesIn(kept_places),
+INSTANTIATE_TEST_SUITE_P(Found, KeptPointIn,
+                         testing::Combine(testing::ValuesIn(kept_points),
                                           testing::Values(Numeric::float64, Numeric::float32, Numeric::fixed32)));
 
 // Bounds a hundred times what the masses reach, in a field of 0.5 % of their rate a step: a light main mass whose

@@ -156,7 +156,7 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
 }
 
 // Wherever inside the stop a contact begins, and where it is begun anew at each step: up to 8.4e-5 of the energy. A
-// place of Fixed32's rates is 2^-31 of less than four times the fastest approach.
+// LSB of Fixed32's rates is 2^-31 of less than four times the fastest approach.
 TEST(EnergyConsistent, AContactThatBeginsInsideItsStopGainsNothing) {
   constexpr double step = 1e-3, fastest = 0.8, mass = 1, reduced = mass / 2;
   const auto expect_no_gain = [&](auto format, double steps, double rounding, bool is_corrected) {
@@ -201,7 +201,7 @@ TEST(EnergyConsistent, AContactThatBeginsInsideItsStopGainsNothing) {
 // work that the force takes is never less than what is stored, and what it loses is the law's (without a:
 // Hunt-Crossley's first integral is kept) to the error of k, 0.36 % of the loss (up to x = 0.98).
 template <class Format, class ContactLaw>
-void expect_passive(uint32_t seed, double rounding, double place = 0) {
+void expect_passive(uint32_t seed, double rounding, double lsb = 0) {
   using Contact = StiffContact<Format, ContactLaw>;
   using Units = typename Format::Units;
   std::mt19937 random(seed);
@@ -226,7 +226,7 @@ void expect_passive(uint32_t seed, double rounding, double place = 0) {
     const double D = Units::fraction(travel), b = Units::fraction(end.recoil), V0 = Units::fraction(rate),
                  V1 = Units::fraction(end.rate), scale = D * D / 4 + V0 * V0;
     const double lost = b * (D - b) + V0 * V0 - V1 * V1;
-    ASSERT_GE(lost, -rounding * scale - place * std::sqrt(scale))
+    ASSERT_GE(lost, -rounding * scale - lsb * std::sqrt(scale))
         << D << ' ' << V0 << ' ' << compliance << ' ' << damping;
     V1 > 0 ? ++stays : ++leaves;
     if (sizeof(typename Format::Value) == 4 || damping * D < -0.5 || b == 0) continue;
@@ -241,7 +241,7 @@ void expect_passive(uint32_t seed, double rounding, double place = 0) {
   EXPECT_GT(stays, 20000);
   EXPECT_GT(leaves, 20000);
 }
-// Fixed32: a place of 2^-30 in an energy of 2^-8 or more, and of 2^-31 in b and V1.
+// Fixed32: an LSB of 2^-30 in an energy of 2^-8 or more, and of 2^-31 in b and V1.
 TEST(StiffContact, MakesNoEnergy) {
   expect_passive<Float64, Hertz>(1, 1e-15);
   expect_passive<Float64, HuntCrossley>(2, 1e-15);
@@ -342,7 +342,7 @@ TEST(StiffContact, LastsAsLongAsTheLaws) {
 }
 
 // A ball of a hundred main masses stores more in a stop than the impact of the reduced mass brings, and bears the main
-// spring there: force and ledger have room for it. A place of the force is 2^-31 of 128 kN.
+// spring there: force and ledger have room for it. An LSB of the force is 2^-31 of 128 kN.
 TEST(StiffContact, HasRoomForAHeavyBallsForce) {
   Scene scene;
   scene.main_stiffness = 8.1e5;

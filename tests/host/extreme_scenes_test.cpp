@@ -53,7 +53,7 @@ constexpr double reduced_mass = 0.3 / 1.3;
 
 double energy_of_relative_motion(const Sample& at) { return reduced_mass * (at.v2 - at.v1) * (at.v2 - at.v1) / 2; }
 
-// A step takes the penetration to half of a place of the position, of 5/2 of the stored energy over the depth.
+// A step takes the penetration to half of an LSB of the position, of 5/2 of the stored energy over the depth.
 TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
   for (const double stiffness : {1e3, 1e8, 1e12}) {
     for (const double depth : {1e-4, 1e-3, 1e-2}) {
@@ -73,17 +73,17 @@ TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
         const auto simulation = made(request);
         if (!simulation) continue;
         for (long n = 0; n < steps; ++n) simulation->step(0);
-        const double place = (GetParam().numeric == Numeric::float32_plain ? 0x1p-25 : 0x1p-47) * 0.02;
-        // A rate's place in Fixed32, at random, is gathered as in stability_test.cpp.
-        const double rate_place =
+        const double lsb = (GetParam().numeric == Numeric::float32_plain ? 0x1p-25 : 0x1p-47) * 0.02;
+        // A rate's LSB in Fixed32, at random, is gathered as in stability_test.cpp.
+        const double rate_lsb =
             GetParam().numeric == Numeric::fixed32 ? 2 * request.bounds->penetration * 0x1p-31 / (speed * step) : 0;
-        const double allowed = share() + 2.5 * std::max(1.0, time / step) * place / depth +
-                               12 / std::sqrt(12) * std::sqrt(std::max(1.0, time / step)) * rate_place;
+        const double allowed = share() + 2.5 * std::max(1.0, time / step) * lsb / depth +
+                               12 / std::sqrt(12) * std::sqrt(std::max(1.0, time / step)) * rate_lsb;
         const Sample now = simulation->sample();
         EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << depth << " " << step;
         EXPECT_LE(energy_of_relative_motion(now), stored * (1 + allowed)) << stiffness << " " << depth << " " << step;
         // An impulse needs an impact: there a ball at rest stays at rest.
-        EXPECT_LE(now.penetration, depth + 2 * place) << stiffness << " " << depth << " " << step;
+        EXPECT_LE(now.penetration, depth + 2 * lsb) << stiffness << " " << depth << " " << step;
       }
     }
   }

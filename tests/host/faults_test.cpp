@@ -17,7 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity(),
                  no_number = std::numeric_limits<double>::quiet_NaN();
 
-// A state within its limits, less than a hundredth above the bounds, and in Fixed32 a reading's last place.
+// A state within its limits, less than a hundredth above the bounds, and in Fixed32 a reading's LSB.
 template <class Kernel>
 bool is_held(const Kernel& absorber) {
   const auto now = absorber.reading();
@@ -181,7 +181,7 @@ TYPED_TEST(Faults, NoStopIsMet) {
     of_none.step(), of_far.step();
     ASSERT_FALSE(of_none.is_touching());
   }
-  const double rounded = 3000 * 0x1p-27;  // half a last place of a float beside 0.15, a step
+  const double rounded = 3000 * 0x1p-27;  // half an LSB of a float beside 0.15, a step
   EXPECT_NEAR(of_none.reading().x1, of_far.reading().x1, rounded);
   EXPECT_NEAR(of_none.reading().x2, 0.15, rounded);
   EXPECT_EQ(of_none.fault(), Fault::none);
@@ -448,7 +448,7 @@ TYPED_TEST(Faults, APlanThatCannotBeIsRefused) {
   EXPECT_EQ(Plan::make(small, Bounds{}, 1e-3).status, PlanStatus::ok);
 }
 
-// One stop, without clearance: a ball that leaves it is free, to the last place.
+// One stop, without clearance: a ball that leaves it is free, to the LSB.
 TYPED_TEST(Faults, AStopThatIsNotThereDoesNotAct) {
   for (const Stops stops : {Stops::left, Stops::right}) {
     Scene scene;

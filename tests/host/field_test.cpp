@@ -162,7 +162,7 @@ void rest_in_every_format(int lead = 0, double in_fixed32 = 2e-8) {
 // in the first step: they are given 30 s for that.
 TEST(Field, BallRestsAtItsStaticPenetration) {
   rest_in_every_format<HuntCrossley, Moment>();
-  // A place of a sub-step's impulse, 5.7e-14 m, moves the equilibrium by 4^2/(h omega)^2 of it, (h omega)^2 = 9.5e-5:
+  // An LSB of a sub-step's impulse, 5.7e-14 m, moves the equilibrium by 4^2/(h omega)^2 of it, (h omega)^2 = 9.5e-5:
   // by 9.6e-9 m. J0 rounds four products.
   rest_in_every_format<HuntCrossley, SubsteppedMoment<4>>(0, 4e-8);
   rest_in_every_format<HuntCrossley, EnergyConsistent>();
@@ -355,8 +355,8 @@ TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
 // A main mass on spring and damper carries the ball on its stop along, up and down until they stand in the equilibrium
 // of both: the stop's force does no work, whatever the damping in a step and however heavy the ball. An eighth of the
 // static displacement away from there they stay together. Energies count in what the weight does over the static
-// displacement: 40 places of a double for a sum of five, one of a float. In Fixed32 each of the two masses' weights,
-// the spring's and the damper's force rounds by up to what the spring makes of a place of a position, 2^-33 m, all the
+// displacement: 40 LSBs of a double for a sum of five, one of a float. In Fixed32 each of the two masses' weights,
+// the spring's and the damper's force rounds by up to what the spring makes of an LSB of a position, 2^-33 m, all the
 // way of a step.
 TYPED_TEST(FieldIn, BallOnAnImpulsiveStopIsCarriedAlongForNothing) {
   constexpr bool is_double = std::is_same_v<TypeParam, Float64>;
@@ -400,8 +400,8 @@ TYPED_TEST(FieldIn, BallOnAnImpulsiveStopIsCarriedAlongForNothing) {
               gain = larger(gain, now - before);
               before = now;
             }
-            const double way = sag / 8 * turn / std::sqrt(1 + ratio), place = 4 * scene.main_stiffness * 0x1p-33;
-            const double of_forces = std::is_same_v<TypeParam, Fixed32> ? place * way / swing : 0;
+            const double way = sag / 8 * turn / std::sqrt(1 + ratio), lsb = 4 * scene.main_stiffness * 0x1p-33;
+            const double of_forces = std::is_same_v<TypeParam, Fixed32> ? lsb * way / swing : 0;
             EXPECT_LE(gain, (is_double ? 40 * 0x1p-52 : 0x1p-24) + of_forces);
             const auto now = absorber.reading();
             EXPECT_NEAR(now.x2 - now.x1, scene.clearance / 2, is_double ? 1e-15 : 1e-9);

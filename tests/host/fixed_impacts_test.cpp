@@ -114,7 +114,7 @@ TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
   expect_within<SubsteppedMoment<8>>(2e-3, kind, scenes / 2);
 }
 
-// In the coupled machine the spring's force counts in places of a position, and so in those of the bounds. Without
+// In the coupled machine the spring's force counts in LSBs of a position, and so in those of the bounds. Without
 // losses, since damped contacts of many swings end at a graze, or at the next one.
 template <class Stepper>
 void expect_energy_within(double bound) {
@@ -162,7 +162,7 @@ TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
 // Few steps, in which a prediction misses most. Most of these have no plan: a damping beyond what the step bears.
 TEST(FreeImpacts, Fixed32TakesTheFastestInFewSteps) { expect_within<Moment>(5e-6, {2.5, 5, 0.5}, scenes / 50); }
 
-// From a damping that has no place left to the largest that the step bears.
+// From a damping below one LSB to the largest that the step tolerates.
 template <class Law, class Stepper>
 void expect_every_damping(double step) {
   Pair pair{};

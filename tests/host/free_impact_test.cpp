@@ -168,18 +168,18 @@ TEST(FreeImpact, HookeNewtonLetGoAtZeroForceNeedsMoreDamping) {
 }
 
 // Against double at 20 steps a contact: eight constants of the contact, each to its last bit; in Fixed32 also the
-// rates, to the last place of a penetration per step, over the steps of the contact.
+// rates, to an LSB of a penetration per step, over the steps of the contact.
 TEST(FreeImpact, In32BitsIsThatOfDouble) {
   constexpr int steps = 20;
   for (const Known& known : tables) {
     for (const Stepper stepper : {Stepper::moment, Stepper::average}) {
-      const double place = 0x1p-31 * 2 * known.peak_penetration / (known.contact_time / steps) / known.speed;
+      const double lsb = 0x1p-31 * 2 * known.peak_penetration / (known.contact_time / steps) / known.speed;
       for (int i = 0; i < phases; ++i) {
         const double exact = impact_at(known, stepper, Numeric::float64, steps, phase(i)).restitution;
         EXPECT_NEAR(impact_at(known, stepper, Numeric::float32, steps, phase(i)).restitution, exact, 8 * 0x1p-24)
             << known.name << " " << name_of(stepper) << " " << i;
         EXPECT_NEAR(impact_at(known, stepper, Numeric::fixed32, steps, phase(i)).restitution, exact,
-                    8 * 0x1p-31 + steps * place)
+                    8 * 0x1p-31 + steps * lsb)
             << known.name << " " << name_of(stepper) << " " << i;
       }
     }

@@ -211,7 +211,7 @@ void expect_common_motion(double contact_stiffness) {
     ASSERT_NEAR(now.v2, now.v1, 10 * rounding) << n;
     ASSERT_NEAR(now.x1, start.x1 + start.v1 * t + acceleration * t * t / 2, 10 * rounding) << n;
   }
-  // At 4 m a float's place is a fifth of what the force presses the ball by in a step.
+  // At 4 m a float's LSB is a fifth of what the force presses the ball by in a step.
   if (!std::is_same_v<Format, Float32Plain>) {
     EXPECT_EQ(absorber.state().impacts, impacts);
     EXPECT_TRUE(absorber.is_touching());
@@ -467,10 +467,10 @@ TYPED_TEST(ImpulsiveStep, HoldsAHeavyBallHoweverHardTheMainMassIsPressedOntoIt) 
         // From the force's first sample, which is 0.
         together = force * (steps + 0.5) * h / (1 + ratio);
         const auto now = absorber.reading();
-        const double place = 2 * passes * speed * 6 * 40 * (is_double<TypeParam> ? 0x1p-53 : 0x1p-24);
-        ASSERT_NEAR(now.v2, together, place) << ratio << " " << passes << ", step " << steps;
+        const double lsb = 2 * passes * speed * 6 * 40 * (is_double<TypeParam> ? 0x1p-53 : 0x1p-24);
+        ASSERT_NEAR(now.v2, together, lsb) << ratio << " " << passes << ", step " << steps;
         if (steps > 0) {
-          ASSERT_NEAR(now.v1, together, place) << ratio << " " << passes << ", step " << steps;
+          ASSERT_NEAR(now.v1, together, lsb) << ratio << " " << passes << ", step " << steps;
         }
       }
       EXPECT_EQ(absorber.fault(), Fault::none);

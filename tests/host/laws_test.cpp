@@ -150,7 +150,7 @@ using NamedLaws =
     testing::Types<HuntCrossleyPerImpact, HerbertMcWhannell, LeeWang, LankaraniNikravesh, Flores, HuGuo, Exact>;
 TYPED_TEST_SUITE(NamedLaw, NamedLaws);
 
-// In 3 us the ball, which damping slows down to v0/a, comes by 600 last places of Fixed32 at least.
+// In 3 us the ball, which damping slows down to v0/a, comes by 600 LSBs of Fixed32 at least.
 TYPED_TEST(NamedLaw, HasOneRestitutionAtAnySpeed) {
   expect_one_restitution<TypeParam, Moment, Float64>(3e-6, 1e-8);
   expect_one_restitution<TypeParam, Moment, Fixed32>(3e-6, 1e-3);

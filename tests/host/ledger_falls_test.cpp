@@ -34,7 +34,7 @@ constexpr double rounded_by_sum = std::is_same_v<Format, Fixed32>        ? 0
 //     sum         of what is dissipated, by the addition itself: none in Fixed32
 //     left over   f times what a resolved contact's equation leaves over, way - (d1 - d0), as far as
 //                 its sum has fallen: over a whole contact it is a loss (stepper/energy/power.hpp)
-//     place       of a length, 2^-31, or of what a force does to one, where that counts coarser: what the force is
+//     lsb       of a length, 2^-31, or of what a force does to one, where that counts coarser: what the force is
 //                 computed from and what it does, four of them; Hooke-Newton's own equation is out by three of them,
 //                 (1 + G (1/2 + C)) f = .. (stepper/energy/linear.hpp)
 struct Allowance : SilentFeature {
@@ -52,7 +52,7 @@ struct Allowance : SilentFeature {
     using Format = typename Plan::FormatType;
     constexpr bool is_fixed = std::is_same_v<Format, Fixed32>, is_double = std::is_same_v<Format, Float64>;
     constexpr double relative = is_fixed ? 0x1p-23 : is_double ? 0x1p-49 : 0x1p-20, sum = rounded_by_sum<Format>;
-    const double place = is_fixed ? std::ldexp(1, -31 + larger(0, -plan.contact.response.travel_places)) : 0;
+    const double lsb = is_fixed ? std::ldexp(1, -31 + larger(0, -plan.contact.response.travel_places)) : 0;
     const double force = plan.units.fraction(step.force.j0), way = plan.units.fraction(step.way),
                  stored = plan.units.fraction(step.stored),
                  response =
@@ -61,8 +61,8 @@ struct Allowance : SilentFeature {
                  length = std::abs(free) + std::abs(press);
     state.allowed += sum * std::abs(state.dissipated.total());
     state.allowed += relative * (length * length / response + state.stored_before + stored) +
-                     4 * place * ((length + std::abs(back)) / response + std::abs(way));
-    if constexpr (Plan::LawType::is_linear) state.allowed += 3 * place * std::abs(way) / factor_of(plan.contact.solved);
+                     4 * lsb * ((length + std::abs(back)) / response + std::abs(way));
+    if constexpr (Plan::LawType::is_linear) state.allowed += 3 * lsb * std::abs(way) / factor_of(plan.contact.solved);
     if constexpr (!Plan::LawType::is_linear) {
       const double depth = plan.units.fraction(state.contact.penetration);
       if (plan.contact.is_resolved)

@@ -74,7 +74,7 @@ void expect_normalised(uint32_t x) {
   EXPECT_GE(by_instruction, UINT32_C(1) << (32 - step)) << x;
 }
 
-// What every step adds up: gain * x, down where the gain shifts right, and to the nearest of the product's places
+// What every step adds up: gain * x, down where the gain shifts right, and to the nearest of the product's LSBs
 // within a sixth of one where it shifts left.
 TEST(Lookup, TermsRoundAsTheySay) {
   std::mt19937 random(1);
@@ -227,13 +227,13 @@ TEST(Lookup, RootsOfDoublesAreCorrect) {
 // A root near a known one, against the parabola that the header states, and against the true root.
 void expect_root_beside(int32_t y, int32_t z) {
   const double unit = 2147483648.0, s = std::sqrt(y / unit) * unit, e = (static_cast<double>(z) - y) / y;
-  const double held = std::fmin(e, 1), places = 4 + s * 0x1p-27;
+  const double held = std::fmin(e, 1), lsbs = 4 + s * 0x1p-27;
   const double found = KnownSquareRoot::of(y).root_beside(z), parabola = s * (1 + held / 2 - held * held / 8);
-  ASSERT_NEAR(found, parabola, s * std::fabs(held) * 0x1p-12 + places) << y << " " << z;
+  ASSERT_NEAR(found, parabola, s * std::fabs(held) * 0x1p-12 + lsbs) << y << " " << z;
   ASSERT_GT(found, 0) << y << " " << z;
   const double root = std::sqrt(z / unit) * unit;
   if (e < -0.5) return;
-  ASSERT_LE(found, root + (e > 0 ? root * 6e-6 + places : s * 0.012)) << y << " " << z;
+  ASSERT_LE(found, root + (e > 0 ? root * 6e-6 + lsbs : s * 0.012)) << y << " " << z;
   if (e > 1) return;
   ASSERT_GE(found, root - s * 0.04) << y << " " << z;
 }
@@ -267,7 +267,7 @@ void expect_quotient(uint32_t numerator, uint32_t denominator) {
   const uint64_t fine = quotient_q32(numerator, denominator);
   ASSERT_LE(fine * d, n * two_32) << n << " / " << d;
   ASSERT_LT(n * two_32 - fine * d, d + 4 * n) << n << " / " << d;
-  // The table's 17 bits, two of them rounded off, and the last place.
+  // The table's 17 bits, two of them rounded off, and the LSB.
   const double rough = rough_quotient_q31(numerator, denominator),
                exact = static_cast<double>(n) / static_cast<double>(d) * 2147483648.0;
   ASSERT_LE(rough, exact * (1 + 1.0 / 65536) + 1) << n << " / " << d;
@@ -301,7 +301,7 @@ TEST(Lookup, Quotients) {
     }
 }
 
-// In both forms the same; short by what is stated, and by the product's own last place. The composed form's correction
+// In both forms the same; short by what is stated, and by the product's own LSB. The composed form's correction
 // is at its most where the estimate's three roundings meet.
 void expect_square_over_five(int32_t z, uint32_t p) {
   const int32_t result = instruction::square_over_five(z, p);
@@ -327,7 +327,7 @@ TEST(Lookup, SquareOverFive) {
   }
 }
 
-// Shares are the quotients' bits. A ratio loses less than a place of 2^29 in its product and less than another in the
+// Shares are the quotients' bits. A ratio loses less than an LSB of 2^29 in its product and less than another in the
 // halved reciprocal; it is held at 1.
 TEST(Lookup, Divisors) {
   std::mt19937 random(3);

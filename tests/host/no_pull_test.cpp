@@ -94,15 +94,15 @@ struct Kind {
   using Absorber = impact::Absorber<AtRunTime, Law, Stepper, Sampled, Format, Parts...>;
 
   // The speed of a step's rounding: of the state as it is read, and in Fixed32 of the ball's share of an impulse, which
-  // rounds by one place.
+  // rounds by one LSB.
   template <class Kernel>
   static double rounding(const Kernel& absorber, const Bounds& bounds) {
     typename Kernel::Long recoil{}, displacement{};
     absorber.plan.units.recoil(recoil, Format::last_place());
     absorber.plan.units.displace(displacement, Format::last_place());
-    const double place = larger(absorber.plan.units.si(recoil), absorber.plan.units.si(displacement)) / step;
+    const double lsb = larger(absorber.plan.units.si(recoil), absorber.plan.units.si(displacement)) / step;
     const bool is_single = Format::is_real && sizeof(typename Kernel::Value) == sizeof(float);
-    return place + (is_single ? 0x1p-22 : 0x1p-50) * bounds.speed;
+    return lsb + (is_single ? 0x1p-22 : 0x1p-50) * bounds.speed;
   }
 
   // A ball in a right stop, which nothing else touches, gains no speed towards it.

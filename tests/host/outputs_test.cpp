@@ -32,7 +32,7 @@ typename Format::Value native(double x, double unit) {
 }
 // Of a number as large as `size`, whose unit is known.
 template <class Format>
-double last_place(double size, double unit) {
+double lsb_of(double size, double unit) {
   if constexpr (std::is_same_v<Format, Fixed32>)
     return unit * 0x1p-31;
   else
@@ -78,7 +78,7 @@ template <class Case>
 struct Outputs : testing::Test {};
 TYPED_TEST_SUITE_P(Outputs);
 
-// reading() is in double from the whole state; a native number is within some last places of its own.
+// reading() is in double from the whole state; a native number is within some LSBs of its own.
 TYPED_TEST_P(Outputs, AreTheReadingInTheirUnits) {
   using Format = typename TypeParam::Format;
   auto kernel = TypeParam::made();
@@ -88,13 +88,13 @@ TYPED_TEST_P(Outputs, AreTheReadingInTheirUnits) {
   for (int n = 0; n < 20000; ++n) {
     TypeParam::step(kernel, n);
     const auto now = kernel.reading();
-    const double place = last_place<Format>(0.1, kernel.displacement_unit());
-    ASSERT_NEAR(si(kernel.displacement(), kernel.displacement_unit()), now.x1, place) << n;
-    ASSERT_NEAR(si(kernel.ball_displacement(), kernel.displacement_unit()), now.x2, place) << n;
+    const double lsb = lsb_of<Format>(0.1, kernel.displacement_unit());
+    ASSERT_NEAR(si(kernel.displacement(), kernel.displacement_unit()), now.x1, lsb) << n;
+    ASSERT_NEAR(si(kernel.ball_displacement(), kernel.displacement_unit()), now.x2, lsb) << n;
     // Rates count in the unit of penetrations within a step: 2^-5 m here.
-    const double rate_place = last_place<Format>(2, 0x1p-5 / h);
-    ASSERT_NEAR(si(kernel.velocity(), kernel.velocity_unit()), now.v1, 3 * rate_place) << n;
-    ASSERT_NEAR(si(kernel.ball_velocity(), kernel.velocity_unit()), now.v2, 3 * rate_place) << n;
+    const double rate_lsb = lsb_of<Format>(2, 0x1p-5 / h);
+    ASSERT_NEAR(si(kernel.velocity(), kernel.velocity_unit()), now.v1, 3 * rate_lsb) << n;
+    ASSERT_NEAR(si(kernel.ball_velocity(), kernel.velocity_unit()), now.v2, 3 * rate_lsb) << n;
     const auto seen = kernel.snapshot();
     ASSERT_TRUE(seen.is_whole);
     ASSERT_EQ(seen.steps, static_cast<uint32_t>(n + 1));
@@ -130,10 +130,9 @@ TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
     largest = host::larger(largest, std::abs(force));
     touched += force != 0;
     if (kernel.is_touching() || force != 0) continue;
-    // Each step in contact rounds its force, and the ball's velocity, to some of their places.
-    const double place = last_place<Format>(largest, kernel.force_unit()) * h,
-                 rate_place = last_place<Format>(2, 0x1p-5 / h) * m;
-    ASSERT_NEAR(kernel.reading().v2 * m, momentum, 4 * (place + rate_place) * std::sqrt(1.0 + touched)) << n;
+    // Each step in contact rounds its force, and the ball's velocity, to some of their LSBs.
+    const double lsb = lsb_of<Format>(largest, kernel.force_unit()) * h, rate_lsb = lsb_of<Format>(2, 0x1p-5 / h) * m;
+    ASSERT_NEAR(kernel.reading().v2 * m, momentum, 4 * (lsb + rate_lsb) * std::sqrt(1.0 + touched)) << n;
   }
   EXPECT_GT(largest, 1);
 }
@@ -158,10 +157,10 @@ TYPED_TEST(Formats, ACorrectionAddsToDisplacementAndVelocity) {
   Kernel kernel(Kernel::PlanType::make(Scene{}, Bounds{}, h)), heir(Kernel::PlanType::make(there, Bounds{}, h));
   const double xu = kernel.displacement_unit(), vu = kernel.velocity_unit();
   kernel.correct(native<TypeParam>(0.003, xu), native<TypeParam>(-0.4, vu));
-  const double place = last_place<TypeParam>(0.4, 0x1p-5 / h), x_place = last_place<TypeParam>(0.003, xu);
+  const double lsb = lsb_of<TypeParam>(0.4, 0x1p-5 / h), x_lsb = lsb_of<TypeParam>(0.003, xu);
   for (int n = 0; n < 100; ++n) {
-    EXPECT_NEAR(kernel.reading().x1, heir.reading().x1, x_place + n * h * 4 * place) << n;
-    EXPECT_NEAR(kernel.reading().v1, heir.reading().v1, 4 * place * (1 + 0.1 * n)) << n;
+    EXPECT_NEAR(kernel.reading().x1, heir.reading().x1, x_lsb + n * h * 4 * lsb) << n;
+    EXPECT_NEAR(kernel.reading().v1, heir.reading().v1, 4 * lsb * (1 + 0.1 * n)) << n;
     kernel.step();
     heir.step();
   }
@@ -185,8 +184,8 @@ TYPED_TEST(Formats, CorrectionsPullTheModelToItsPlant) {
     model.step();
     plant.step();
   }
-  // In Fixed32 a hundredth of the error ends below half a place.
-  EXPECT_NEAR(model.reading().x1, plant.reading().x1, last_place<TypeParam>(0.1, xu) * 60);
+  // In Fixed32 a hundredth of the error ends below half an LSB.
+  EXPECT_NEAR(model.reading().x1, plant.reading().x1, lsb_of<TypeParam>(0.1, xu) * 60);
   EXPECT_EQ(model.fault(), Fault::none);
 }
 
@@ -333,8 +332,8 @@ TYPED_TEST(Formats, CountsInAreSamples) {
         // Held at the last whole count below the unit.
         const double most = (std::ceil(unit * zero / std::abs(full_scale)) - 1) * std::abs(full_scale) / zero;
         if (std::is_same_v<TypeParam, Fixed32>) exact = std::min(std::max(exact, -most), most);
-        const double place = std::is_same_v<TypeParam, Fixed32> ? 10 * 0x1p-29 : std::abs(exact) * 0x1p-22;
-        ASSERT_NEAR(si(from_counts.of(counts), unit), exact, place) << n << " of " << bits << " bits";
+        const double lsb = std::is_same_v<TypeParam, Fixed32> ? 10 * 0x1p-29 : std::abs(exact) * 0x1p-22;
+        ASSERT_NEAR(si(from_counts.of(counts), unit), exact, lsb) << n << " of " << bits << " bits";
       }
       for (const int32_t wild : {INT32_MIN, INT32_MAX})
         ASSERT_GT(std::abs(si(from_counts.of(wild), unit)), std::min(std::abs(full_scale), unit) * 0.99);

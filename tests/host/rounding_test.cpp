@@ -6,7 +6,7 @@
 // Hooke-Newton. What a format leaves undetermined of an impact's speed v is, at best,
 //
 //     dv = 2^-24 v (Float32) or 2^-31 v (Fixed32): the last bit of the constants that scale the impact;
-//     in Fixed32 also 2^-31 (penetration's unit) / h / sqrt(N): the last place of the rate, over the N steps of a
+//     in Fixed32 also 2^-31 (penetration's unit) / h / sqrt(N): the LSB of the rate, over the N steps of a
 //     contact.
 //
 // Where twice A dv is above the floor, for Hertz in Float32 and for Hooke-Newton, it stands in the floor's place.

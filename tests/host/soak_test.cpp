@@ -50,15 +50,15 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
   const double dissipated = state.dissipated.total() * plan.force_scale * unit;
   const double energy = scene.main_mass * now.v1 * now.v1 / 2 + scene.ball_mass * now.v2 * now.v2 / 2 +
                         scene.main_stiffness * now.x1 * now.x1 / 2;
-  const double total = static_cast<double>(steps + extra);  // A step's two products of the drive, each by half a place;
+  const double total = static_cast<double>(steps + extra);  // A step's two products of the drive, each by half an LSB;
                                                             // in Float32 of at most 10 N over 1 ms of 2 m/s, and as
   // much for the additions. A contact has two more and the energy stored, in its own unit.
   const bool is_fixed = std::is_same_v<TypeParam, Fixed32>;
-  const double drive_place = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2e-3 * 0x1p-24;
-  const double contact_place = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2e-3 * 0x1p-24;
+  const double drive_lsb = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2e-3 * 0x1p-24;
+  const double contact_lsb = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2e-3 * 0x1p-24;
   // Rounded to nearest they wander as the square root of the steps, and within 8 times that; rounded down they would
-  // drift by half a place a step.
-  const double bound = 8 * std::sqrt(total) * (drive_place + 4 * contact_place);
+  // drift by half an LSB a step.
+  const double bound = 8 * std::sqrt(total) * (drive_lsb + 4 * contact_lsb);
   EXPECT_NEAR(energy + dissipated, work, bound);
 
   // The curvature's 31 bits set the phase: pulsation * time * 2^-31; the amplitude has its 31 bits and keeps them.
@@ -72,12 +72,12 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
       turned * 0x1p-31 + 1e-6);
 }
 
-// Entries far below the sum's last place: a plain float would stand still at 2.
+// Entries far below the sum's LSB: a plain float would stand still at 2.
 template <class Format>
 struct Tallies : testing::Test {};
 using FloatFormats = testing::Types<Float32, Float32Plain>;
 TYPED_TEST_SUITE(Tallies, FloatFormats);
-TYPED_TEST(Tallies, GoOnBelowTheirLastPlace) {
+TYPED_TEST(Tallies, GoOnBelowTheirLsb) {
   typename TypeParam::Tally tally{};
   const float entry = 1e-7F;
   for (int n = 0; n < 40000000; ++n) tally.add(entry);
@@ -176,9 +176,9 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
   const double by_friction = absorber.friction_dissipated();
   const double missing = by_drive + by_field - by_contact - by_friction - (energy_of(before) - at_start);
   const bool is_fixed = std::is_same_v<TypeParam, Fixed32>;
-  const double drive_place = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2 * h * 0x1p-24;
-  const double contact_place = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2 * h * 0x1p-24;
-  const double rounding = 8 * std::sqrt(total) * (drive_place + 4 * contact_place);
+  const double drive_lsb = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2 * h * 0x1p-24;
+  const double contact_lsb = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2 * h * 0x1p-24;
+  const double rounding = 8 * std::sqrt(total) * (drive_lsb + 4 * contact_lsb);
   const double bound = 1e-5 * (in_contacts + by_contact) + rounding;
   EXPECT_NEAR(missing, 0, bound);
   EXPECT_LT(bound, 1e-3 * by_friction);
@@ -209,8 +209,8 @@ TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
     }
 }
 
-// A weak damper takes less than a place of what counts in a step. Of a vibration of 1e-4 of the bounds it leaves
-// exp(-c t/2M) nevertheless, within ten times what a position's half place adds up to by chance in so many steps.
+// A weak damper takes less than an LSB of what counts in a step. Of a vibration of 1e-4 of the bounds it leaves
+// exp(-c t/2M) nevertheless, within ten times what a position's half LSB adds up to by chance in so many steps.
 TEST(Fixed32Damper, TakesItsShareOfASmallVibration) {
   using Kernel = Absorber<AtRunTime, Hertz, Moment, NoDrive, Fixed32>;
   const double h = 1e-4;
@@ -227,8 +227,8 @@ TEST(Fixed32Damper, TakesItsShareOfASmallVibration) {
     const double start = energy();
     const long steps = damping > 5e-4 ? 3000000 : 10000000;
     for (long n = 0; n < steps; ++n) absorber.step();
-    const double time = static_cast<double>(steps) * h, place = absorber.displacement_unit() * 0x1p-31,
-                 by_chance = 0.29 * place * std::sqrt(1000.0) * h * std::sqrt(static_cast<double>(steps) / 2);
+    const double time = static_cast<double>(steps) * h, lsb = absorber.displacement_unit() * 0x1p-31,
+                 by_chance = 0.29 * lsb * std::sqrt(1000.0) * h * std::sqrt(static_cast<double>(steps) / 2);
     EXPECT_NEAR(std::sqrt(energy() / start), std::exp(-damping * time / 2), 10 * by_chance / scene.x1);
   }
 }

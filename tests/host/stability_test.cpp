@@ -71,11 +71,11 @@ std::string text_of(const FreePair& free) {
 
 std::unique_ptr<Simulation> simulation_of(const Request& request) { return make_simulation(request).simulation; }
 
-// A format's resolution: the last place of a position, and of a displacement per step, both over the approach's.
-struct Places {
+// A format's resolution: the LSB of a position, and of a displacement per step, both over the approach's.
+struct Lsbs {
   double position, rate;
 };
-Places places(const FreePair& free, Numeric numeric) {
+Lsbs lsbs_of(const FreePair& free, Numeric numeric) {
   const Request request = request_for(free, Stepper::automatic, numeric, 0);
   const Bounds& bounds = *request.bounds;
   const double position = free.clearance / 2 + free.speed * (2 * *contact_time(impact_of(free)) + 2 * free.step);
@@ -94,23 +94,23 @@ Places places(const FreePair& free, Numeric numeric) {
   return {0, 2 * std::max(bounds.penetration, 2 * bounds.speed * free.step) * 0x1p-31 / approach};
 }
 
-// Float32Plain is for motions that a step moves by many places of the position; here 2^10 and more.
-bool is_resolved(const FreePair& free, Numeric numeric) { return places(free, numeric).position < 0x1p-10; }
+// Float32Plain is for motions that a step moves by many LSBs of the position; here 2^10 and more.
+bool is_resolved(const FreePair& free, Numeric numeric) { return lsbs_of(free, numeric).position < 0x1p-10; }
 
 // What rounding may add to the energy of one impact, over that before it: 1e-12 in double, 1e-5 in 32 bits, and what a
 // long contact gathers.
 //
-// Half a place of the position, in a step of the contact, is work of its force: over the steps N at most N place times
-// 5/2 approach/peak of the energy, which is 7.4 places over the approach (peak = N approach/2.94). In Float32Plain the
+// Half an LSB of the position, in a step of the contact, is work of its force: over the steps N at most N LSBs times
+// 5/2 approach/peak of the energy, which is 7.4 LSBs over the approach (peak = N approach/2.94). In Float32Plain the
 // position rounds the same displacement alike at every step, so that this is what it gains; elsewhere the sign is
-// random, and six standard deviations of sqrt(N) steps are taken. Half a place of the rate is twice as much of the
-// energy, at random as well: a uniform error's standard deviation is 1/sqrt(12) of a place.
+// random, and six standard deviations of sqrt(N) steps are taken. Half an LSB of the rate is twice as much of the
+// energy, at random as well: a uniform error's standard deviation is 1/sqrt(12) of an LSB.
 double rounding_gain(const FreePair& free, Numeric numeric) {
   const double steps = std::max(1.0, steps_per_contact(free));
-  const Places place = places(free, numeric);
+  const Lsbs lsb = lsbs_of(free, numeric);
   const double alike = numeric == Numeric::float32_plain ? 1 : std::min(1.0, 6 / std::sqrt(steps));
-  return (numeric == Numeric::float64 ? 1e-12 : 1e-5) + 7.4 * alike * place.position +
-         12 / std::sqrt(12) * std::sqrt(steps) * place.rate;
+  return (numeric == Numeric::float64 ? 1e-12 : 1e-5) + 7.4 * alike * lsb.position +
+         12 / std::sqrt(12) * std::sqrt(steps) * lsb.rate;
 }
 
 // Not held yet: the corner of a soft stop 0.5 m from the middle hit by a slow, heavy ball in Fixed32. Moment-fitted it

@@ -1,5 +1,5 @@
 // What high_product.hpp writes in the core's own instructions, against the compiler's 64-bit arithmetic: the ends of
-// the range, what is next to them and to each half word's, and random numbers; long sums at each number of places.
+// the range, what is next to them and to each half word's, and random numbers; long sums at each shift.
 
 #include <impact/numeric/high_product.hpp>
 
@@ -61,19 +61,19 @@ uint32_t wrong_products_with_constants() {
 }
 
 // Of sums and terms that fit.
-template <int places>
+template <int bits>
 uint32_t wrong_sums() {
   uint32_t wrong = 0;
   for (uint32_t i = 0; i < numbers; ++i)
     for (uint32_t j = 0; j < numbers; ++j) {
-      const auto x = static_cast<int32_t>(number(i)) >> (places < 31 ? 0 : places - 31);
+      const auto x = static_cast<int32_t>(number(i)) >> (bits < 31 ? 0 : bits - 31);
       const auto sum = static_cast<int64_t>(uint64_t{number(j)} << 32 | number(i + j)) >> 1;
       int64_t found = sum;
-      impact::add_shifted(found, x, places);
-      wrong += found != sum + x * (INT64_C(1) << places);
+      impact::add_shifted(found, x, bits);
+      wrong += found != sum + x * (INT64_C(1) << bits);
     }
-  if constexpr (places < 62)
-    return wrong + wrong_sums<places + 1>();
+  if constexpr (bits < 62)
+    return wrong + wrong_sums<bits + 1>();
   else
     return wrong;
 }

@@ -1,7 +1,7 @@
 // A search for a step that takes longer than those of the paper's scene: random states, set directly, with penetrations
-// and speeds from the last place to the bounds, on either side, apart, touching and let go, each followed for some
+// and speeds from an LSB to the bounds, on either side, apart, touching and let go, each followed for some
 // steps; for every budgeted configuration on the paper's scene, and on generated scenes, whose constants shift by
-// other places. Prints rows that within_budget.sh judges, and where the longest step was; fails when it has missed a
+// other amounts. Prints rows that within_budget.sh judges, and where the longest step was; fails when it has missed a
 // way from one phase of the contact to another, or a fault.
 
 #include <board/console.hpp>

@@ -54,7 +54,7 @@
 // Format    Value, Long                a number of a step, of 32 bits for 32-bit cores; a state, of twice the digits
 //           Gain, HeldGain, Weight     a constant that multiplies a Value; the same where it may carry it out of range
 //           Root, Oscillator           a square root; the sine drive's recurrence
-//           Energy, Tally              a product of Values with all its places; a sum without end of them
+//           Energy, Tally              a product of Values with all its bits; a sum without end of them
 //           Units                      the powers of two that Values count in
 //           kind                       uint32_t, another one for each way to compute the same
 //           and the functions of numeric/fixed32.hpp's Fixed32, which has them all

@@ -109,7 +109,7 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
     using Value = typename Format::Value;
     struct {
       Value main_increment, ball_increment;
-      typename Format::Long ball_step;  // the same as ball_increment, with all its places
+      typename Format::Long ball_step;  // the same as ball_increment, with all its bits
       Value main_rate, ball_rate, rate_apart, ahead, behind;
       Value ball_start;  // the ball's share for a change of plan
     } field;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The fixed-point format of the step. Values are Q1.31 fractions of a power of two that the plan chooses for each
-// quantity from the scene's bounds; states are 64-bit integers at one common scale, because rounding to a 32-bit place
+// quantity from the scene's bounds; states are 64-bit integers at one common scale, because rounding to 32 bits
 // at each step would accumulate.
 
 #include <stddef.h>
@@ -29,14 +29,14 @@ struct Fixed32 : Fixed32Numbers {
   // weight x y, with the weight's shift after both.
   template <int bits>
   static constexpr Value product(Weight weight, Value x, Unsigned<bits> y) {
-    const int ahead = weight.places_ahead(), after = weight.shift + ahead;
+    const int ahead = weight.bits_ahead(), after = weight.shift + ahead;
     const int32_t weighted = high_product(to_left(x.raw, ahead), weight.mantissa);
     return moved({high_product(weighted, with_sign(y).raw)}, after + bits - 33);
   }
   // (a + weight y) x for a and y below 1, with the weight's shift to the left before both; the sum is below 3.
   template <int more, int bits>
   static constexpr Value product_of_sum(Unsigned<more> a, Weight weight, Unsigned<bits> y, Value x) {
-    const int ahead = weight.places_ahead(), after = weight.shift + ahead;
+    const int ahead = weight.bits_ahead(), after = weight.shift + ahead;
     const auto weighted = with_bits<30>(Signed<bits - 2>{high_product(with_sign(y).raw, weight.mantissa)});
     const Signed<29> sum = {(value(a).raw >> ahead >> 2) + (weighted.raw >> (after + 2))};
     return {shifted_product(to_left(x.raw, ahead), sum.raw, 3)};
@@ -54,29 +54,29 @@ struct Fixed32 : Fixed32Numbers {
   }
   // gain * x of a state in range, for a gain >= 0, in fewer instructions than the gain's own product. To the right it
   // rounds down: what adds one such term and takes away another rounds to nearest on average. To the left it rounds to
-  // nearest within a sixth of the product's place, by the one or two places of x that are worth about half of that: the
+  // nearest within a sixth of the product's LSB, by the one or two bits of x that are worth about half of that: the
   // product's lower word is not asked for.
   [[gnu::always_inline]] static constexpr Value term(Gain gain, Value x) {
     if (gain.mantissa == 0) return {0};
     if (gain.shift > 0) return {high_product(x.raw, gain.mantissa) >> gain.shift};
-    const uint32_t half_place = gain.mantissa > 0x55555555 ? 1 : 2;
-    const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) + half_place);
+    const uint32_t half_lsb = gain.mantissa > 0x55555555 ? 1 : 2;
+    const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) + half_lsb);
     return {to_left(high_product(ahead, gain.mantissa), -gain.shift)};
   }
-  // gain * x, where it may be less than a last place: to the right it rounds by chance, as the lower word of a state
-  // says, so that on average nothing is lost. Rounded down, a weak damper takes half a place in each step.
+  // gain * x, where it may be less than an LSB: to the right it rounds by chance, as the lower word of a state
+  // says, so that on average nothing is lost. Rounded down, a weak damper takes half an LSB in each step.
   [[gnu::always_inline]] static constexpr Value dithered_term(Gain gain, Value x, Long chance) {
     if (gain.mantissa == 0 || gain.shift <= 0) return term(gain, x);
-    const auto places = static_cast<int32_t>(static_cast<uint32_t>(chance.raw) >> (32 - gain.shift));
-    return {(high_product(x.raw, gain.mantissa) + places) >> gain.shift};
+    const auto carried = static_cast<int32_t>(static_cast<uint32_t>(chance.raw) >> (32 - gain.shift));
+    return {(high_product(x.raw, gain.mantissa) + carried) >> gain.shift};
   }
   // Rounded down, for a gain of 0 or a power of two from 2^-32 on.
   static constexpr Value moved_term(Gain gain, Value x) {
-    const int places = gain.shift + 2;
-    return gain.mantissa == 0 ? Value{0} : moved(x, places < 31 ? places : 31);
+    const int bits = gain.shift + 2;
+    return gain.mantissa == 0 ? Value{0} : moved(x, bits < 31 ? bits : 31);
   }
   // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive, the gain not negative; a gain that
-  // is 2^31 or more for a divisor of a few last places is held there.
+  // is 2^31 or more for a divisor of a few LSBs is held there.
   static constexpr Gain gain_over(Gain gain, Value divisor) {
     if (gain.mantissa == 0) return {0, 0};
     const int zeros = leading_zeros(static_cast<uint32_t>(divisor.raw));
@@ -89,7 +89,7 @@ struct Fixed32 : Fixed32Numbers {
   // A converter's counts as Values: of 2^31.
   static constexpr int count_exponent = 31;
   static constexpr Value counted(int32_t counts) { return {counts}; }
-  // The counts of 1, beyond which there is no Value, less what a gain and its product round: four places.
+  // The counts of 1, beyond which there is no Value, less what a gain and its product round: four LSBs.
   static constexpr double most_counts(double per_one) { return constant::magnitude(per_one) * (1 - 0x1p-28); }
   static constexpr HeldGain count_gain(double per_one) { return {gain(per_one, 0, count_exponent)}; }
   static constexpr int32_t counts(HeldGain gain, Value x, int32_t least, int32_t most) {
@@ -169,7 +169,7 @@ struct Fixed32 : Fixed32Numbers {
     IMPACT_EXPECT(numerator.raw <= denominator.raw && denominator.raw > 0);
     return {rough_quotient_q31(numerator.raw, denominator.raw)};
   }
-  // To 16 places, rounded down; numerator <= denominator.
+  // To 16 bits, rounded down; numerator <= denominator.
   template <int bits>
   static constexpr Short short_quotient(Unsigned<bits> numerator, Unsigned<bits> denominator) {
     IMPACT_EXPECT(numerator.raw <= denominator.raw && denominator.raw > 0);
@@ -199,13 +199,13 @@ struct Fixed32 : Fixed32Numbers {
     constexpr int32_t quarter = 1 << 29;
     return {x.raw > quarter ? quarter : x.raw < -quarter ? -quarter : x.raw};
   }
-  // k of 2^places parts of 1, for k below that; and how many of them x has, rounded down.
-  static constexpr Unsigned<32> parts(int k, int places, Gain) { return {static_cast<uint32_t>(k) << (32 - places)}; }
-  static constexpr int parts_of(Value x, int places, Gain) { return x.raw >> (31 - places); }
+  // k of 2^bits parts of 1, for k below that; and how many of them x has, rounded down.
+  static constexpr Unsigned<32> parts(int k, int bits, Gain) { return {static_cast<uint32_t>(k) << (32 - bits)}; }
+  static constexpr int parts_of(Value x, int bits, Gain) { return x.raw >> (31 - bits); }
   static constexpr Value times(Value x, int k) {
     return {static_cast<int32_t>(static_cast<uint32_t>(x.raw) * static_cast<uint32_t>(k))};
   }
-  // By how many places the numbers may move to the left and stay below a quarter.
+  // By how many bits the numbers may move to the left and stay below a quarter.
   template <class... Values>
   static constexpr int spare_places(Values... x) {
     const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };
@@ -217,24 +217,24 @@ struct Fixed32 : Fixed32Numbers {
   // x / (x + a) for x >= 0
   struct Balance {
     uint32_t a;
-    int places;
+    int bits;
   };
   static constexpr Balance balance(double a) {
-    const int above = impact::constant::exponent_above(a), places = above < 0 ? 0 : above < 30 ? above : 30;
-    const double raw = a * impact::constant::power_of_two(31 - places);
-    return {static_cast<uint32_t>(impact::constant::smaller(raw, 2147483647.0)), places};
+    const int above = impact::constant::exponent_above(a), bits = above < 0 ? 0 : above < 30 ? above : 30;
+    const double raw = a * impact::constant::power_of_two(31 - bits);
+    return {static_cast<uint32_t>(impact::constant::smaller(raw, 2147483647.0)), bits};
   }
   static constexpr Unsigned<32> share(Value x, Balance balance) {
     IMPACT_EXPECT(x.raw >= 0);
-    const Unsigned<31> part = {opaque(static_cast<uint32_t>(x.raw >> balance.places))};
+    const Unsigned<31> part = {opaque(static_cast<uint32_t>(x.raw >> balance.bits))};
     return quotient(part, part + Unsigned<31>{balance.a});
   }
   // Held at 1.
   template <int bits>
   static constexpr Unsigned<32> root_of_product(Unsigned<bits> x) {
     static_assert(bits <= 32, "no such product");
-    constexpr int places = 32 - bits;
-    return {square_root_q32(x.raw <= UINT32_MAX >> places ? x.raw << places : ~UINT32_C(0))};
+    constexpr int above = 32 - bits;
+    return {square_root_q32(x.raw <= UINT32_MAX >> above ? x.raw << above : ~UINT32_C(0))};
   }
   // x^(4/5), x > 0 (precise: x >= 0)
   template <bool is_precise = false>

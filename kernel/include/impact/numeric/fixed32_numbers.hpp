@@ -57,17 +57,17 @@ struct Fixed32Numbers {
       if (is_wide && gain.shift >= 0) return {instruction::rounded_product(x.raw, gain.mantissa, gain.shift)};
       if (gain.mantissa == 0) return {0};
       const bool is_power_of_two = gain.mantissa == (1 << 30);
-      const int places = is_power_of_two ? gain.shift + 2 : gain.shift;
-      if (places > 0) {
+      const int bits = is_power_of_two ? gain.shift + 2 : gain.shift;
+      if (bits > 0) {
         if (is_power_of_two) {
-          const int32_t twice = x.raw >> (places - 1);
+          const int32_t twice = x.raw >> (bits - 1);
           return {twice - (twice >> 1)};  // half up without the overflow of the largest number
         }
-        return {(high_product(x.raw, gain.mantissa) + (1 << (places - 1))) >> places};
+        return {(high_product(x.raw, gain.mantissa) + (1 << (bits - 1))) >> bits};
       }
       // To the left before the product as far as it cannot overflow, to keep the product's low bits.
-      const int after = places < -2 ? 2 : -places;
-      const auto ahead = to_left(x.raw, -places - after);
+      const int after = bits < -2 ? 2 : -bits;
+      const auto ahead = to_left(x.raw, -bits - after);
       const int32_t product = is_power_of_two ? ahead : rounded_high_product(ahead, gain.mantissa);
       return {to_left(product, after)};
     }
@@ -97,11 +97,11 @@ struct Fixed32Numbers {
     constexpr int32_t product(int32_t x) const { return rounded_high_product(to_left(x, -2 - shift), mantissa); }
   };
 
-  // A gain that rounds down where it shifts left, by one place to the middle of two: two instructions less.
+  // A gain that rounds down where it shifts left, by one bit to the middle of two: two instructions less.
   struct Weight : Gain {
     // To the left before a product that keeps its upper word only: a mantissa of a half leaves x, of a product within
-    // 1, one place more than that.
-    constexpr int places_ahead() const { return shift < -2 ? -2 - shift : 0; }
+    // 1, one bit more than that.
+    constexpr int bits_ahead() const { return shift < -2 ? -2 - shift : 0; }
     [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
       if (is_wide && weight.shift >= 0) return {instruction::rounded_product(x.raw, weight.mantissa, weight.shift)};
       if (weight.shift > 0) return {(high_product(x.raw, weight.mantissa) + (1 << (weight.shift - 1))) >> weight.shift};
@@ -126,34 +126,34 @@ struct Fixed32Numbers {
     if (-1 - e > 30) return {0, 0};
     return {static_cast<int32_t>(mantissa), -1 - e};
   }
-  // Below 2^-30 it is 0: product_of_sum() shifts to the right by two places more than the weight's own.
+  // Below 2^-30 it is 0: product_of_sum() shifts to the right by two bits more than the weight's own.
   static constexpr Weight weight(double factor, int from, int to) {
     const Gain found = gain(factor, from, to);
     return found.shift < 30 ? Weight{found} : Weight{};
   }
-  // A Value that counts in 2^from as one that counts in 2^(from + places).
-  static constexpr Value moved(Value x, int places) {
-    IMPACT_EXPECT(places >= 0 || to_left(x.raw, -places) >> -places == x.raw);
+  // A Value that counts in 2^from as one that counts in 2^(from + bits).
+  static constexpr Value moved(Value x, int bits) {
+    IMPACT_EXPECT(bits >= 0 || to_left(x.raw, -bits) >> -bits == x.raw);
     if constexpr (is_wide)
-      return {static_cast<int32_t>(static_cast<int64_t>(static_cast<uint64_t>(x.raw) << 32) >> (32 + places))};
-    return {places > 0 ? x.raw >> places : to_left(x.raw, -places)};
+      return {static_cast<int32_t>(static_cast<int64_t>(static_cast<uint64_t>(x.raw) << 32) >> (32 + bits))};
+    return {bits > 0 ? x.raw >> bits : to_left(x.raw, -bits)};
   }
 
   static constexpr Value last_place() { return {1}; }
   // A small difference: none where it is no more than what its terms are rounded by.
   static constexpr Value beyond_rounding(Value x) { return {static_cast<uint32_t>(x.raw) + 4 > 8 ? x.raw : 0}; }
-  // Numbers in a unit 2^places times as fine for a while, where places < 0 as coarse.
+  // Numbers in a unit 2^bits times as fine for a while, where bits < 0 as coarse.
   struct OwnUnit {
     int left, right;
 
     constexpr Value own(Value x) const { return {to_left(x.raw >> right, left)}; }
     constexpr Value common(Value x) const { return {to_left(x.raw >> left, right)}; }
   };
-  static constexpr OwnUnit own_unit(int places) { return {places > 0 ? places : 0, places > 0 ? 0 : -places}; }
+  static constexpr OwnUnit own_unit(int bits) { return {bits > 0 ? bits : 0, bits > 0 ? 0 : -bits}; }
 
   // At most 1.
   static constexpr Gain at_most_one(Gain gain) { return gain.shift < -1 ? Gain{INT32_MAX, -1} : gain; }
-  // A gain over 2^places, below 1/2, rounded down: a shift that is known to go right.
+  // A gain over 2^bits, below 1/2, rounded down: a shift that is known to go right.
   struct Fraction {
     int32_t mantissa;
     int shift;
@@ -162,8 +162,8 @@ struct Fixed32Numbers {
       return {high_product(x.raw, fraction.mantissa) >> fraction.shift};
     }
   };
-  static constexpr Fraction fraction(Gain gain, int places) {
-    const int shift = gain.shift + places;
+  static constexpr Fraction fraction(Gain gain, int bits) {
+    const int shift = gain.shift + bits;
     return {gain.mantissa, shift < 31 ? shift : 31};
   }
 };

@@ -35,14 +35,14 @@ struct Fixed32Units {
                          e.displacement + 1, e.penetration + 1, e.push + 2};
     for (const int exponent : least)
       if (e.position < exponent) e.position = exponent;
-    // A quantity counts in 2^-31 of a position's unit at the finest: its Value then ends with the position's last
-    // place.
+    // A quantity counts in 2^-31 of a position's unit at the finest: its Value then ends with the position's
+    // LSB.
     int* const others[] = {&e.displacement, &e.increment, &e.push, &e.penetration};
     for (int* const own : others)
       if (*own < e.position - 31) *own = e.position - 31;
     if (e.displacement <= e.increment) e.displacement = e.increment + 1;
     e.recoil = e.push - 1;
-    // A place of a position changes the next step an eighth as much by the damper as by the spring, or less.
+    // An LSB of a position changes the next step an eighth as much by the damper as by the spring, or less.
     e.damped = bounds.is_lightly_damped ? e.position : e.displacement;
     return e;
   }
@@ -50,9 +50,9 @@ struct Fixed32Units {
   // penetrations' unit: above 2^14 times the main mass's amplitude at its largest speed they keep fewer than 17 bits of
   // it, and what every step rounds adds up to a hundredth of its energy within some thousand steps
   // (coupled_scenes_test.cpp); above 2^19 times the largest way in a step a speed that is read keeps fewer than 12.
-  // The spring's force counts in places of a position, half of which a step rounds: w0^2 h times that is what a speed
+  // The spring's force counts in LSBs of a position, half of which a step rounds: w0^2 h times that is what a speed
   // gets wrong. With 2^17 of them to the largest speed that adds up to 1e-4 of its energy within some thousand steps.
-  // And forces are sized by the penetrations' own unit: where theirs is a place of the positions', none has a factor.
+  // And forces are sized by the penetrations' own unit: where theirs is an LSB of the positions', none has a factor.
   static constexpr Overflow overflow_of(const UnitExponents& e, const UnitBounds& bounds) {
     if (e.force > 20) return Overflow::force;
     if (constant::power_of_two(e.penetration - 14) > bounds.amplitude) return Overflow::penetration;
@@ -100,10 +100,10 @@ struct Fixed32Units {
     const double raw = x * constant::power_of_two(63 - position_exponent), most = 0x1p62;
     return {static_cast<int64_t>(constant::larger(-most, constant::smaller(raw, most)))};
   }
-  // Positions carry half a last place of their upper word, so that taking the upper word rounds to nearest.
-  static constexpr int64_t half_place = int64_t{1} << 31;
-  constexpr Long state_at(double x) const { return {state(x).raw + half_place}; }
-  constexpr double si_at(Long x) const { return si({x.raw - half_place}); }
+  // Positions carry half an LSB of their upper word, so that taking the upper word rounds to nearest.
+  static constexpr int64_t half_lsb = int64_t{1} << 31;
+  constexpr Long state_at(double x) const { return {state(x).raw + half_lsb}; }
+  constexpr double si_at(Long x) const { return si({x.raw - half_lsb}); }
   constexpr double si(Long x) const {
     return static_cast<double>(x.raw) * constant::power_of_two(position_exponent - 63);
   }
@@ -150,8 +150,8 @@ struct Fixed32Units {
   static constexpr void add_position(Long& x, Value by) { add_shifted(x.raw, by.raw, 32); }
   constexpr void add_displacement(Long& w, Value by) const { add_shifted(w.raw, by.raw, displacement_shift); }
   constexpr void add(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
-  // What counts in another unit, by its places.
-  static constexpr void add(Long& x, Value value, int places) { add_shifted(x.raw, value.raw, places); }
+  // What counts in another unit, 2^bits as coarse.
+  static constexpr void add(Long& x, Value value, int bits) { add_shifted(x.raw, value.raw, bits); }
   constexpr int places_of(int exponent) const { return 32 - (position_exponent - exponent); }
   // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
   constexpr void displace(Long& x, Value penetration) const {
@@ -159,7 +159,7 @@ struct Fixed32Units {
     IMPACT_EXPECT(Wide{x.raw} + (Wide{penetration.raw} << penetration_shift) == x.raw + static_cast<int64_t>(change));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
   }
-  // By gain times a penetration with all the places of a state, so that what one mass gains the other loses.
+  // By gain times a penetration with all the bits of a state, so that what one mass gains the other loses.
   constexpr void displace(Long& x, Fixed32Numbers::Gain gain, Value penetration) const {
     const Long way = product(gain, penetration, penetration_shift);
     IMPACT_EXPECT(Wide{x.raw} + way.raw == x.raw + way.raw);
@@ -170,12 +170,12 @@ struct Fixed32Units {
     const int shift = spare_places < penetration_shift ? penetration_shift - spare_places : 1;
     return product(gain, narrowed((x.raw + (int64_t{1} << (shift - 1))) >> shift), shift);
   }
-  // gain x with all the places of a state; x counts in 2^shift of them.
+  // gain x with all the bits of a state; x counts in 2^shift of them.
   static constexpr Long product(Fixed32Numbers::Gain gain, Value x, int shift) {
     const int64_t product = full_product(x.raw, gain.mantissa);
-    const int places = 32 + gain.shift - shift;
-    IMPACT_EXPECT(places >= 0 || Wide{product} * (int64_t{1} << -places) == product * (int64_t{1} << -places));
-    return {places >= 0 ? product >> places : product * (int64_t{1} << -places)};
+    const int bits = 32 + gain.shift - shift;
+    IMPACT_EXPECT(bits >= 0 || Wide{product} * (int64_t{1} << -bits) == product * (int64_t{1} << -bits));
+    return {bits >= 0 ? product >> bits : product * (int64_t{1} << -bits)};
   }
   constexpr void push(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, push_shift); }
   constexpr void push(Long& x, Signed<32> increment) const { add_shifted(x.raw, increment.raw, push_shift - 1); }
@@ -194,18 +194,18 @@ struct Fixed32Units {
     const auto upper = static_cast<uint32_t>((relative_displacement - Long{gap}).raw >> 32);
     return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) >> 1 == 0;
   }
-  // On the upper words alone, and without the last twelve places of the gap's, which one instruction of RISC-V loads
-  // then: true whenever x2 - x1 > gap, and at times by up to 2^12 last places of a position early.
+  // On the upper words alone, and without the last twelve LSBs of the gap's, which one instruction of RISC-V loads
+  // then: true whenever x2 - x1 > gap, and at times by up to 2^12 LSBs of a position early.
   constexpr bool beyond_stop(Long x2, Long x1) const {
     return upper_difference(x2, x1) >= (static_cast<int32_t>(gap >> 32) & ~0xfff);
   }
-  // Either stop; the upper words of a negative difference may say one place less.
+  // Either stop; the upper words of a negative difference may say one bit less.
   constexpr bool beyond_stops(Long x2, Long x1) const {
     const int32_t apart = upper_difference(x2, x1);
     return (apart ^ apart >> 31) >= ((static_cast<int32_t>(gap >> 32) - 1) & ~0xfff);
   }
   // Whether w less `other` is more than `least`, or where the sign is negative less than its opposite; on the upper
-  // words alone, at times two last places late.
+  // words alone, at times two LSBs late.
   static constexpr bool is_beyond(Long w, Long other, Long sign, Value least) {
     return (upper_difference(w, other) ^ static_cast<int32_t>(sign.raw >> 63)) > least.raw;
   }

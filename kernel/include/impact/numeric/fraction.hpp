@@ -6,7 +6,7 @@
 //     Signed<31>: [-1, 1) in steps of 2^-31 (Q1.31 in ARM's notation, which counts the sign bit)
 //     Unsigned<32>: [0, 1) in steps of 2^-32 (UQ0.32)
 //
-// A product and a shift to fewer fraction bits round down: an error in (-1, 0] last places. Nothing saturates here:
+// A product and a shift to fewer fraction bits round down: an error in (-1, 0] LSBs. Nothing saturates here:
 // whoever writes a formula shows that its values fit. Where a state beyond its bounds makes them not fit, they are
 // defined all the same, modulo 2^32, and what comes of them is held in range: see Fault.
 
@@ -61,7 +61,7 @@ constexpr Unsigned<bits> without_sign(Signed<bits> x) {
   return {static_cast<uint32_t>(x.raw)};
 }
 
-// And the other way, of a number that leaves the sign's place free.
+// And the other way, of a number that leaves the sign's bit free.
 template <int bits>
 constexpr Signed<bits> as_signed(Unsigned<bits> x) {
   IMPACT_EXPECT(x.raw <= INT32_MAX);
@@ -140,7 +140,7 @@ constexpr Signed<bits> operator*(Signed<bits> x, Short y) {
   return {short_product(x.raw, static_cast<int32_t>(y.raw))};
 }
 
-// The product of two numbers with all its places, 62 fraction bits in 64, or a sum of a few: a ledger's entry.
+// The product of two numbers with all its bits, 62 fraction bits in 64, or a sum of a few: a ledger's entry.
 struct Energy {
   int64_t raw;
 
@@ -155,7 +155,7 @@ struct Energy {
 };
 template <int a, int b>
 constexpr Energy work(Signed<a> x, Signed<b> y) {
-  static_assert(a + b >= 62, "a product without all its places");
+  static_assert(a + b >= 62, "a product without all its bits");
   return {full_product(x.raw, y.raw) >> (a + b - 62)};
 }
 

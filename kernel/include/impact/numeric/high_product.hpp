@@ -57,9 +57,9 @@ constexpr int32_t opaque(int32_t x) {
 constexpr uint32_t opaque(uint32_t x) { return static_cast<uint32_t>(opaque(static_cast<int32_t>(x))); }
 
 // Of a negative number << is not defined before C++20.
-constexpr int32_t to_left(int32_t x, int places) {
-  IMPACT_EXPECT(static_cast<int32_t>(static_cast<uint32_t>(x) << places) >> places == x);
-  return static_cast<int32_t>(static_cast<uint32_t>(x) << places);
+constexpr int32_t to_left(int32_t x, int bits) {
+  IMPACT_EXPECT(static_cast<int32_t>(static_cast<uint32_t>(x) << bits) >> bits == x);
+  return static_cast<int32_t>(static_cast<uint32_t>(x) << bits);
 }
 
 // The upper word. (Shifted with its sign GCC knows it for one, see above.)
@@ -93,14 +93,14 @@ constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
   const int64_t product = int64_t{a} * b;
   return static_cast<int32_t>(product >> 32) + static_cast<int32_t>(static_cast<uint32_t>(product) >> 31);
 }
-// floor(a b / 2^(32 - places)) for places from 1 to 16, modulo 2^32.
-constexpr int32_t shifted_product(int32_t a, int32_t b, int places) {
-  IMPACT_EXPECT(int64_t{a} * b >> (32 - places) == static_cast<int32_t>(int64_t{a} * b >> (32 - places)));
-  return static_cast<int32_t>(int64_t{a} * b >> (32 - places));
+// floor(a b / 2^(32 - bits)) for bits from 1 to 16, modulo 2^32.
+constexpr int32_t shifted_product(int32_t a, int32_t b, int bits) {
+  IMPACT_EXPECT(int64_t{a} * b >> (32 - bits) == static_cast<int32_t>(int64_t{a} * b >> (32 - bits)));
+  return static_cast<int32_t>(int64_t{a} * b >> (32 - bits));
 }
-// floor(a b / 2^(32 + places) + 1/2) for places from 0 to 31, where is_wide: there one shift serves for all.
-constexpr int32_t rounded_product(int32_t a, int32_t b, int places) {
-  return static_cast<int32_t>(((int64_t{a} * b >> (31 + places)) + 1) >> 1);
+// floor(a b / 2^(32 + bits) + 1/2) for bits from 0 to 31, where is_wide: there one shift serves for all.
+constexpr int32_t rounded_product(int32_t a, int32_t b, int bits) {
+  return static_cast<int32_t>(((int64_t{a} * b >> (31 + bits)) + 1) >> 1);
 }
 
 constexpr int leading_zeros(uint32_t x) { return x == 0 ? 32 : __builtin_clz(static_cast<unsigned>(x)); }
@@ -121,57 +121,56 @@ constexpr int normalise(uint32_t& x) {
 
 }  // namespace instruction
 
-// x 2^places for places from 1 to 63, in two words where that takes fewer instructions than a long shift.
-constexpr int64_t shifted_left(int32_t x, int places) {
-  if (is_wide || places > 31) return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(x)) << places);
-  const uint32_t low = static_cast<uint32_t>(x) << places, high = static_cast<uint32_t>((x >> 1) >> (31 - places));
+// x 2^bits for bits from 1 to 63, in two words where that takes fewer instructions than a long shift.
+constexpr int64_t shifted_left(int32_t x, int bits) {
+  if (is_wide || bits > 31) return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(x)) << bits);
+  const uint32_t low = static_cast<uint32_t>(x) << bits, high = static_cast<uint32_t>((x >> 1) >> (31 - bits));
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
 
 #if defined(__thumb2__) && defined(__OPTIMIZE__)
 // Both instructions of a long sum shift their operand, of which a compiler uses the second's only.
-[[gnu::always_inline]] inline int64_t assembled_sum(int64_t sum, int32_t x, int places) {
+[[gnu::always_inline]] inline int64_t assembled_sum(int64_t sum, int32_t x, int bits) {
   uint32_t low, high;
   __asm__ __inline__(
       "adds %0, %2, %4, lsl %5\n\t"
       "adc %1, %3, %4, asr %6"
       : "=&r"(low), "=r"(high)
-      : "r"(static_cast<uint32_t>(sum)), "r"(static_cast<uint32_t>(sum >> 32)), "r"(x), "i"(places), "i"(32 - places)
+      : "r"(static_cast<uint32_t>(sum)), "r"(static_cast<uint32_t>(sum >> 32)), "r"(x), "i"(bits), "i"(32 - bits)
       : "cc");
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
-[[gnu::always_inline]] inline int64_t assembled_difference(int64_t sum, int32_t x, int places) {
+[[gnu::always_inline]] inline int64_t assembled_difference(int64_t sum, int32_t x, int bits) {
   auto low = static_cast<uint32_t>(sum), high = static_cast<uint32_t>(sum >> 32);
   __asm__ __inline__(
       "subs %0, %0, %2, lsl %3\n\t"
       "sbc %1, %1, %2, asr %4"
       : "+&r"(low), "+r"(high)
-      : "r"(x), "i"(places), "i"(32 - places)
+      : "r"(x), "i"(bits), "i"(32 - bits)
       : "cc");
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
 // A sum that is known is the constructor's of a static object, which is to stay a constant: while GCC tries whether it
 // is one it does not know that it evaluates a constant.
-[[gnu::always_inline]] constexpr bool is_assembled(int64_t sum, int places) {
-  return !__builtin_constant_p(sum) && !__builtin_is_constant_evaluated() && __builtin_constant_p(places) &&
-         places < 32;
+[[gnu::always_inline]] constexpr bool is_assembled(int64_t sum, int bits) {
+  return !__builtin_constant_p(sum) && !__builtin_is_constant_evaluated() && __builtin_constant_p(bits) && bits < 32;
 }
-[[gnu::always_inline]] constexpr void add_shifted(int64_t& sum, int32_t x, int places) {
-  sum = is_assembled(sum, places) ? assembled_sum(sum, x, places) : sum + shifted_left(x, places);
+[[gnu::always_inline]] constexpr void add_shifted(int64_t& sum, int32_t x, int bits) {
+  sum = is_assembled(sum, bits) ? assembled_sum(sum, x, bits) : sum + shifted_left(x, bits);
 }
 #else
-constexpr void add_shifted(int64_t& sum, int32_t x, int places) {
-  IMPACT_EXPECT(Wide{sum} + (Wide{x} << places) == sum + shifted_left(x, places));
-  sum += shifted_left(x, places);
+constexpr void add_shifted(int64_t& sum, int32_t x, int bits) {
+  IMPACT_EXPECT(Wide{sum} + (Wide{x} << bits) == sum + shifted_left(x, bits));
+  sum += shifted_left(x, bits);
 }
 #endif
 
-// sum - x 2^places, modulo 2^64.
-[[gnu::always_inline]] constexpr int64_t less_shifted(int64_t sum, int32_t x, int places) {
+// sum - x 2^bits, modulo 2^64.
+[[gnu::always_inline]] constexpr int64_t less_shifted(int64_t sum, int32_t x, int bits) {
 #if defined(__thumb2__) && defined(__OPTIMIZE__)
-  if (is_assembled(sum, places)) return assembled_difference(sum, x, places);
+  if (is_assembled(sum, bits)) return assembled_difference(sum, x, bits);
 #endif
-  return static_cast<int64_t>(static_cast<uint64_t>(sum) - static_cast<uint64_t>(shifted_left(x, places)));
+  return static_cast<int64_t>(static_cast<uint64_t>(sum) - static_cast<uint64_t>(shifted_left(x, bits)));
 }
 
 namespace composed {
@@ -338,14 +337,14 @@ constexpr int32_t rounded_product(int32_t a, int32_t b) { return rounded(product
 #endif
   return rounded_product(a, b);
 }
-[[gnu::always_inline]] constexpr int32_t shifted_product(int32_t a, int32_t b, int places) {
+[[gnu::always_inline]] constexpr int32_t shifted_product(int32_t a, int32_t b, int bits) {
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
   const SignedProduct ab = !is_constant(a, b) && __builtin_constant_p(b) ? product_with_constant(a, b) : product(a, b);
 #else
   const SignedProduct ab = product(a, b);
 #endif
-  return static_cast<int32_t>((static_cast<uint32_t>(ab.high) << places) +
-                              static_cast<uint32_t>(ab.middle >> (16 - places)));
+  return static_cast<int32_t>((static_cast<uint32_t>(ab.high) << bits) +
+                              static_cast<uint32_t>(ab.middle >> (16 - bits)));
 }
 
 constexpr int32_t short_product(int32_t a, int32_t b) {

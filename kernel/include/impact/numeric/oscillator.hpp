@@ -27,7 +27,7 @@ struct IntegerOscillator {
   struct Plan {
     int32_t curvature = 0;  // * 2^-(curvature_bits + fine_bits)
     int curvature_bits = 32;
-    int fine_bits = 0;   // the slope counts in 2^-fine_bits of the value's last place: 0 from 2^-15 rad a step on
+    int fine_bits = 0;   // the slope counts in 2^-fine_bits of the value's LSB: 0 from 2^-15 rad a step on
     int slope_bits = 0;  // the slope's upper word holds this many bits more than the value's
     int exponent = 0;
     int64_t value = 0, slope = 0;
@@ -47,7 +47,7 @@ struct IntegerOscillator {
       plan.curvature_bits = 62;
     }
     int64_t mantissa = constant::nearest(curvature * constant::power_of_two(plan.curvature_bits + plan.fine_bits));
-    // Such as 2 less a place of a double, of four steps a period: held at the largest mantissa it would be another
+    // Such as 2 less an LSB of a double, of four steps a period: held at the largest mantissa it would be another
     // curvature, and the amplitude drift by 2^-31 a step, since each period rounds like the one before.
     if (mantissa > INT32_MAX) {
       mantissa /= 2;
@@ -100,7 +100,7 @@ struct IntegerOscillator {
 };
 
 // The recurrence in floating point, in metres: for double, and for plain float, whose amplitude wanders by about
-// 6e-8 sqrt(steps). There a sine of less than 1e-6 rad a step loses its slope's last places in each sum: it is off by
+// 6e-8 sqrt(steps). There a sine of less than 1e-6 rad a step loses its slope's LSBs in each sum: it is off by
 // 5e-3 within two periods at 1e-6, by half at 1e-7; and one within 1e-7 of three or four steps a period, and not these,
 // by up to 6e-2 within 1e7 steps.
 template <class Real>

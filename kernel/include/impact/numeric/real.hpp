@@ -59,7 +59,7 @@ struct CompensatedState {
     rest = term - (next - sum);
     sum = next;
   }
-  // The difference of the sums is exact between half of `least` and twice of it, and rounded to its own places beyond.
+  // The difference of the sums is exact between half of `least` and twice of it, and rounded to its own LSB beyond.
   constexpr Real value_beyond(CompensatedState least) const { return (sum - least.sum) + (rest - least.rest); }
   // With what the difference of the sums rounds off (Knuth's two-sum): the ball's is a penetration small beside it.
   friend constexpr CompensatedState operator-(CompensatedState a, CompensatedState b) {
@@ -172,7 +172,7 @@ struct RealFormat {
     static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
     static constexpr Value relative(Long x, Long other) { return x.value_beyond(other); }
-    // In a step, to the places of a Value: however sum and rest share a displacement.
+    // In a step, to the resolution of a Value: however sum and rest share a displacement.
     static constexpr Value travel(Long x, Long other) { return x.value() - other.value(); }
     constexpr Value penetration(Long relative_displacement) const { return relative_displacement.value_beyond(gap); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
@@ -306,9 +306,9 @@ struct RealFormat {
   // Between the values at even steps of y from 0 to 1.
   template <size_t size>
   static constexpr Real interpolated(const Real (&values)[size], Real y) {
-    const Real place = y * static_cast<Real>(size - 1);
-    const int segment = place < static_cast<Real>(size - 2) ? static_cast<int>(place) : static_cast<int>(size - 2);
-    return values[segment] + (values[segment + 1] - values[segment]) * (place - static_cast<Real>(segment));
+    const Real at = y * static_cast<Real>(size - 1);
+    const int segment = at < static_cast<Real>(size - 2) ? static_cast<int>(at) : static_cast<int>(size - 2);
+    return values[segment] + (values[segment + 1] - values[segment]) * (at - static_cast<Real>(segment));
   }
   static constexpr Real quotient(Real numerator, Real denominator) {
     return numerator < denominator ? numerator / denominator : 1;

@@ -100,7 +100,7 @@ constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
 
 }  // namespace composed
 
-// z^2 / 5p of |z| <= p in steps of half a last place, rounded down, with z / 5p in steps of 2^-18, rounded to zero, of
+// z^2 / 5p of |z| <= p in steps of half an LSB, rounded down, with z / 5p in steps of 2^-18, rounded to zero, of
 // which p has 14 bits, counted up: short of the true one by less than z 2^-18 and a part of it of 2^18 / p.
 namespace instruction {
 

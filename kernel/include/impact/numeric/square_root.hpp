@@ -96,18 +96,18 @@ constexpr uint32_t square_root_q31(uint32_t y) {
 //     t = (Z - Y)/(2 sqrt(Y))        sqrt(Z) = sqrt(Y) + t - t^2/(2 sqrt(Y))
 //
 // to third order: with e = (Z - Y)/Y that is off by -e^3/16 of sqrt(Y), from e = -1/2 to 1 by 0.012 of it above the
-// true root at the most and 0.04 below. The table's slope and the places that are cut add |e| 2^-12 of sqrt(Y) and four
-// places. So for e > 0 a root is 6e-6 above the true one at the most. The parabola ends at 2 Y and stays there.
+// true root at the most and 0.04 below. The table's slope and the bits that are cut add |e| 2^-12 of sqrt(Y) and four
+// LSBs. So for e > 0 a root is 6e-6 above the true one at the most. The parabola ends at 2 Y and stays there.
 struct KnownSquareRoot {
   int32_t y;
-  uint32_t root, slope;  // slope: 2^(15 - places)/(2 sqrt(Y))
-  int places;
+  uint32_t root, slope;  // slope: 2^(15 - bits)/(2 sqrt(Y))
+  int bits;
 
   [[gnu::always_inline]] static constexpr KnownSquareRoot of(int32_t y) {
     uint32_t u = static_cast<uint32_t>(y) << 1;
-    const int places = normalise<2>(u);
+    const int bits = normalise<2>(u);
     const SquareRootTable::Tangent tangent = square_root_table.tangent(u);
-    return {y, tangent.root >> (places + 1), static_cast<uint32_t>(tangent.slope) >> 11, places};
+    return {y, tangent.root >> (bits + 1), static_cast<uint32_t>(tangent.slope) >> 11, bits};
   }
   // z > 0
   [[gnu::always_inline]] constexpr uint32_t root_beside(int32_t z) const {
@@ -119,7 +119,7 @@ struct KnownSquareRoot {
  private:
   // x/(4 sqrt(Y))
   [[gnu::always_inline]] constexpr int32_t by_slope(int32_t x) const {
-    return short_product(to_left(x, places), static_cast<int32_t>(slope));
+    return short_product(to_left(x, bits), static_cast<int32_t>(slope));
   }
 };
 

@@ -32,8 +32,8 @@ struct StateLimits {
 // The limit of a quantity that a plan is judged for up to `bound`: between 0.1 and 0.9 % above it, for the rounding of
 // a motion that just reaches it, and a number of eight bits, which processors have in an instruction.
 constexpr double limit_of(double bound) {
-  const double most = bound * (1 + 0x1p-10), place = constant::power_of_two(constant::exponent_above(most) - 8);
-  return static_cast<double>(static_cast<int64_t>(most / place) + 1) * place;
+  const double most = bound * (1 + 0x1p-10), grain = constant::power_of_two(constant::exponent_above(most) - 8);
+  return static_cast<double>(static_cast<int64_t>(most / grain) + 1) * grain;
 }
 
 // The largest magnitudes in a scene, in the same units, and the way of a mass in a step at its bound; `apart`: of

@@ -209,7 +209,7 @@ class PlanMaking {
       return PlanStatus::contact_stiffness;
     if (!Units::resolves(Contact::finest_penetration(terms), exponents.penetration))
       return PlanStatus::contact_stiffness;
-    // What is below 64 of a rate's last places has no size of its own.
+    // What is below 64 of a rate's LSBs has no size of its own.
     if (Friction::is_friction && scene.ball_friction > 0 &&
         !Units::resolves(basis.friction_way / 64, exponents.penetration))
       return PlanStatus::ball_friction;

@@ -47,8 +47,8 @@ constexpr bool accepts() {
   static_assert(status != PlanStatus::contact_stiffness || is_soft,
                 "Rig::scene.contact_stiffness: 1e-3 to 1e18, in N/m for HookeNewton and N/m^(3/2) for the other laws");
   static_assert(status != PlanStatus::contact_stiffness || !is_soft,
-                "Rig::scene.contact_stiffness: so soft beside the bounds that Fixed32 has no place for its force: take "
-                "a longer step, tighter Bounds or Float32");
+                "Rig::scene.contact_stiffness: in Fixed32 its force at the bounds is below the resolution: take a "
+                "longer step, tighter Bounds or Float32");
   constexpr bool is_damping = contact_damping_range.holds(Rig::scene.contact_damping);
   static_assert(status != PlanStatus::contact_damping || !is_damping,
                 "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m");
@@ -67,8 +67,8 @@ constexpr bool accepts() {
                 "to");
   static_assert(status != PlanStatus::initial_velocity, "Rig::scene.v1 and v2: -1e3 to 1e3 m/s");
   static_assert(status != PlanStatus::displacement_bound,
-                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements, and in Fixed32 not so "
-                "wide beside Bounds::speed that the spring's force, or a penetration, has no places");
+                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements, and in Fixed32 small "
+                "enough beside Bounds::speed that it resolves the spring's force and the penetrations");
   static_assert(status != PlanStatus::speed_bound,
                 "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, and in Fixed32 with c1/k1 times "
                 "it below 2^20");
@@ -76,14 +76,14 @@ constexpr bool accepts() {
                 "Bounds::penetration: 0, which leaves it to the others, or 1e-9 to 1e6 m");
   static_assert(status != PlanStatus::force_bound, "Bounds::force: 0 to 1e9 N");
   static_assert(status != PlanStatus::gravity,
-                "Rig::scene.gravity: -1e6 to 1e6 m/s^2, and in Fixed32 not so large beside Bounds that a step of it "
-                "leaves a displacement no places");
+                "Rig::scene.gravity: -1e6 to 1e6 m/s^2, and in Fixed32 not so large beside Bounds that its unit no "
+                "longer resolves a displacement per step");
   static_assert(status != PlanStatus::base_acceleration_bound,
-                "Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large beside the other Bounds that a "
-                "step of it leaves a displacement no places");
+                "Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large beside the other Bounds that "
+                "its unit no longer resolves a displacement per step");
   static_assert(status != PlanStatus::ball_friction,
                 "Rig::scene.ball_friction: 0 to 1e9 N, and a step of it takes the ball no more than twice "
-                "Bounds::speed and, in Fixed32, no less than 64 last places of the rate of sliding");
+                "Bounds::speed and, in Fixed32, no less than 64 LSBs of the rate of sliding");
   static_assert(status != PlanStatus::gravity_not_named,
                 "Rig::scene.gravity is stated: append Gravity (or BaseAcceleration) to the absorber's type");
   static_assert(status != PlanStatus::base_acceleration_not_named,

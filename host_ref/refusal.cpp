@@ -30,11 +30,16 @@ std::string option_named(Parameter parameter) {
 }
 
 // With which a range holds, where the command does not state them. A moved base's force depends on the step.
-std::string bounds_text(const Request& request) {
-  const Bounds& bounds = *request.bounds;
-  const std::string text = " --bound-displacement " + shortest_text(bounds.displacement) + " --bound-speed " +
-                           shortest_text(bounds.speed) + " --bound-penetration " + shortest_text(bounds.penetration);
-  return request.drive == DriveKind::sampled ? text + " --bound-force " + shortest_text(bounds.force) : text;
+std::string bounds_text(const Settled& settled) {
+  std::string text;
+  for (const Parameter bound :
+       {Parameter::displacement_bound, Parameter::speed_bound, Parameter::penetration_bound, Parameter::force_bound}) {
+    if (bound == Parameter::force_bound && settled.request.drive != DriveKind::sampled) continue;
+    const double Bounds::*member = detail::entry(bound).in_bounds;
+    if (std::isnan(settled.stated.*member))
+      text += " --" + option_named(bound) + " " + shortest_text((*settled.request.bounds).*member);
+  }
+  return text;
 }
 
 // What a step is too long for: status.hpp, law/resolution.hpp.
@@ -62,7 +67,7 @@ std::string condition_of(const Explanation& found, const Settled& settled) {
   const Request& request = settled.request;
   std::string text;
   // A value's own range holds with any bounds.
-  if (settled.has_found_bounds && range_of(found.parameter).holds(found.value)) text = bounds_text(request);
+  if (range_of(found.parameter).holds(found.value)) text = bounds_text(settled);
   if (found.parameter == Parameter::contact_damping && request.damping_is_by_restitution)
     text += ", without --restitution";
   const std::string limit = found.parameter == Parameter::step ? limit_of_step(settled) : "";
@@ -94,15 +99,22 @@ Refusal refusal_of(const Settled& settled) {
   });
   const std::string option = option_named(found.parameter), value = shortest_text(found.value);
   if (std::isnan(found.value)) return {option, value, "a number"};
-  if (!found.allowed.holds(found.value)) {
-    const auto [least, most] = texts_within(found.allowed.least, found.allowed.most);
-    const bool may_be_off = found.parameter == Parameter::drive_pulsation && drive_pulsation_range.holds(found.value);
-    return {option, value, (may_be_off ? "0, or " : "") + least + " to " + most + condition_of(found, settled)};
-  }
-  if (request.numeric == Numeric::fixed32)
-    return {"numeric", "fixed32",
-            "float64, float32, float32-plain: no single value makes room in 32 bits with" + bounds_text(request)};
-  return {option, value, "with these other values none"};
+  Request in_float = request;
+  in_float.numeric = Numeric::float64;
+  if (!found.is_enough && plan(in_float).status == PlanStatus::ok)
+    return {"numeric", std::string(name_of(request.numeric)),
+            "float64: no single value makes room in this format" + bounds_text(settled)};
+  if (found.allowed.holds(found.value)) return {option, value, "with these other values none"};
+  const auto [least, most] = texts_within(found.allowed.least, found.allowed.most);
+  // An own range is looked at before all others, as the options' are.
+  const bool is_own = found.parameter != Parameter::step && !range_of(found.parameter).holds(found.value),
+             may_be_off = found.parameter == Parameter::drive_pulsation && !is_own;
+  return {option, value,
+          (is_own       ? "a number from "
+           : may_be_off ? "0, or "
+                        : "") +
+              least + " to " + most + condition_of(found, settled) +
+              (found.is_enough ? "" : " (another value is to change too)")};
 }
 
 }  // namespace impact::host

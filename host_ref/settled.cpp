@@ -258,7 +258,7 @@ bool hangs_on_bounds(PlanStatus status, const Request& request) {
 }
 
 Settled settled(const Request& asked, bool may_run) {
-  Settled result{asked, asked.stepper == Stepper::automatic, has_open_bounds(asked), {}};
+  Settled result{asked, asked.stepper == Stepper::automatic, stated_in(asked), {}};
   Request& request = result.request;
   if (asked.drive != DriveKind::sine) request.scene.drive_amplitude = 0;  // no plan is to make room for it
   const Request open = request;

@@ -9,8 +9,9 @@
 namespace impact::host {
 
 struct Settled {
-  Request request;                      // with a stepper and bounds
-  bool is_automatic, has_found_bounds;  // its stepper, its bounds: not stated
+  Request request;    // with a stepper and bounds
+  bool is_automatic;  // its stepper was not stated
+  Bounds stated;      // those that were, the others open
   Planned planned;
 };
 // Without `may_run`, bounds that are open are those of the estimate.

@@ -32,10 +32,6 @@ bool take_line(Column& column, const SampleKind& kind, const std::string& file, 
   return false;
 }
 
-void refuse_if_empty(Column& column, const SampleKind& kind, const std::string& file) {
-  if (column.samples.empty()) column.refusal = {kind.option, file + " without a line", "a line for each step"};
-}
-
 void drive_by(Request& request, const SampleKind& kind, const std::vector<double>& samples) {
   const bool is_force = &kind == &drive_samples;
   request.samples = is_force ? samples : forces_of(samples, request.scene, request.step);

@@ -22,7 +22,6 @@ struct Column {
 };
 // Appends a line of `file`; false where it is no sample, and the column is refused.
 bool take_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line);
-void refuse_if_empty(Column& column, const SampleKind& kind, const std::string& file);
 
 // Samples of a drive or of a base's displacement, which is a force, for a request whose scene and step are known.
 void drive_by(Request& request, const SampleKind& kind, const std::vector<double>& samples);

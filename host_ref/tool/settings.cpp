@@ -25,8 +25,6 @@ std::vector<double> samples_from(const SampleKind& kind, const std::string& file
   if (!input.eof())
     throw BadInput(option, file + " line " + std::to_string(column.samples.size() + 1),
                    "a line that can be read, of up to 63 characters");
-  refuse_if_empty(column, kind, file);
-  if (!column.refusal.field.empty()) throw BadInput(column.refusal);
   return column.samples;
 }
 
@@ -133,14 +131,15 @@ void settle(Settings& settings, const Given& given) {
   if (has("base-file")) drive_by(request, base_displacements, samples_from(base_displacements, settings.base_file));
   if (has("base-acceleration-file"))
     shake_by(request, samples_from(base_accelerations, settings.base_acceleration_file));
+  const bool has_file = has_samples || has("base-acceleration-file");
   const size_t lines = std::max(request.samples.size(), request.base_samples.size());
   for (const auto& [name, count] : {std::pair(has("drive-file") ? "drive-file" : "base-file", request.samples.size()),
                                     {"base-acceleration-file", request.base_samples.size()}})
-    if (!has("duration") && count > 0 && count < lines)
+    if (!has("duration") && has(name) && count < lines)
       throw BadInput(std::string("--") + name, given.at(name) + " with " + std::to_string(count) + " lines",
                      std::to_string(lines) + " as the other file has, or a --duration");
-  if (lines > 0 && !has("duration")) request.duration = static_cast<double>(lines) * request.step;
-  if (lines > 0 && !has("step"))
+  if (has_file && !has("duration")) request.duration = static_cast<double>(lines) * request.step;
+  if (has_file && !has("step"))
     settings.remarks.push_back(std::to_string(lines) + " samples, one each " + short_text(request.step) +
                                " s (--step): " + short_text(static_cast<double>(lines) * request.step) + " s");
   if (request.is_shaken && request.drive == DriveKind::sine && !has("drive") && !has("drive-amplitude") &&
@@ -152,7 +151,7 @@ void settle(Settings& settings, const Given& given) {
     settings.remarks.push_back("--drive-pulsation " + short_text(scene.drive_pulsation) + " rad/s is " +
                                short_text(scene.drive_pulsation / (2 * pi)) + " Hz: hertz times 6.2832 are rad/s");
   // A file of samples and a stepper that was named are for a step that the user knows.
-  settings.is_step_automatic = !has("step") && lines == 0 && request.stepper == Stepper::automatic;
+  settings.is_step_automatic = !has("step") && !has_file && request.stepper == Stepper::automatic;
   if (settings.is_step_automatic) request.step = automatic_step(request);
   if (request.duration / request.step > most_steps)
     throw BadInput("--duration", has("duration") ? given.at("duration") : short_text(request.duration),

@@ -8,7 +8,8 @@
 //     main_stiffness, main_damping, clearance, ball_mass, main_mass
 //
 // and the ends of the accepted range around the nearest value that does: found by halving and doubling, then by
-// bisection, over plans that are made. Both ends are accepted.
+// bisection, over plans that are made. Both ends are accepted. Where no single value does, the ends of the range in
+// which another value is at fault than the first.
 
 #include <stdint.h>
 
@@ -95,12 +96,13 @@ constexpr double* Values::find(Parameter parameter) {
   return entry.in_scene ? &(scene.*entry.in_scene) : entry.in_bounds ? &(bounds.*entry.in_bounds) : &step;
 }
 
-// The value that a plan was refused for, and what it may be beside the others (drive_pulsation also 0). Where no single
-// value would do, it is the first at fault with its range in any scene, which then holds it.
+// The value that a plan was refused for, and what it may be beside the others (drive_pulsation also 0). Where the first
+// value at fault is so at any size, `allowed` is its range in any scene, which then holds it.
 struct Explanation {
   Parameter parameter;
   double value;
   Range allowed;
+  bool is_enough = true;  // or another value is refused then
 };
 
 // By the status alone. Where `allowed` holds the value, it is the values together that leave no room.
@@ -221,27 +223,41 @@ constexpr double last_accepted(double accepted, double refused, const Accepts& a
   return accepted;
 }
 
+// From one that is refused by halves or doubles to `end`; 0: none. Between two that are refused for different reasons
+// one may do.
+template <class StatusAt>
+constexpr double first_accepted(double refused, double end, const StatusAt& status_at) {
+  constexpr int most_bisections = 20;
+  PlanStatus reason = status_at(refused);
+  for (double x = refused; end < refused ? x > end : x < end;) {
+    double near = x, far = x = end < x ? constant::larger(x / 2, end) : constant::smaller(2 * x, end);
+    const PlanStatus at_end = status_at(x);
+    PlanStatus at_far = at_end;
+    for (int pass = 0; pass < most_bisections && at_far != PlanStatus::ok && at_far != reason; ++pass) {
+      const double middle = (near + far) / 2;
+      const PlanStatus at_middle = status_at(middle);
+      (at_middle == reason ? near : far) = middle;
+      if (at_middle != reason) at_far = at_middle;
+    }
+    if (at_far == PlanStatus::ok) return far;
+    reason = at_end;
+  }
+  return 0;
+}
+
 // The accepted values nearest to one that is refused, below it before above it; none: an empty range.
-template <class Accepts>
-constexpr Range accepted_near(double refused, const Range& within, const Accepts& accepts) {
+template <class StatusAt>
+constexpr Range accepted_near(double refused, const Range& within, const StatusAt& status_at) {
   constexpr int most_halvings = 100;
+  const auto accepts = [&status_at](double x) { return status_at(x) == PlanStatus::ok; };
   const double smallest = constant::larger(within.least, refused * constant::power_of_two(-most_halvings));
-  double accepted = 0;
-  for (double x = refused; x > smallest && !(accepted > 0);) {
-    x = constant::larger(x / 2, smallest);
-    if (accepts(x)) accepted = x;
-  }
-  if (accepted > 0) {
-    const double nearest = last_accepted(accepted, refused, accepts);
-    return {accepts(within.least) ? within.least : last_accepted(accepted, smallest, accepts), nearest};
-  }
-  for (double x = refused; x < within.most && !(accepted > 0);) {
-    x = constant::smaller(2 * x, within.most);
-    if (accepts(x)) accepted = x;
-  }
-  if (!(accepted > 0)) return {1, 0};
-  const double nearest = last_accepted(accepted, refused, accepts);
-  return {nearest, accepts(within.most) ? within.most : last_accepted(accepted, within.most, accepts)};
+  if (const double below = smallest < refused ? first_accepted(refused, smallest, status_at) : 0; below > 0)
+    return {accepts(within.least) ? within.least : last_accepted(below, smallest, accepts),
+            last_accepted(below, refused, accepts)};
+  const double above = refused < within.most ? first_accepted(refused, within.most, status_at) : 0;
+  if (!(above > 0)) return {1, 0};
+  return {last_accepted(above, refused, accepts),
+          accepts(within.most) ? within.most : last_accepted(above, within.most, accepts)};
 }
 
 }  // namespace detail
@@ -250,13 +266,13 @@ constexpr Range accepted_near(double refused, const Range& within, const Accepts
 template <class StatusWith>
 constexpr Explanation explain(const Values& refused, const StatusWith& status_with) {
   const Explanation first = explain(status_with(refused), refused);
-  const bool is_alone = first.parameter != Parameter::step && !first.allowed.holds(first.value);
-  // A bound below the start has an upper end as well, which the other values give it.
-  const bool is_below_start = is_alone && range_of(first.parameter).holds(first.value);
-  if (is_alone && !is_below_start) return first;
+  const Range own = range_of(first.parameter);
+  if (first.parameter != Parameter::step && !own.holds(first.value)) return first;
+  // What the other values limit: a bound by the start, a clearance by the bounds.
+  const bool is_limited = !first.allowed.holds(first.value);
 
-  Explanation found = first;
-  const auto would_do = [&](Parameter parameter) {
+  Explanation found{first.parameter, first.value, own, false};
+  const auto would_do = [&](Parameter parameter, bool is_enough = true) {
     constexpr double smallest = 1e-9;  // in place of 0
     Values changed = refused;
     // A displacement counts from the other mass's.
@@ -266,25 +282,28 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
     const double value = *changed.find(parameter), sign = value < origin ? -1 : 1,
                  size = constant::larger(constant::smaller(sign * (value - origin), 2 * range_of(parameter).most),
                                          smallest);
-    const auto accepts = [&](double x) {
+    const auto status_at = [&](double x) {
       *changed.find(parameter) = origin + sign * x;
-      return status_with(changed) == PlanStatus::ok;
+      const PlanStatus status = status_with(changed);
+      return !is_enough && explain(status, changed).parameter != parameter ? PlanStatus::ok : status;
     };
     // Of a value that may have either sign, those on its own side.
-    const Range own = range_of(parameter), within{constant::larger(own.least, 0), own.most};
-    Range allowed = detail::accepted_near(size, within, accepts);
-    if (is_below_start && accepts(first.allowed.least)) allowed.least = first.allowed.least;
+    const Range any = range_of(parameter), within{constant::larger(any.least, 0), any.most};
+    Range allowed = detail::accepted_near(size, within, status_at);
+    if (is_limited && parameter == first.parameter && status_at(first.allowed.least) == PlanStatus::ok)
+      allowed.least = first.allowed.least;
     if (!(allowed.least <= allowed.most)) return false;
     found = {parameter, value,
              sign > 0 ? Range{origin + allowed.least, origin + allowed.most}
-                      : Range{origin - allowed.most, origin - allowed.least}};
+                      : Range{origin - allowed.most, origin - allowed.least},
+             is_enough};
     return true;
   };
-  if (is_below_start) return would_do(first.parameter) ? found : first;
-  if (detail::is_less_of(first.parameter) && would_do(first.parameter)) return found;
+  if ((is_limited || detail::is_less_of(first.parameter)) && would_do(first.parameter)) return found;
   if (would_do(Parameter::step) || (first.parameter != Parameter::step && would_do(first.parameter))) return found;
   for (const Parameter parameter : detail::candidates)
     if (would_do(parameter)) return found;
+  would_do(first.parameter, false);
   return found;
 }
 

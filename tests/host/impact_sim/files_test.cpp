@@ -51,13 +51,23 @@ TEST_F(ImpactSim, NoFileIsGivenTwoTasks) {
   EXPECT_EQ(run("--duration 0.01 --output /dev/null --plot /dev/null").code, 0) << "a device keeps nothing";
 }
 
-TEST_F(ImpactSim, AnEmptyDriveFileReplacesNothing) {
-  write(file("data.csv"), "precious\n");
+// Nor a step: the start alone, in every format and in a sweep. A duration asks for more than it has.
+TEST_F(ImpactSim, AnEmptyRecordIsARunOfNoSteps) {
   write(file("empty"), "");
-  const Result result = run("--drive-file empty --output data.csv");
-  EXPECT_EQ(result.code, 2);
-  EXPECT_THAT(result.err, HasSubstr("--drive-file empty without a line"));
-  EXPECT_EQ(read(file("data.csv")), "precious\n");
+  for (const char* option : {"--drive-file", "--base-file", "--base-acceleration-file"}) {
+    const std::string record = std::string(option) + " empty";
+    for (const char* numeric : {"float32", "float32-plain", "fixed32", "float64"}) {
+      const Result result = run(record + " --newmark moment --numeric " + numeric);
+      EXPECT_EQ(result.code, 0) << result.err;
+      EXPECT_THAT(lines_of(result.out), SizeIs(2)) << record << " " << numeric;
+    }
+    const Result longer = run(record + " --duration 0.01 --output data.csv");
+    EXPECT_EQ(longer.code, 2);
+    EXPECT_THAT(longer.err, HasSubstr("empty with 0 lines: allowed: a line for each of the 100 steps"));
+    EXPECT_FALSE(fs::exists(file("data.csv")));
+    write(file("sweep"), "x1\n0\n0.001\n");
+    EXPECT_EQ(run(record + " --sweep sweep").code, 0);
+  }
 }
 
 TEST_F(ImpactSim, ASignalThatEndsARunLeavesTheOldFileAndNoRemains) {

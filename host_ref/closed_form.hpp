@@ -18,8 +18,9 @@
 
 namespace impact::host {
 
-// How Hunt-Crossley's c1 is had: `constant`, or set at each impact from that impact's own speed, by a formula for the
-// damping ratio a that is named after its authors (impact/law/per_impact.hpp), or so that the restitution is e exactly.
+// How Hunt-Crossley's c1 is determined: `constant`, or set at each impact from that impact's own speed, by a formula
+// for the damping ratio a that is named after its authors (impact/law/per_impact.hpp), or so that the restitution is e
+// exactly.
 enum class Damping {
   constant,
   hunt_crossley,
@@ -57,7 +58,7 @@ std::optional<double> peak_penetration(const Impact& impact);  // m
 std::optional<double> peak_force(const Impact& impact);        // N
 std::optional<double> contact_time(const Impact& impact);  // s; Hunt-Crossley by quadrature. Range as for restitution
 
-// Kinetic energy before less after, J: what the damper takes and, let go at zero force, what the spring still held.
+// Kinetic energy before less after, J: what the damper takes and, let go at zero force, what the spring still stored.
 std::optional<double> energy_lost(const Impact& impact);
 
 }  // namespace impact::host

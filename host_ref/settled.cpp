@@ -63,7 +63,7 @@ double largest_of(const std::vector<double>& samples) {
 
 namespace {
 
-double held(double bound) { return smaller(bound_range.most, larger(bound_range.least, bound)); }
+double clamped(double bound) { return smaller(bound_range.most, larger(bound_range.least, bound)); }
 
 bool is_open(double bound) { return std::isnan(bound); }
 Bounds stated_in(const Request& request) { return request.bounds.value_or(open_bounds); }
@@ -76,7 +76,7 @@ Bounds completed(const Request& asked, double displacement, double speed, double
   const double force = asked.drive == DriveKind::sampled ? larger(1e-6, largest_of(asked.samples)) : 0,
                base = asked.is_shaken ? larger(1e-6, largest_of(asked.base_samples)) : 0;
   const double stop = asked.scene.stops == Stops::none ? 0 : asked.scene.clearance / 4;
-  return {or_else(stated.displacement, held(larger(displacement, stop))), or_else(stated.speed, speed),
+  return {or_else(stated.displacement, clamped(larger(displacement, stop))), or_else(stated.speed, speed),
           or_else(stated.penetration, penetration), or_else(stated.force, force),
           or_else(stated.base_acceleration, base)};
 }
@@ -89,20 +89,20 @@ Bounds bounds_of(const Request& asked, const Reached& reached) {
   const double speed = with_margin(reached.speed),
                penetration = reached.penetration > 0 ? with_margin(reached.penetration) : 0,
                way = larger(penetration, speed * asked.step);
-  return completed(asked, held(larger(larger(with_margin(reached.displacement), asked.scene.clearance), way)), speed,
+  return completed(asked, clamped(larger(larger(with_margin(reached.displacement), asked.scene.clearance), way)), speed,
                    penetration);
 }
 
 Bounds scaled(const Request& asked, const Bounds& bounds, double times) {
   const Scene& scene = asked.scene;
   const auto of = [times](double bound, double a, double b) {
-    return held(std::max({times * bound, std::abs(a), std::abs(b)}));
+    return clamped(std::max({times * bound, std::abs(a), std::abs(b)}));
   };
   return completed(asked, of(bounds.displacement, scene.x1, scene.x2), of(bounds.speed, scene.v1, scene.v2),
-                   bounds.penetration > 0 ? held(times * bounds.penetration) : 0);
+                   bounds.penetration > 0 ? clamped(times * bounds.penetration) : 0);
 }
 
-// A stated bound limits nothing here: where it is passed, the run raises the fault that is asked for.
+// A stated bound limits nothing here: where it is passed, the run raises the requested fault.
 Bounds only_open(const Bounds& stated, const Bounds& bounds) {
   constexpr double none = std::numeric_limits<double>::infinity();
   const auto of = [](double asked_for, double bound) { return is_open(asked_for) ? bound : none; };
@@ -114,7 +114,7 @@ Bounds only_open(const Bounds& stated, const Bounds& bounds) {
 Bounds wider_than(const Request& asked, const Bounds& bounds, const Reached& reached, double times) {
   const bool is_any = reached.is_within(bounds);
   const auto wider = [&](double bound, double value) {
-    return is_any || !(value <= bound) ? held(times * bound) : bound;
+    return is_any || !(value <= bound) ? clamped(times * bound) : bound;
   };
   return completed(asked, wider(bounds.displacement, reached.displacement), wider(bounds.speed, reached.speed),
                    bounds.penetration > 0 ? wider(bounds.penetration, reached.penetration) : 0);
@@ -229,9 +229,9 @@ Bounds estimated_bounds(const Request& asked) {
                         (asked.law == Law::hooke_newton ? 0.5 : 0.4 * std::sqrt(depth)),
                thrown = std::sqrt(2 * stored / smaller(scene.main_mass, scene.ball_mass));
   const double start = std::max(std::abs(scene.x1), std::abs(scene.x2));
-  const double speed = held(std::max(
+  const double speed = clamped(std::max(
       {0.5, std::abs(scene.v1) + natural * std::abs(scene.x1) + driven / scene.main_mass, std::abs(scene.v2), thrown}));
-  return completed(asked, held(start + speed / std::max(natural, slowest)), speed, 0);
+  return completed(asked, clamped(start + speed / std::max(natural, slowest)), speed, 0);
 }
 
 bool has_open_bounds(const Request& asked) {
@@ -276,10 +276,10 @@ Settled settled(const Request& asked, bool may_run) {
   const bool may_be_wider = found.is_of_run && status != PlanStatus::contact_time && hangs_on_bounds(status, request);
   for (double times = 2; may_be_wider && result.planned.status != PlanStatus::ok && times < 0x1p30; times *= 2) {
     const Bounds& bounds = *request.bounds;
-    const double speed = held(times * bounds.speed);
+    const double speed = clamped(times * bounds.speed);
     Request wider = request;
-    wider.bounds = completed(open, held(larger(bounds.displacement, speed * request.step)), speed,
-                             bounds.penetration > 0 ? held(times * bounds.penetration) : 0);
+    wider.bounds = completed(open, clamped(larger(bounds.displacement, speed * request.step)), speed,
+                             bounds.penetration > 0 ? clamped(times * bounds.penetration) : 0);
     Planned other = planned(wider);
     if (other.status == PlanStatus::ok) {
       request = wider;

@@ -44,7 +44,7 @@ struct Request {
   DriveKind drive = DriveKind::sine;
   Damping damping = Damping::constant;  // of Hunt-Crossley; all but constant by Scene::restitution
   Scene scene = paper_scene(Law::hunt_crossley);
-  bool damping_is_by_restitution = false;  // Scene::contact_damping is what --restitution asks for
+  bool damping_is_by_restitution = false;  // Scene::contact_damping is found from --restitution
   double step = 1e-4;                      // h, s
   std::optional<Bounds> bounds{};          // what is absent or no number is looked for: see make_simulation
   double duration = 1.0;                   // s, used only to find bounds
@@ -57,7 +57,7 @@ bool has_open_bounds(const Request& request);  // that a run is to find
 long step_count(const Request& request);       // duration / step to the nearest whole number
 
 // Gravity, friction or a base that accelerates: with Moment, its sub-steps, EnergyConsistent and Impulsive. The others
-// refuse it by name.
+// reject it with the name.
 inline bool has_parts(const Request& request) {
   const Scene& scene = request.scene;
   return scene.gravity < 0 || scene.gravity > 0 || scene.ball_friction > 0 || request.is_shaken;

@@ -34,7 +34,7 @@ double law_force(const Scene& scene, double damping, double penetration, double 
   return elastic + damping * shape * rate;
 }
 
-// The kernel's ledger, with the drive's work where it is asked for.
+// The kernel's ledger, with the drive's work where it is requested.
 struct Ledger : EnergyLedger {
   template <class Format>
   struct State : EnergyLedger::State<Format> {

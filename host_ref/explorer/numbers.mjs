@@ -5,7 +5,7 @@ export function tableFrom(csv) {
   return lines.map((cells) => Object.fromEntries(header.map((name, i) => [name, cells[i]])));
 }
 
-// To three significant digits, or as many as asked for, without trailing zeros.
+// To three significant digits, or as many as required, without trailing zeros.
 export function short(value, digits = 3) {
   if (value === 0) return '0';
   if (!Number.isFinite(value)) return String(value);

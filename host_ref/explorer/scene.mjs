@@ -40,7 +40,7 @@ export const groups = [
     { name: 'v2', label: 'with the velocity v2', unit: () => 'm/s', least: -2, most: 2 },
   ] },
   { title: 'Computation', values: [
-    { name: 'newmark', label: 'Stepper', choices: { 'auto': 'auto: by the rule', 'moment': 'moment-fitted', 'moment-4': 'moment-fitted, 4 sub-steps', 'moment-8': 'moment-fitted, 8 sub-steps', 'moment-n': 'moment-fitted, sub-steps as many as it asks for', 'energy': 'energy-consistent', 'impulsive': 'impulsive', 'average': "average acceleration (the paper's)", 'linear': 'linear acceleration', 'fox-goodwin': 'Fox-Goodwin', 'central': 'central difference' } },
+    { name: 'newmark', label: 'Stepper', choices: { 'auto': 'auto: by the rule', 'moment': 'moment-fitted', 'moment-4': 'moment-fitted, 4 sub-steps', 'moment-8': 'moment-fitted, 8 sub-steps', 'moment-n': 'moment-fitted, sub-steps as many as it needs', 'energy': 'energy-consistent', 'impulsive': 'impulsive', 'average': "average acceleration (the paper's)", 'linear': 'linear acceleration', 'fox-goodwin': 'Fox-Goodwin', 'central': 'central difference' } },
     { name: 'numeric', label: 'Number format', choices: { 'fixed32': 'Fixed32', 'float32': 'Float32', 'float32-plain': 'Float32Plain', 'float64': 'Float64 (host)' } },
     { name: 'step', label: 'Step, h', unit: () => 's', least: 2e-6, most: 1e-2, log: true },
     { name: 'duration', label: 'Simulated time', unit: () => 's', least: 0.1, most: 20, log: true },
@@ -103,6 +103,6 @@ export function argumentsOf(scene, initial, every, files) {
 }
 // The files that options name.
 export const filesOf = (options) => options.filter(([name]) => fileValues.some((value) => value.name === name)).map(([, file]) => file);
-// The value of a file that is asked for and not there yet.
+// The value of a requested file that is not there yet.
 export const missingFile = (scene) => fileValues.find((value) => isShown(value, scene) && scene[value.name] === '');
 export const commandOf = (options) => ['impact-sim', ...options.map(([name, text]) => `--${name}=${text}`)].join(' ');

@@ -160,7 +160,7 @@ const std::vector<Option>& options() {
              field(&Request::stepper),
              "time stepper (auto: the plan's rule, said on standard error; the next four: classical Newmark with "
              "pointwise contact; moment-4 and moment-8: with as many sub-steps in contact; moment-n: with as many as "
-             "it asks for)"),
+             "it needs)"),
       choice("numeric", named({Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}),
              field(&Request::numeric), "number format (float32: with compensated state)"),
       number("step", "s", step_range, field(&Request::step), "length of a step")

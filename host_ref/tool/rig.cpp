@@ -150,7 +150,7 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
       command(arguments) + "\n\n#include <impact/absorber.hpp>\n\nstruct " + type +
       " {\n  static constexpr impact::Scene scene = [] {\n    "
       "impact::Scene scene;\n";
-  // What is not stated is not written: a part's value asks for the part.
+  // What is not stated is not written: a part's value requires the part.
   const auto is_of_a_part = [](const std::string& name) {
     return name == "gravity" || name == "ball_friction" || name == "base_acceleration";
   };

@@ -1,5 +1,5 @@
 #pragma once
-// What one call of the tool asks for, and the one way to refuse it.
+// What one call of the tool requests, and the one way to reject it.
 
 #include <host_ref/simulation.hpp>
 #include <host_ref/tool/text.hpp>

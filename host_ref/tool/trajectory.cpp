@@ -43,12 +43,12 @@ Curve bare_curve(const Request& request) {
 Outcome outcome_that_holds(const Request& request) {
   if (!has_open_bounds(request)) return outcome_of(request);
   Progress progress("steps to find bounds", step_count(request));
-  Request held = request;
-  held.bounds =
+  Request bounded = request;
+  bounded.bounds =
       attempted(request, [&](Simulation& simulation) {
         run(simulation, request, step_count(request) + 1, [&](long n, const double*, long) { progress.at(n); });
       }).made.bounds;
-  return outcome_of(held);
+  return outcome_of(bounded);
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ async function refusals(page) {
     await page.click(`#value-${name}-refusal button`);
     await page.until('explorer.due.size === 0');
     check((await text(page, `value-${name}-refusal`)) === '', `${name}: the button sets ${await page.value(`document.getElementById('value-${name}-number').value`)}`);
-    // What is allowed by itself may ask for another value of the rest.
+    // What is allowed by itself may require another value of the rest.
     for (let i = 0; i < 4 && !(await page.value('explorer.runs.a.isReady')); ++i) {
       await page.click('.refusal button');
       await page.until('explorer.due.size === 0');
@@ -282,7 +282,7 @@ async function link(page) {
   await second.close();
 }
 
-// Who has asked for little motion begins with a page that stands still, and may play it.
+// A reader who prefers reduced motion begins with a page that stands still, and may play it.
 async function stillness() {
   const page = await Browser.open(chromium, url, { still: true });
   await page.until('!!window.explorer');

@@ -63,7 +63,8 @@ INSTANTIATE_TEST_SUITE_P(Pointwise, Accuracy,
                                          Known{Law::hooke_newton, Stepper::average, 1e-4, 3.1e-3}));
 
 // Where the contact force jumps, one scene says little: an error is as large as the next impact's phase within its step
-// lets it grow. Over 41 neighbouring drives the middle error at 0.1 ms is held to the 1e-7 m asked of this scheme.
+// lets it grow. Over 41 neighbouring drives the middle error at 0.1 ms is compared with the 1e-7 m required of this
+// scheme.
 TEST(Accuracy, OfHookeNewtonHoldsForNeighbouringDrives) {
   for (const Tension tension : {Tension::clamp, Tension::allow}) {
     std::vector<double> errors;

@@ -11,7 +11,7 @@ namespace impact::host {
 namespace {
 
 // Weight and friction, so that the drive's part in the rate and in a way ahead is in every bit; and an impact at an
-// instant, which asks for what the drive changes by in a step.
+// instant, which requires what the drive changes by in a step.
 template <class Format, class Drive, class Stepper>
 using Kernel = Absorber<AtRunTime, HuntCrossley, Stepper, Drive, Format, EnergyLedger, Gravity, DryFriction>;
 

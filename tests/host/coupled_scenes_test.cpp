@@ -1,5 +1,5 @@
 // What a plan promises of the coupled machine: whatever it accepts, and whatever the rule takes, raises no fault within
-// true bounds, creates no energy and dissipates what the law asks for. Half of the scenes are driven; some have weight,
+// true bounds, creates no energy and dissipates what the law requires. Half of the scenes are driven; some have weight,
 // a base that shakes and dry friction.
 // IMPACT_COUPLED_SCENES=20000 runs the full number a format.
 
@@ -146,7 +146,7 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
     GTEST_SKIP() << "float64 shows the method and fixed32 the format";
   constexpr long most_steps = 400;
   unsigned compared = 0;
-  double worst = 0, worst_held = 0;
+  double worst = 0, worst_clamped = 0;
   for (unsigned index = 0; index < 4 * scenes() && compared < scenes() / 4; ++index) {
     CoupledScene found = scene(Edge::none, index);
     const Request& request = found.request;
@@ -179,11 +179,11 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
     if (i == most_steps || exact.impacts != 1 || stepped.impacts != 1) continue;
     const double off = std::abs(stepped.energy_dissipated - exact.energy_dissipated) / found.energy;
     const bool is_energy = outcome.description.rfind("energy", 0) == 0;
-    // A damping set per impact is held where h c/mu would pass what the step bears (law/impact_damping.hpp).
+    // A damping set per impact is clamped where h c/mu would pass what the step tolerates (law/impact_damping.hpp).
     const double mu = 1 / (1 / physical.main_mass + 1 / physical.ball_mass),
                  damping = physical.contact_stiffness * run.damping_ratio / exact.impact_speed * std::pow(deepest, 1.5);
     if (GetParam().is_damped_per_impact && request.step * damping / mu > (is_energy ? 0.2 : 2.5)) {
-      if (!(off <= worst_held)) worst_held = off;
+      if (!(off <= worst_clamped)) worst_clamped = off;
       continue;
     }
     ++compared;
@@ -192,8 +192,8 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
         << text_of(request) << ": " << stepped.energy_dissipated << " J, not " << exact.energy_dissipated << ", "
         << outcome.description;
   }
-  std::printf("  %u first impacts, off by at most %.2g of the energy, with a damping that is held %.2g\n", compared,
-              worst, worst_held);
+  std::printf("  %u first impacts, off by at most %.2g of the energy, with a damping that is clamped %.2g\n", compared,
+              worst, worst_clamped);
   EXPECT_GE(compared, GetParam().is_damped_per_impact ? 10u : 20u);
 }
 

@@ -94,7 +94,7 @@ void expect_start_inside_to_hold() {
   }
   EXPECT_GT(started, 1000);
 }
-TEST(DeepestPenetrationFromInside, IsHeld) {
+TEST(DeepestPenetrationFromInside, IsNotPassed) {
   expect_start_inside_to_hold<HookeNewton>();
   expect_start_inside_to_hold<Hertz>();
   expect_start_inside_to_hold<HuntCrossley>();

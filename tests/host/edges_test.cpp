@@ -186,7 +186,7 @@ TEST(Edges, AHitBeyondTheBoundsIsAFaultAndNothingWorse) {
   expect_fault_of_a_hard_hit<HuntCrossley, AverageAcceleration>();
 }
 
-// A sine held linear between its samples lacks (w h)^2/12 of its amplitude, and so does the motion that it drives.
+// A sine that is linear between its samples lacks (w h)^2/12 of its amplitude, and so does the motion that it drives.
 TEST(Edges, ASampledSineApproachesTheSine) {
   for (const Law law : laws) {
     const auto difference = [law](double step) {

@@ -341,8 +341,8 @@ TEST(StiffContact, LastsAsLongAsTheLaws) {
   for (const double steps : {5.0, 7.0, 10.0, 14.0, 20.0}) EXPECT_NEAR(lateness_of(steps), 0, 0.1) << steps;
 }
 
-// A ball of a hundred main masses stores more in a stop than the impact of the reduced mass brings, and bears the main
-// spring there: force and ledger have room for it. An LSB of the force is 2^-31 of 128 kN.
+// A ball of a hundred main masses stores more in a stop than the impact of the reduced mass brings, and carries the
+// main spring there: force and ledger have room for it. An LSB of the force is 2^-31 of 128 kN.
 TEST(StiffContact, HasRoomForAHeavyBallsForce) {
   Scene scene;
   scene.main_stiffness = 8.1e5;

@@ -19,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity(),
 
 // A state within its limits, less than a hundredth above the bounds, and in Fixed32 a reading's LSB.
 template <class Kernel>
-bool is_held(const Kernel& absorber) {
+bool is_clamped(const Kernel& absorber) {
   const auto now = absorber.reading();
   const auto& units = absorber.plan.units;
   const auto& state = absorber.state();
@@ -44,22 +44,22 @@ void advance(Kernel& absorber, typename Kernel::Value sample) {
     absorber.step();
 }
 
-// Steps to the fault, and on: the state stays held, and what the fault says.
+// Steps to the fault, and on: the state stays clamped, and what the fault says.
 template <class Kernel>
 void expect_fault(Kernel absorber, Fault expected, typename Kernel::Value sample = {}) {
   for (int n = 0; n < 100000 && absorber.fault() == Fault::none; ++n) {
     advance(absorber, sample);
-    ASSERT_TRUE(is_held(absorber)) << n;
+    ASSERT_TRUE(is_clamped(absorber)) << n;
   }
   ASSERT_EQ(absorber.fault(), expected);
   for (int n = 0; n < 100000; ++n) {
     advance(absorber, sample);
-    ASSERT_TRUE(is_held(absorber)) << n;
+    ASSERT_TRUE(is_clamped(absorber)) << n;
     ASSERT_EQ(absorber.fault(), expected);
   }
   absorber.clear_fault();
   EXPECT_EQ(absorber.fault(), Fault::none);
-  EXPECT_TRUE(is_held(absorber));
+  EXPECT_TRUE(is_clamped(absorber));
   advance(absorber, sample);
   absorber.reset();
   EXPECT_EQ(absorber.fault(), Fault::none);
@@ -106,7 +106,7 @@ void expect_fault_at_bound(Kernel absorber, Fault expected, double error, Share 
   }
   EXPECT_EQ(absorber.fault(), expected);
   EXPECT_GE(largest, 1 - error) << "a fault too early";
-  EXPECT_TRUE(is_held(absorber));
+  EXPECT_TRUE(is_clamped(absorber));
 }
 
 // A free vibration, closed form: 4 mm at 31.6 rad/s.
@@ -219,7 +219,7 @@ void expect_fault_at_depth() {
     EXPECT_EQ(free.fault(), Fault::none);
     EXPECT_NEAR(deepest, depth, 0.02 * depth);
     EXPECT_EQ(bound.fault(), Fault::penetration);
-    EXPECT_TRUE(is_held(bound));
+    EXPECT_TRUE(is_clamped(bound));
   }
 }
 
@@ -305,7 +305,7 @@ TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   EXPECT_TRUE(absorber.restore(saved));
 }
 
-// Held at the bound, or where no number came at the sample before: as if those had been the samples.
+// Clamped at the bound, or where no number came at the sample before: as if those had been the samples.
 TYPED_TEST(Faults, ASampleOutOfRange) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>;
   const Kernel fresh = made<Kernel>(Scene{}, {0.1, 2, 0.03, 10}, 1e-3);
@@ -324,9 +324,9 @@ TYPED_TEST(Faults, ASampleOutOfRange) {
     EXPECT_EQ(Fixed32::sample(-infinity).raw, -INT32_MAX);
   } else {
     const struct {
-      double sample, held;
+      double sample, clamped;
     } cases[] = {{no_number, 4}, {-no_number, 4}, {infinity, 10}, {-infinity, -10}, {10.001, 10}, {-1e30, -10}};
-    for (const auto& [sample, held] : cases) {
+    for (const auto& [sample, clamped] : cases) {
       Kernel good = fresh, bad = fresh;
       good.step(static_cast<typename TypeParam::Value>(4));
       bad.step(static_cast<typename TypeParam::Value>(4));
@@ -338,7 +338,7 @@ TYPED_TEST(Faults, ASampleOutOfRange) {
       bad.step(static_cast<typename TypeParam::Value>(4));
       ASSERT_EQ(bad.fault(), Fault::none);
       bad.step(static_cast<typename TypeParam::Value>(sample));
-      good.step(static_cast<typename TypeParam::Value>(held));
+      good.step(static_cast<typename TypeParam::Value>(clamped));
       EXPECT_EQ(bad.fault(), Fault::sample) << sample;
       for (int n = 0; n < 100; ++n) {
         EXPECT_EQ(good.reading().x1, bad.reading().x1) << sample;
@@ -363,7 +363,7 @@ bool restores(Change change) {
   const bool taken = absorber.restore(saved);
   for (int n = 0; n < 1000; ++n) {
     absorber.step();
-    EXPECT_TRUE(is_held(absorber));
+    EXPECT_TRUE(is_clamped(absorber));
   }
   return taken;
 }
@@ -401,7 +401,7 @@ TYPED_TEST(Faults, AStateThatNoStepLeavesIsRefused) {
   EXPECT_FALSE(restores<TypeParam>([&](auto& state) { beyond_any_sum(state.drive_work); }));
 }
 
-// What a contact remembers is not judged: whatever it is, the state stays held.
+// What a contact remembers is not judged: whatever it is, the state stays clamped.
 TYPED_TEST(Faults, AContactThatRemembersNonsenseIsSurvived) {
   restores<TypeParam>([](auto& state) {
     state.contact.phase = Phase::touching;
@@ -477,13 +477,13 @@ TEST(Exponents, EndForEveryNumber) {
 }
 
 // A contact that begins at a thousandth of the speed at which it is then driven in: its damping, set at the impact,
-// leaves Fixed32's range and is held there, where it still opposes the motion.
-TEST(DampingPerImpact, IsHeldInFixedPoint) {
+// leaves Fixed32's range and is clamped there, where it still opposes the motion.
+TEST(DampingPerImpact, IsClampedInFixedPoint) {
   const Fixed32::Gain damping = Fixed32::gain_over(Fixed32::gain(1.5 * 0.3, 0, 2), {1 << 20});
-  const Fixed32::HeldGain held = {damping};
+  const Fixed32::HeldGain gain = {damping};
   int32_t before = INT32_MIN;
   for (int64_t rate = -INT32_MAX; rate <= INT32_MAX; rate += 65537) {
-    const int32_t product = (held * Fixed32::Value{static_cast<int32_t>(rate)}).raw;
+    const int32_t product = (gain * Fixed32::Value{static_cast<int32_t>(rate)}).raw;
     EXPECT_GE(product, before);
     before = product;
     const double exact = 1.5 * 0.3 / 4 * static_cast<double>(rate) / (1 << 20) * 0x1p31;

@@ -627,7 +627,7 @@ TYPED_TEST(FieldIn, ChangeOfPlanKeepsTheMotion) {
   EXPECT_NEAR(after.v2, before.v2, 1e-6);
 }
 
-// A ball that falls past its bounds is held, and says so.
+// A ball that falls past its bounds is clamped, with a fault.
 TYPED_TEST(FieldIn, BallThatFallsTooFastIsHeld) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;

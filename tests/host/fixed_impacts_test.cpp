@@ -159,7 +159,7 @@ TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
   EXPECT_GT(refused, scenes / 10);
 }
 
-// Few steps, in which a prediction misses most. Most of these have no plan: a damping beyond what the step bears.
+// Few steps, in which a prediction misses most. Most of these have no plan: a damping beyond what the step tolerates.
 TEST(FreeImpacts, Fixed32TakesTheFastestInFewSteps) { expect_within<Moment>(5e-6, {2.5, 5, 0.5}, scenes / 50); }
 
 // From a damping below one LSB to the largest that the step tolerates.

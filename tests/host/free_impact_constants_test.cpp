@@ -114,7 +114,7 @@ static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).
 
 // A ball at rest on its stop, which the main spring then drives into it from its bound: a load at once, twice its
 // static penetration with a linear stop, (5/2)^(2/3) of it with a power law. What the approach brings is nothing beside
-// it, and the ball is so heavy that its momentum bears it.
+// it, and the ball is so heavy that its momentum carries it.
 TEST(DeepestPenetration, HoldsABallThatIsPressed) {
   Scene scene;
   scene.main_mass = 10;

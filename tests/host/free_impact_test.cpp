@@ -143,7 +143,7 @@ std::vector<Scheme> schemes() {
 }
 INSTANTIATE_TEST_SUITE_P(Tables, FreeImpact, testing::ValuesIn(schemes()));
 
-// Held constant, c1 = 19560 loses the more the faster the impact.
+// At a constant value, c1 = 19560 loses the more the faster the impact.
 TEST(FreeImpact, RestitutionFallsWithSpeed) {
   constexpr double expected[][2] = {{0.1, 0.9615327714}, {0.4, 0.8618063006}, {1.6, 0.6038307454}, {3.2, 0.4215916966}};
   for (const auto& [speed, e] : expected) {

@@ -469,7 +469,7 @@ TYPED_TEST(FrictionIn, EndsByAChangeOfPlan) {
 }
 
 // Up to the largest friction, which takes the fastest way in a step; at 200 N a step's push is more than the half unit
-// that a displacement per step is held at.
+// that a displacement per step is clamped at.
 TYPED_TEST(FrictionIn, StateIsTakenBack) {
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
   using PlanType = typename Absorber::PlanType;

@@ -227,9 +227,9 @@ TEST(Lookup, RootsOfDoublesAreCorrect) {
 // A root near a known one, against the parabola that the header states, and against the true root.
 void expect_root_beside(int32_t y, int32_t z) {
   const double unit = 2147483648.0, s = std::sqrt(y / unit) * unit, e = (static_cast<double>(z) - y) / y;
-  const double held = std::fmin(e, 1), lsbs = 4 + s * 0x1p-27;
-  const double found = KnownSquareRoot::of(y).root_beside(z), parabola = s * (1 + held / 2 - held * held / 8);
-  ASSERT_NEAR(found, parabola, s * std::fabs(held) * 0x1p-12 + lsbs) << y << " " << z;
+  const double clamped = std::fmin(e, 1), lsbs = 4 + s * 0x1p-27;
+  const double found = KnownSquareRoot::of(y).root_beside(z), parabola = s * (1 + clamped / 2 - clamped * clamped / 8);
+  ASSERT_NEAR(found, parabola, s * std::fabs(clamped) * 0x1p-12 + lsbs) << y << " " << z;
   ASSERT_GT(found, 0) << y << " " << z;
   const double root = std::sqrt(z / unit) * unit;
   if (e < -0.5) return;
@@ -328,7 +328,7 @@ TEST(Lookup, SquareOverFive) {
 }
 
 // Shares are the quotients' bits. A ratio loses less than an LSB of 2^29 in its product and less than another in the
-// halved reciprocal; it is held at 1.
+// halved reciprocal; it is clamped at 1.
 TEST(Lookup, Divisors) {
   std::mt19937 random(3);
   std::vector<uint32_t> numbers = edges();

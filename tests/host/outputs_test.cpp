@@ -303,7 +303,7 @@ TYPED_TEST(Formats, AnAbsorberFromARefusedPlanHoldsStill) {
 
 // Counts and samples.
 
-TYPED_TEST(Formats, CountsOutAreTheNearestAndHeldAtTheEnds) {
+TYPED_TEST(Formats, CountsOutAreTheNearestAndClampedAtTheEnds) {
   constexpr double unit = std::is_same_v<TypeParam, Fixed32> ? 0.25 : 1;
   for (const double full_scale : {0.05, 0.1, -0.07})
     for (const int32_t bits : {8, 12, 16}) {
@@ -312,8 +312,8 @@ TYPED_TEST(Formats, CountsOutAreTheNearestAndHeldAtTheEnds) {
       for (int n = -1000; n <= 1000; ++n) {
         const auto x = native<TypeParam>(n * 0.11e-3 + 1e-9, unit);
         const double exact = zero + si(x, unit) * zero / full_scale;
-        const double held = std::min(std::max(exact, 0.0), static_cast<double>(most));
-        ASSERT_NEAR(to_counts.of(x), held, 0.5 + 1e-2) << n;
+        const double clamped = std::min(std::max(exact, 0.0), static_cast<double>(most));
+        ASSERT_NEAR(to_counts.of(x), clamped, 0.5 + 1e-2) << n;
       }
     }
   const detail::CountsOut<TypeParam> whole({0, -0x1p31, -INT32_MAX, INT32_MAX}, 1);
@@ -329,7 +329,7 @@ TYPED_TEST(Formats, CountsInAreSamples) {
       for (int32_t n = 0; n <= 4096; ++n) {
         const auto counts = static_cast<int32_t>(static_cast<int64_t>(n) * (2 * zero - 1) / 4096);
         double exact = (counts - zero) * full_scale / zero;
-        // Held at the last whole count below the unit.
+        // Clamped at the last whole count below the unit.
         const double most = (std::ceil(unit * zero / std::abs(full_scale)) - 1) * std::abs(full_scale) / zero;
         if (std::is_same_v<TypeParam, Fixed32>) exact = std::min(std::max(exact, -most), most);
         const double lsb = std::is_same_v<TypeParam, Fixed32> ? 10 * 0x1p-29 : std::abs(exact) * 0x1p-22;

@@ -52,7 +52,7 @@ Starts starts(Request request, double duration = 5) {
 enum class From { paper, law, each_impact };
 
 Request request_with(Law law, Tension tension, double e, From from) {
-  // Hooke-Newton without damping asks for ten steps a contact.
+  // Hooke-Newton without damping requires ten steps a contact.
   Request request = paper_request(law, Stepper::moment, law == Law::hooke_newton && e == 1 ? 5e-4 : 1e-3, tension);
   if (law == Law::hertz) return request;
   const Impact impact{law, 32600, 0, 0.3 / 1.3, 0.8, tension};

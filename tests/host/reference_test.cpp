@@ -232,9 +232,9 @@ TEST(ReferenceImpact, StartsInsideAStop) {
   EXPECT_EQ(sample_at(run, 0.1).v2, -2);
   EXPECT_EQ(sample_at(run, 0).contact_force, 0);
   run.scene.tension = Tension::allow;
-  const Sample held = sample_at(run, 0.1);
-  EXPECT_GT(held.v2, -2);
-  EXPECT_LT(held.v2 - held.v1, -32600.0 / 19560);
+  const Sample late = sample_at(run, 0.1);
+  EXPECT_GT(late.v2, -2);
+  EXPECT_LT(late.v2 - late.v1, -32600.0 / 19560);
   EXPECT_LT(sample_at(run, 0).contact_force, 0);
 }
 

@@ -1,7 +1,7 @@
 // What 32 bits add to the method's own error: Fixed32 and Float32 against double at the same step, over 1 s of the
 // paper's scene. At most a tenth of the method's error, down to a floor of 2e-9 m (Fixed32) and 1e-8 m (Float32).
 //
-// A scene can ask for more digits than the format has. A change dv of one impact's speed moves x1 within the second by
+// A scene can require more digits than the format has. A change dv of one impact's speed moves x1 within the second by
 // A dv, with A about 0.2 s for Hunt-Crossley, whose loss makes the scene forget, 1 s for Hertz and 4 to 11 s for
 // Hooke-Newton. What a format leaves undetermined of an impact's speed v is, at best,
 //

@@ -146,7 +146,7 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
   };
   const double at_start = energy_of(before);
   double by_field = 0, in_contacts = 0, field = scene.gravity;
-  long turns = 0, held = 0, n = 0;
+  long turns = 0, stuck = 0, n = 0;
   int sliding = 0;
   bool touched = false;
   for (; n < steps || (absorber.is_touching() && n < steps + 100000); ++n) {
@@ -160,7 +160,7 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
     const int slides = !slides_on ? 0 : absorber.state().ball_push.is_negative() ? 1 : -1;
     const double rate = before.v2 - before.v1;
     turns += slides != sliding;
-    held += slides == 0;
+    stuck += slides == 0;
     sliding = slides;
     if (absorber.is_touching() && !touched) in_contacts += mu * rate * rate / 2;
     touched = absorber.is_touching();
@@ -182,7 +182,7 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
   const double bound = 1e-5 * (in_contacts + by_contact) + rounding;
   EXPECT_NEAR(missing, 0, bound);
   EXPECT_LT(bound, 1e-3 * by_friction);
-  EXPECT_GT(static_cast<double>(held), 0.1 * total);
+  EXPECT_GT(static_cast<double>(stuck), 0.1 * total);
   std::printf(
       "%.0f steps: work of the drive %.6g J, of the field %.6g J; dissipated by contact %.6g J, by friction %.6g J, in "
       "%ld turns; missing %.3g J (bound %.3g J, of which %.2g by contacts)\n",

@@ -1,7 +1,7 @@
 // One impact of two free masses over the whole range of stiffness, step, restitution, speed, mass ratio and clearance,
 // by every law, format and passive stepper, wherever its plan accepts it, at 64 phases of the impact within the step:
 // no fault, no energy gained, the law's own restitution. All corners of that range and a low-discrepancy sample of its
-// inside; IMPACT_STABILITY_CELLS asks for a larger one.
+// inside; IMPACT_STABILITY_CELLS selects a larger one.
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ namespace {
 
 constexpr int dimensions = 6, corners = 1 << dimensions;
 
-// A contact of more steps than this is stepped so often and no oftener: it is resolved, and would take minutes. Not
-// held beyond: Hooke-Newton in Float32 at 2000 steps and e = 0.05 rebounds with 0.045 at some phases.
+// A contact of more steps than this is stepped so often and no oftener: it is resolved, and would take minutes. Beyond,
+// this is not met: Hooke-Newton in Float32 at 2000 steps and e = 0.05 rebounds with 0.045 at some phases.
 constexpr double most_steps_per_contact = 200;
 
 double steps_per_contact(const FreePair& free) { return contact_time(impact_of(free)).value() / free.step; }
@@ -113,7 +113,7 @@ double rounding_gain(const FreePair& free, Numeric numeric) {
          12 / std::sqrt(12) * std::sqrt(steps) * lsb.rate;
 }
 
-// Not held yet: the corner of a soft stop 0.5 m from the middle hit by a slow, heavy ball in Fixed32. Moment-fitted it
+// Not met yet: the corner of a soft stop 0.5 m from the middle hit by a slow, heavy ball in Fixed32. Moment-fitted it
 // rebounds at one phase in some tens with 0.055 to 0.09 instead of 0.05, or gains 1.4e-4 of its energy; the
 // energy-consistent step gains 2.6e-5.
 bool is_left_out(const FreePair& free, Numeric numeric) {

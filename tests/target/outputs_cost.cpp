@@ -1,6 +1,6 @@
-// Instructions of what a loop may ask for beside a step, the largest over two seconds of the paper's scene at 1 ms,
-// with the sine drive, in the formats that a core is for: what the tables of tests/README.md say. All of the self-test's steps
-// are counted together. Prints rows that within_budget.sh judges.
+// Instructions of what a loop may call beside a step, the largest over two seconds of the paper's scene at 1 ms,
+// with the sine drive, in the formats that a core is for: what the tables of tests/README.md say. All of the
+// self-test's steps are counted together. Prints rows that within_budget.sh judges.
 
 #include <board/console.hpp>
 #include <impact/self_test.hpp>

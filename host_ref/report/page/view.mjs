@@ -80,7 +80,7 @@ const classes = [[1e-4, '#deebf7'], [1e-3, '#9ecae1'], [1e-2, '#4292c6'], [1e-1,
 const steppers = ['auto', 'moment', 'moment-4', 'moment-8', 'energy', 'impulsive', 'average'], numerics = ['float64', 'float32', 'float32-plain', 'fixed32'];
 const clamped = (value, least, most) => (Number.isNaN(value) ? most : Math.min(Math.max(value, least), most));  // what is beyond stands at the edge
 
-// By name and arguments: what a figure's data-chart says.
+// The name and arguments that a figure's data-chart says.
 const pictures = {
   frontier: (law, target) => ({ x: costAxis(target), y: errorAxis, series: Object.entries(frontiers(points, target, law)).map(([name, rows], i) =>
     ({ name, points: rows.map(withCost), ...[{ colour: blue, width: 3, marker: 'square', isFilled: true }, { colour: vermilion, width: 2, dash: '6 3', marker: 'circle', isFilled: true }, { colour: orange, width: 2, dash: '8 3 2 3', marker: 'triangle' }][i] })) }),
@@ -119,7 +119,7 @@ const pictures = {
 };
 const names = { frontier: 'Error against run time, the best of each kind', every: 'Error against run time, every method', errors: 'Errors of method and rounding', stability: 'Restitution error over step and stiffness' };
 
-// The figures that a list asks for.
+// The figures that a list names.
 for (const law of laws) {
   const maps = [...new Set(tables.stability.filter((row) => row.law === law).map(({ newmark, numeric }) => `${newmark} ${numeric}`))].filter((map) => !/float32/.test(map));
   find(`#maps-${law}`).innerHTML = maps.filter((map) => !find(`[data-chart="stability ${law} ${map}"]`)).map((map) => `<figure data-chart="stability ${law} ${map}"><figcaption>${map.replace(' ', ', ')}</figcaption></figure>`).join('');

@@ -14,9 +14,10 @@
 // A converter reads its own quantity from the absorber, or from its snapshot, and step() takes its own quantity only.
 // Where the plan is AtRunTime its units are the plan's: to_dac(dac, plan).
 //
-// Out: to the nearest count, held at the converter's ends. In: within 2^-29 of the unit (Fixed32) or 2^-22 of
-// itself; in Fixed32 counts are held at the last one below the unit by 2^-28 of it. The ends, and the counts that come,
-// lie less than 2^31 counts from zero. A converter in whose end is more than its quantity's bound does not compile.
+// Out: to the nearest count, clamped to the converter's ends. In: within 2^-29 of the unit (Fixed32) or 2^-22 of
+// itself; in Fixed32 counts are clamped to the last one below the unit by 2^-28 of it. The ends, and the counts that
+// come, lie less than 2^31 counts from zero. A converter in whose end is more than its quantity's bound does not
+// compile.
 
 #include <stdint.h>
 
@@ -45,7 +46,7 @@ constexpr void check_converter(const Converter& converter) {
   if (converter.least > converter.most) a_converters_least_count_is_above_its_most();
   if (!(constant::magnitude(converter.counts_per_si_unit) > 0)) a_converter_has_no_counts_per_si_unit();
 }
-constexpr int32_t held_in_32_bits(double x) {
+constexpr int32_t clamped_to_32_bits(double x) {
   return static_cast<int32_t>(constant::larger(-2147483647.0, constant::smaller(x, 2147483647.0)));
 }
 
@@ -57,8 +58,8 @@ class CountsOut {
   constexpr CountsOut(const Converter& converter, double unit)
       : gain_(Format::count_gain(converter.counts_per_si_unit * unit)),
         zero_(converter.zero),
-        least_(detail::held_in_32_bits(static_cast<double>(converter.least) - converter.zero)),
-        most_(detail::held_in_32_bits(static_cast<double>(converter.most) - converter.zero)) {
+        least_(detail::clamped_to_32_bits(static_cast<double>(converter.least) - converter.zero)),
+        most_(detail::clamped_to_32_bits(static_cast<double>(converter.most) - converter.zero)) {
     detail::check_converter(converter);
   }
 
@@ -78,8 +79,8 @@ class CountsIn {
   constexpr CountsIn(const Converter& converter, double unit)
       : gain_(Format::gain(per_count(converter, unit), Format::count_exponent, 0)),
         zero_(converter.zero),
-        least_(detail::held_in_32_bits(static_cast<double>(zero_) - most(converter, unit))),
-        most_(detail::held_in_32_bits(static_cast<double>(zero_) + most(converter, unit))) {
+        least_(detail::clamped_to_32_bits(static_cast<double>(zero_) - most(converter, unit))),
+        most_(detail::clamped_to_32_bits(static_cast<double>(zero_) + most(converter, unit))) {
     detail::check_converter(converter);
   }
 
@@ -95,7 +96,7 @@ class CountsIn {
   }
   // Whole counts that a Value holds.
   static constexpr int32_t most(const Converter& converter, double unit) {
-    return detail::held_in_32_bits(Format::most_counts(converter.counts_per_si_unit * unit));
+    return detail::clamped_to_32_bits(Format::most_counts(converter.counts_per_si_unit * unit));
   }
 
   typename Format::Gain gain_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a feature says where it has nothing to say: a base of features, which declare only the calls that they use.
+// No-op feature hooks: a base of features, which declare only the calls that they use.
 
 #include <impact/requirements.hpp>
 

@@ -28,7 +28,7 @@ struct Snapshot {
   bool is_whole;  // false after four interrupted tries
 };
 
-// The memory of the feature Snapshots; without it nothing.
+// The memory of the feature Snapshots; empty without it.
 template <class Value, bool is_named>
 class SnapshotWindow {};
 

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--x1 '1\n2'", "--x1", "1?2", "1000 m"}));
 
 // What is wrong is named: the bound that does not hold the start, the step at which an increment has no room; never a
-// format that was not asked for.
+// format that was not requested.
 TEST_F(ImpactSim, ARefusalNamesWhatIsWrong) {
   EXPECT_THAT(run("--numeric float64 --bound-displacement 1e-3 --x1 0.01").err,
               HasSubstr("--bound-displacement 0.001: allowed: 0.01 to 1e+06"));

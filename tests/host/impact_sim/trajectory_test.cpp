@@ -124,7 +124,7 @@ TEST_F(ImpactSim, DriveFileGivesTheForceAtTheEndOfEachStep) {
   EXPECT_THAT(bad.err, HasSubstr("line 3: 'three'"));
 }
 
-// One impact of a ball on a main mass that nothing holds: the rebound has the restitution asked for. 1e-3: the
+// One impact of a ball on a main mass that nothing holds: the rebound has the requested restitution. 1e-3: the
 // classical scheme's largest error at 80 steps per contact is 4e-3 for Hooke-Newton, and falls at least in proportion
 // to the step; here there are 840 and more.
 TEST_F(ImpactSim, RestitutionIsWhatWasAskedFor) {
@@ -138,10 +138,10 @@ TEST_F(ImpactSim, RestitutionIsWhatWasAskedFor) {
     return (std::stod(last[2]) - std::stod(last[4])) / 0.8;
   };
   for (const double e : {0.4, 0.68, 0.95}) {
-    const std::string wish = " --restitution " + std::to_string(e);
-    EXPECT_NEAR(rebound("--law hunt-crossley" + wish), e, 1e-3);
-    EXPECT_NEAR(rebound("--law hooke-newton --tension clamp" + wish), e, 1e-3);
-    EXPECT_NEAR(rebound("--law hooke-newton --tension allow" + wish), e, 1e-3);
+    const std::string option = " --restitution " + std::to_string(e);
+    EXPECT_NEAR(rebound("--law hunt-crossley" + option), e, 1e-3);
+    EXPECT_NEAR(rebound("--law hooke-newton --tension clamp" + option), e, 1e-3);
+    EXPECT_NEAR(rebound("--law hooke-newton --tension allow" + option), e, 1e-3);
   }
   EXPECT_NEAR(rebound("--law hertz --restitution 1"), 1, 1e-3);
   EXPECT_NEAR(rebound("--paper-damping --restitution 0.68"), 0.7561486807, 1e-3) << "(2.9) at 0.8 m/s";
@@ -246,7 +246,7 @@ TEST_F(ImpactSim, TheBenchmarkHasEveryStepperInEveryFormat) {
 }
 
 // The number that the tool prints is the rule's, of a contact's shortest part, and it says why a line of the rule that
-// this number asks for is passed over.
+// this number requires is passed over.
 TEST_F(ImpactSim, TheRulesOwnNumberIsPrinted) {
   const auto said = [&](const std::string& options) { return run(options + " --duration 0.01 --output run.csv").err; };
   // k1 = 1e6 N/m, mu = 0.3/1.3 kg and c1 = 6 mu/(3.2 ms): of a contact the damper stops the ball in 3.2 ms, which is 8

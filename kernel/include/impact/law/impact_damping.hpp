@@ -2,7 +2,8 @@
 #pragma once
 // The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact
 // from its own speed. A contact that begins slowly and is then driven in faster leaves the range that 1 + c1/k1 v has
-// in Fixed32, the first power of two above 2 a and 1 + a: there c1/k1 v is held, between half that range and the whole.
+// in Fixed32, the first power of two above 2 a and 1 + a: there c1/k1 v is clamped, between half that range and the
+// whole.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>
@@ -17,10 +18,10 @@ constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const Un
   return Format::gain(terms.damping_time / terms.step, unit.penetration, terms.damping_exponent);
 }
 
-// What a step bears of a damping: an impact at the rate V is damped by a/V, and reaches the damping z = h c/mu at the
-// penetration d; one that is slow and is then pressed in far beyond its own speed would reach any. Wherever z would
-// pass what the treatment bears (`largest`), the contact goes on as one whose z there is `largest`. An impact that
-// nothing presses stays below that, as the plan has judged: of slower ones z is less, as V^(1/5).
+// The largest damping that a step tolerates: an impact at the rate V is damped by a/V, and reaches the damping z = h
+// c/mu at the penetration d; one that is slow and is then pressed in far beyond its own speed would reach any. Wherever
+// z would pass what the treatment tolerates (`largest`), the contact goes on as one whose z there is `largest`. An
+// impact that nothing presses stays below that, as the plan has judged: of slower ones z is less, as V^(1/5).
 //
 // A contact that a correction has put to the penetration d and the rate V is damped as an impact no slower than V, nor
 // than one whose damping at d is z = `largest`/4. From d on the damper alone stops it where z^(5/3) has grown by what
@@ -76,7 +77,7 @@ struct ImpactDamping<Format, true> {
   constexpr void begin(typename Format::Gain share, typename Format::Value rate) {
     own_damping = {is_positive(rate) ? Format::gain_over(share, rate) : typename Format::Gain{}};
   }
-  // What a step bears of it, at d^(3/2).
+  // What a step tolerates of it, at d^(3/2).
   template <class Limit, class Shape>
   constexpr void limit(const Limit& limit, typename Format::Gain share, Shape shape) {
     hold_above(share, limit.rate * Format::value(shape));

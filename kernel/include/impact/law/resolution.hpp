@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How finely a step resolves a contact: what decides which steppers a scene bears, and which is right (choice.hpp). A
+// How finely a step resolves a contact: what decides which steppers a scene allows, and which is right (choice.hpp). A
 // plan promises for every state within its bounds, so that each number is of the worst of them:
 //
 //     contact_time, shortest_part,         the fastest impact of two free masses, 2 Bounds::speed; a slower one lasts
@@ -8,7 +8,8 @@
 //     pulsation, damping                   the contact linearised at the deepest penetration (depth.hpp) in the
 //                                          coupled machine: omega^2 = (3/2) k1 d^(1/2)/mu and c/mu = c1 d^(3/2)/mu,
 //                                          or k1/mu and c1/mu
-//     lasting_damping                      c/mu at the penetration at which the stop alone bears what the main spring,
+//     lasting_damping                      c/mu at the penetration at which the stop alone carries what the main
+//     spring,
 //                                          its damper and the drive press: k1 d^(3/2) = mu A, or at the deepest. Of a
 //                                          damping set per impact the largest, which it may have anywhere
 //                                          (law/impact_damping.hpp)

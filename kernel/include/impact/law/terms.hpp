@@ -40,7 +40,7 @@ struct ContactTerms {
   constexpr double damping_at(double d) const {
     return damping_time * stiffness * (is_linear ? 1 : to_the_power(d)) / reduced_mass();
   }
-  // And where a power law's stop alone bears an acceleration: k1 d^(3/2) = mu press, or at the deepest.
+  // And where a power law's stop alone balances an acceleration: k1 d^(3/2) = mu press, or at the deepest.
   constexpr double damping_under(double press) const {
     return constant::smaller(damping_at(deepest), damping_time * press);
   }

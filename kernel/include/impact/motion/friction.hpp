@@ -156,7 +156,7 @@ struct DryFriction : ScenePart {
     // An impulse as large as the rate takes s of it, a little more than all; 1/s is no less than 2 - s.
     const Value main = plan.friction.main_rate_ahead * rate, ball = plan.friction.ball_ahead * rate;
     const Value half_more = rubbing_rate(plan, main + ball, -main) - Format::value(half(rate));
-    const Value half_most = held(Passive<Value>{-half_full, half_full}, rate - half_more - half_more);
+    const Value half_most = clamped(Passive<Value>{-half_full, half_full}, rate - half_more - half_more);
     const Value most = half_most + half_most;
     return is_negative(most) ? Passive<Value>{most, Value{}} : Passive<Value>{Value{}, most};
   }
@@ -175,15 +175,15 @@ struct DryFriction : ScenePart {
       if (allows(allowed, impulse))
         slide(plan, state, back);
       else
-        set(plan, state, held(allowed, impulse));
+        set(plan, state, clamped(allowed, impulse));
     } else if (is_positive(change - twice_full)) {
       const auto left = Format::short_quotient(without_sign(behind), without_sign(change));
       const Value impulse = difference(without_sign(plan.friction.full), without_sign(twice_full) * left);
-      set(plan, state, held(allowed, mirrored(impulse, back)));
+      set(plan, state, clamped(allowed, mirrored(impulse, back)));
     } else if (allows(allowed, way)) {
       stick(plan, state, way, ahead);
     } else {
-      set(plan, state, held(allowed, way));
+      set(plan, state, clamped(allowed, way));
     }
   }
   // The full impulse, on and on.
@@ -214,7 +214,7 @@ struct DryFriction : ScenePart {
   }
   template <class Plan, class Value>
   static constexpr Value within_full(const Plan& plan, Value impulse) {
-    return held(Passive<Value>{-plan.friction.full, plan.friction.full}, impulse);
+    return clamped(Passive<Value>{-plan.friction.full, plan.friction.full}, impulse);
   }
   // By half a step of this impulse.
   template <class Plan, class State, class Value>
@@ -235,11 +235,11 @@ struct DryFriction : ScenePart {
     state.lasting = never<Plan>();
   }
   template <class Value>
-  static constexpr Value held(Any, Value impulse) {
+  static constexpr Value clamped(Any, Value impulse) {
     return impulse;
   }
   template <class Value>
-  [[gnu::always_inline]] static constexpr Value held(const Passive<Value>& passive, Value impulse) {
+  [[gnu::always_inline]] static constexpr Value clamped(const Passive<Value>& passive, Value impulse) {
     return is_positive(impulse - passive.most)    ? passive.most
            : is_negative(impulse - passive.least) ? passive.least
                                                   : impulse;

@@ -37,7 +37,7 @@ struct DriveChange {
 // The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.
 struct LinearFlow {
   double e11 = 0, e12 = 0, e21 = 0, e22 = 0;
-  double b0 = 0, b1 = 0, c0 = 0, c1 = 0;  // m/N: a force held linear over the step
+  double b0 = 0, b1 = 0, c0 = 0, c1 = 0;  // m/N: a force linear over the step
   Sinusoid displacement, velocity;        // m/N: a force sin(w t), at the start of the step
 
   constexpr double stiffness() const { return e11 * e22 - e12 * e21; }

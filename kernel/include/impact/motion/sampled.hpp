@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The drive as one sample a step from the caller (an ADC reading), held linear between samples: exact for the exact
+// The drive as one sample a step from the caller (an ADC reading), linear between samples: exact for the exact
 // flow. A sample is newtons in a floating-point format, and a fraction of Bounds::force in Q1.31 in fixed point, of
 // which every value is good. In newtons it must be a number within Bounds::force.
 

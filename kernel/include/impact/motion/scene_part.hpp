@@ -6,7 +6,7 @@
 
 namespace impact {
 
-// A part of the scene instead of a record: it has nothing to say to what is recorded, and a change of plan keeps its
+// A part of the scene instead of a record: it records nothing, and a change of plan keeps its
 // state.
 struct ScenePart : SilentFeature {
   static constexpr bool is_bound = false;

@@ -116,7 +116,7 @@ struct Sine {
       oscillator.advance(plan.oscillator);
       return Format::moved_term(plan.increment, s);
     }
-    // The drive's share of the displacement that the coming step will make. (As a function of its own it would ask for
+    // The drive's share of the displacement that the coming step will make. (As a function of its own it would need
     // the plan in memory.)
     [[gnu::always_inline]] constexpr typename Format::Value rate(const Plan<Format>& plan) const {
       return plan.rate_by_value * Format::reading(oscillator.value_head()) +

@@ -53,7 +53,7 @@ constexpr double sine(double x) {
 }
 constexpr double cosine(double x) { return sine(x + 1.570796326794896619231); }
 
-// Held at exp(-700), as 0, and at exp(700); a NaN for a NaN.
+// Clamped at exp(-700), as 0, and at exp(700); a NaN for a NaN.
 constexpr double exponential(double x) {
   if (!(x >= -700)) return x < 0 ? 0 : x;
   if (x > 700) x = 700;
@@ -113,7 +113,7 @@ constexpr double arc_tangent_ratio(double x) {
   return factor * sum;
 }
 
-// Held within +-(2^63 - 1); 0 for a NaN.
+// Clamped to +-(2^63 - 1); 0 for a NaN.
 constexpr int64_t nearest(double x) {
   if (!(magnitude(x) < 0x1p63)) return x > 0 ? INT64_MAX : x < 0 ? -INT64_MAX : 0;
   return static_cast<int64_t>(x < 0 ? x - 0.5 : x + 0.5);

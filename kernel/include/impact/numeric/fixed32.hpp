@@ -42,7 +42,7 @@ struct Fixed32 : Fixed32Numbers {
     return {shifted_product(to_left(x.raw, ahead), sum.raw, 3)};
   }
 
-  // In [0, 1); what is not, for a stepper far outside its range, is held there.
+  // In [0, 1); what is not, for a stepper far outside its range, is clamped there.
   static constexpr Unsigned<32> constant(double x) {
     return {x > 0 ? static_cast<uint32_t>(impact::constant::smaller(x * 4294967296.0 + 0.5, 4294967295.0)) : 0};
   }
@@ -55,7 +55,7 @@ struct Fixed32 : Fixed32Numbers {
   // gain * x of a state in range, for a gain >= 0, in fewer instructions than the gain's own product. To the right it
   // rounds down: what adds one such term and takes away another rounds to nearest on average. To the left it rounds to
   // nearest within a sixth of the product's LSB, by the one or two bits of x that are worth about half of that: the
-  // product's lower word is not asked for.
+  // product's lower word is not needed.
   [[gnu::always_inline]] static constexpr Value term(Gain gain, Value x) {
     if (gain.mantissa == 0) return {0};
     if (gain.shift > 0) return {high_product(x.raw, gain.mantissa) >> gain.shift};
@@ -76,7 +76,7 @@ struct Fixed32 : Fixed32Numbers {
     return gain.mantissa == 0 ? Value{0} : moved(x, bits < 31 ? bits : 31);
   }
   // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive, the gain not negative; a gain that
-  // is 2^31 or more for a divisor of a few LSBs is held there.
+  // is 2^31 or more for a divisor of a few LSBs is clamped there.
   static constexpr Gain gain_over(Gain gain, Value divisor) {
     if (gain.mantissa == 0) return {0, 0};
     const int zeros = leading_zeros(static_cast<uint32_t>(divisor.raw));
@@ -110,8 +110,8 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
   static constexpr int32_t native(Value reading) { return reading.raw; }
-  // A fraction as a Value, held at the ends of its range; 0 for no number. A constant counts in 2^31 - 1, so that 1 is
-  // a Value; a float, whose 2^31 - 1 is 2^31, in that.
+  // A fraction as a Value, clamped to the ends of its range; 0 for no number. A constant counts in 2^31 - 1, so that 1
+  // is a Value; a float, whose 2^31 - 1 is 2^31, in that.
   static constexpr Value sample(double fraction) {
     return {fraction >= 1    ? INT32_MAX
             : fraction <= -1 ? -INT32_MAX
@@ -153,12 +153,12 @@ struct Fixed32 : Fixed32Numbers {
     }
     // Of a number beyond the divisor as of the divisor.
     constexpr Signed<29> ratio(Value x) const {
-      const int32_t held = x.raw > own ? own : x.raw < -own ? -own : x.raw;
-      const auto ahead = to_left(held, zeros - 1);
+      const int32_t clamped = x.raw > own ? own : x.raw < -own ? -own : x.raw;
+      const auto ahead = to_left(clamped, zeros - 1);
       return {opaque(high_product(ahead, opaque(static_cast<int32_t>(inverse >> 1))))};
     }
   };
-  // 0 < x < 1; what a state beyond its bounds makes of x is held there.
+  // 0 < x < 1; what a state beyond its bounds makes of x is clamped there.
   static constexpr Divisor divisor(Unsigned<31> x) {
     if (x.raw - 1 >= INT32_MAX) x.raw = INT32_MAX;
     const int zeros = normalise<1>(x.raw);
@@ -229,7 +229,7 @@ struct Fixed32 : Fixed32Numbers {
     const Unsigned<31> part = {opaque(static_cast<uint32_t>(x.raw >> balance.bits))};
     return quotient(part, part + Unsigned<31>{balance.a});
   }
-  // Held at 1.
+  // Clamped at 1.
   template <int bits>
   static constexpr Unsigned<32> root_of_product(Unsigned<bits> x) {
     static_assert(bits <= 32, "no such product");

@@ -21,7 +21,7 @@ struct Fixed32Numbers {
       IMPACT_EXPECT(Wide{raw} + other.raw == raw + other.raw);
       raw += other.raw;
     }
-    // Modulo 2^64: states that have just left their range are looked at before they are held.
+    // Modulo 2^64: states that have just left their range are looked at before they are clamped.
     friend constexpr Long operator-(Long a, Long b) {
       IMPACT_EXPECT(Wide{a.raw} - b.raw == a.raw - b.raw);
       return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
@@ -73,14 +73,14 @@ struct Fixed32Numbers {
     }
   };
 
-  // A gain of numbers that it may carry out of range: what would leave it is held at its end.
+  // A gain of numbers that it may carry out of range: what would leave it is clamped at its end.
   struct HeldGain : Gain {
     friend constexpr Value operator*(HeldGain gain, Value x) {
       if (gain.shift >= -1) return static_cast<const Gain&>(gain) * x;
       const int32_t most = gain.most(), ahead = x.raw > most ? most : x.raw < -most ? -most : x.raw;
       const int32_t product = gain.product(ahead);
-      const int32_t held = product > quarter ? quarter : product < -quarter ? -quarter : product;
-      return {to_left(held, 2)};
+      const int32_t clamped = product > quarter ? quarter : product < -quarter ? -quarter : product;
+      return {to_left(clamped, 2)};
     }
     // Of a number that is known not to be negative.
     friend constexpr Value operator*(HeldGain gain, Unsigned<31> x) {

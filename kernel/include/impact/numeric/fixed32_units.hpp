@@ -140,9 +140,9 @@ struct Fixed32Units {
   }
   // What is added from outside: no more than the limit.
   static constexpr bool clamp(Value& x, int32_t limit) {
-    const int32_t held = x.raw > limit ? limit : x.raw < -limit ? -limit : x.raw;
-    const bool is_beyond = held != x.raw;
-    x.raw = held;
+    const int32_t clamped = x.raw > limit ? limit : x.raw < -limit ? -limit : x.raw;
+    const bool is_beyond = clamped != x.raw;
+    x.raw = clamped;
     return is_beyond;
   }
   constexpr int32_t correction_limit() const { return limits.main; }
@@ -222,7 +222,7 @@ struct Fixed32Units {
   static constexpr bool is_sound(Long) { return true; }
   static constexpr bool is_sound(Value) { return true; }
   static constexpr Value held(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
-  // x + y, held at the upper end of the range.
+  // x + y, clamped at the upper end of the range.
   static constexpr Value held_sum(Value x, Value y) { return x + held(y, Value{INT32_MAX} - x); }
   constexpr Long stop(Long main, bool left) const { return {left ? main.raw - gap : main.raw + gap}; }
   static constexpr bool clamp(Long& x, int32_t limit) {

@@ -8,7 +8,7 @@
 //
 // A product and a shift to fewer fraction bits round down: an error in (-1, 0] LSBs. Nothing saturates here:
 // whoever writes a formula shows that its values fit. Where a state beyond its bounds makes them not fit, they are
-// defined all the same, modulo 2^32, and what comes of them is held in range: see Fault.
+// defined all the same, modulo 2^32, and the result is clamped to its range: see Fault.
 
 #include <stdint.h>
 

@@ -36,7 +36,7 @@ inline constexpr bool is_wide = true;
 inline constexpr bool is_wide = false;
 #endif
 
-// The same number, of which the compiler knows nothing. GCC multiplies a number that it knows not to be negative, or to
+// The same number, behind an optimisation barrier. GCC multiplies a number that it knows not to be negative, or to
 // be the upper word of a longer one, by a signed number in four instructions instead of one.
 inline int32_t veiled(int32_t x) {
   __asm__("" : "+r"(x));

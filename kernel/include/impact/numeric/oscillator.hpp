@@ -47,7 +47,7 @@ struct IntegerOscillator {
       plan.curvature_bits = 62;
     }
     int64_t mantissa = constant::nearest(curvature * constant::power_of_two(plan.curvature_bits + plan.fine_bits));
-    // Such as 2 less an LSB of a double, of four steps a period: held at the largest mantissa it would be another
+    // Such as 2 less an LSB of a double, of four steps a period: clamped to the largest mantissa it would be another
     // curvature, and the amplitude drift by 2^-31 a step, since each period rounds like the one before.
     if (mantissa > INT32_MAX) {
       mantissa /= 2;

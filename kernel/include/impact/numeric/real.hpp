@@ -193,10 +193,10 @@ struct RealFormat {
     constexpr bool is_too_deep(Value penetration) const { return !(penetration <= limits.penetration); }
     static constexpr bool clamp(Long& x, Real limit) {
       if (is_within(x, limit)) return false;
-      Real held = x.sum;
-      clamp(held, limit);
+      Real clamped = x.sum;
+      clamp(clamped, limit);
       x = {};
-      x.sum = held;
+      x.sum = clamped;
       return true;
     }
     // For a state from elsewhere, whose parts may be anything.

@@ -50,7 +50,7 @@ struct ReciprocalTable {
 inline constexpr ReciprocalTable reciprocal_table{};
 
 // 2^63 / d for d in [2^31, 2^32): 2^63 / d - 2 < result <= 2^63 / d, and 2^32 - 1 for 2^31. Even numbers, such as those
-// below 2^31 once they are normalised, ask for five instructions less; of an odd one the even one below it is meant.
+// below 2^31 once they are normalised, need five instructions less; of an odd one the even one below it is meant.
 template <bool is_even = false>
 constexpr uint32_t reciprocal_q31(uint32_t d) {
   const int32_t seed = reciprocal_table.reciprocal(d);

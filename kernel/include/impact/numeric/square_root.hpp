@@ -111,8 +111,8 @@ struct KnownSquareRoot {
   }
   // z > 0
   [[gnu::always_inline]] constexpr uint32_t root_beside(int32_t z) const {
-    const int32_t change = z - y, held = change < y ? change : y;
-    const int32_t half_t = by_slope(held), share = by_slope(half_t) >> 13;  // share: 2^18 t/(8 sqrt(Y))
+    const int32_t change = z - y, clamped = change < y ? change : y;
+    const int32_t half_t = by_slope(clamped), share = by_slope(half_t) >> 13;  // share: 2^18 t/(8 sqrt(Y))
     return root + static_cast<uint32_t>(2 * (half_t - short_product(half_t, share)));
   }
 

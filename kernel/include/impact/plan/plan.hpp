@@ -70,7 +70,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
       return 0;
   }
 
-  // A force in N as a sample; beyond its bound it is held there in Fixed32.
+  // A force in N as a sample; beyond its bound it is clamped there in Fixed32.
   template <class Real>
   constexpr typename Format::Value sample_of(Real newtons) const {
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");

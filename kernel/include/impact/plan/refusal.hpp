@@ -105,9 +105,9 @@ constexpr bool accepts() {
       !PlanType::FrictionType::is_friction || status == PlanStatus::ball_friction || Rig::scene.ball_friction > 0,
       "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
   // A spring that weight stretches beyond the bounds: wherever it starts, the main mass leaves them.
-  constexpr bool is_held =
+  constexpr bool is_carried =
       PlanType::FieldType::is_sampled || PlanType::DriveType::is_sampled || !(Rig::scene.main_stiffness > 0);
-  static_assert(!PlanType::FieldType::is_field || is_held || status != PlanStatus::ok ||
+  static_assert(!PlanType::FieldType::is_field || is_carried || status != PlanStatus::ok ||
                     Rig::scene.main_mass * constant::magnitude(Rig::scene.gravity) <=
                         Rig::scene.main_stiffness * Rig::bounds.displacement,
                 "Bounds::displacement: no less than main_mass * gravity / main_stiffness, where the main mass hangs");

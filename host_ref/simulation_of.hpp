@@ -184,7 +184,7 @@ class KernelSimulation final : public Simulation {
   double displacement() const {
     const auto x1 = Kernel::Field::place(kernel_.plan, kernel_.state(), kernel_.state().x1);
     if constexpr (std::is_same_v<Format, Fixed32>)
-      return static_cast<double>(x1.raw - Format::Units::half_place) * position_unit_;
+      return static_cast<double>(x1.raw - Format::Units::half_lsb) * position_unit_;
     else
       return kernel_.plan.units.si_at(x1);
   }

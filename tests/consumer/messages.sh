@@ -161,6 +161,9 @@ struct NoBounds {
 struct NoForce : Rig {
   static constexpr impact::Bounds bounds{0.1, 2, 0, 0};
 };
+struct Shaken : Rig {
+  static constexpr impact::Bounds bounds{0.1, 2, 0, 10, 30};
+};
 struct NotStatic {
   impact::Scene scene{};
   impact::Bounds bounds{};
@@ -212,6 +215,8 @@ sampled='Rig, HuntCrossley, Moment, Sampled, Fixed32'
 absorber 1 'step({..}): a number in braces, such as a converter' "$sampled" 'absorber.step({100});'
 absorber 1 'a sample of another quantity: of a force take FromCounts<Absorber>' "$sampled" \
   'using A = decltype(absorber); FromCounts<A, Quantity::displacement> from({2048, 20480, 0, 4095}); absorber.step(from(7));'
+absorber 2 'a sample of another quantity: of a force take' "Shaken, HuntCrossley, Moment, Sampled, Float32, BaseAcceleration" \
+  'absorber.step(absorber.base_sample_of(1.0), absorber.sample_of(1.0));'
 absorber 1 'a converter reads its own quantity: pass the absorber or its snapshot()' "$sampled" \
   'ToCounts<decltype(absorber), Quantity::displacement> to({2048, 40940, 0, 4095}); to(absorber.velocity());'
 absorber 1 'the drive takes no samples: name Sampled as the drive' 'Rig, HuntCrossley, Moment, Sine, Float32' \

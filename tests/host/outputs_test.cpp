@@ -18,7 +18,7 @@ constexpr double h = 1e-4;
 
 template <class Value>
 double si(Value x, double unit) {
-  if constexpr (std::is_floating_point_v<Value>)
+  if constexpr (std::is_convertible_v<Value, double>)
     return static_cast<double>(x) * unit;
   else
     return x.raw * 0x1p-31 * unit;

@@ -12,6 +12,7 @@
 #include <impact/motion/handover.hpp>
 #include <impact/plan/identity.hpp>
 #include <impact/plan/making.hpp>
+#include <impact/quantity.hpp>
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
 
@@ -70,23 +71,23 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
       return 0;
   }
 
-  // A force in N as a sample; beyond its bound it is clamped there in Fixed32.
+  // A force in N as a sample. In Fixed32 it is clamped to Bounds::force.
   template <class Real>
-  constexpr typename Format::Value sample_of(Real newtons) const {
+  constexpr Native<Quantity::force, typename Format::Value> sample_of(Real newtons) const {
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
     static_assert(static_cast<Real>(0.5) > 0, "newtons are a double (a constant) or a float");
     if constexpr (Drive::is_sampled)
-      return sample_in(newtons, drive.per_newton, drive_scale);
+      return {sample_in(newtons, drive.per_newton, drive_scale)};
     else
       return {};
   }
-  // A sample of the base's acceleration, of m/s^2.
+  // The base's acceleration in m/s^2 as a sample. In Fixed32 it is clamped to Bounds::base_acceleration.
   template <class Real>
-  constexpr typename Format::Value base_sample_of(Real acceleration) const {
+  constexpr Native<Quantity::base_acceleration, typename Format::Value> base_sample_of(Real acceleration) const {
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
     static_assert(static_cast<Real>(0.5) > 0, "an acceleration is a double (a constant) or a float");
     if constexpr (Field::is_sampled)
-      return sample_in(acceleration, this->field.per_sample_unit, this->field.sample_unit);
+      return {sample_in(acceleration, this->field.per_sample_unit, this->field.sample_unit)};
     else
       return {};
   }

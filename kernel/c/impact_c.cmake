@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
-# impact_c_library(NAME RIG_HEADER [FLOAT] [SAMPLED] [BASE] [CONTACT_FORCE]): a static library of one scene for C, see impact_c.h.
+# impact_c_library(NAME RIG_HEADER [FLOAT] [SAMPLED] [BASE] [CONTACT_FORCE] [SNAPSHOTS]): a static library of one scene for C, see impact_c.h.
 # Link NAME to a target of C sources: it carries the include path and the definitions. For the C compiler as the linker give
 # that target LINKER_LANGUAGE C.
 set(IMPACT_C_FOLDER ${CMAKE_CURRENT_LIST_DIR})
 function(impact_c_library name rig)
-  cmake_parse_arguments(PARSE_ARGV 2 rig_has "FLOAT;SAMPLED;BASE;CONTACT_FORCE" "" "")
+  cmake_parse_arguments(PARSE_ARGV 2 rig_has "FLOAT;SAMPLED;BASE;CONTACT_FORCE;SNAPSHOTS" "" "")
   get_filename_component(rig ${rig} ABSOLUTE)
   add_library(${name} STATIC ${IMPACT_C_FOLDER}/impact_c.cpp)
   target_include_directories(${name} PUBLIC ${IMPACT_C_FOLDER})
   target_compile_definitions(${name} PRIVATE IMPACT_C_RIG="${rig}")
-  foreach(what FLOAT SAMPLED BASE CONTACT_FORCE)
+  foreach(what FLOAT SAMPLED BASE CONTACT_FORCE SNAPSHOTS)
     if(rig_has_${what})
       target_compile_definitions(${name} PUBLIC IMPACT_C_${what})
     endif()

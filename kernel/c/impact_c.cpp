@@ -39,7 +39,11 @@ const Absorber& as_cpp(const impact_absorber* absorber) { return made(absorber).
 extern "C" {
 
 void impact_init(impact_absorber* absorber) { __builtin_memcpy(absorber, &at_start, sizeof at_start); }
+#ifdef IMPACT_C_SNAPSHOTS
+void impact_reset(impact_absorber* absorber) { as_cpp(absorber).reset(); }  // published as a step is
+#else
 void impact_reset(impact_absorber* absorber) { impact_init(absorber); }
+#endif
 
 #ifdef IMPACT_C_SAMPLED
 static_assert(Absorber::Drive::is_sampled, "IMPACT_C_SAMPLED, but the rig's drive is not Sampled");
@@ -76,6 +80,22 @@ double impact_velocity_unit() { return Absorber::velocity_unit(); }
 #ifdef IMPACT_C_CONTACT_FORCE
 impact_number impact_contact_force(const impact_absorber* absorber) { return out(as_cpp(absorber).contact_force()); }
 double impact_force_unit() { return Absorber::force_unit(); }
+#endif
+
+#ifdef IMPACT_C_SNAPSHOTS
+impact_snapshot impact_get_snapshot(const impact_absorber* absorber) {
+  if (!made(absorber).is_made) return {{}, {}, {}, {}, {}, 0, impact_fault_plan, false, true};
+  const auto now = as_cpp(absorber).snapshot();
+  return {out(now.displacement),
+          out(now.velocity),
+          out(now.ball_displacement),
+          out(now.ball_velocity),
+          out(now.contact_force),
+          now.steps,
+          static_cast<impact_fault>(now.fault),
+          now.is_touching,
+          now.is_whole};
+}
 #endif
 
 void impact_correct(impact_absorber* absorber, impact_number dx, impact_number dv) {

@@ -8,10 +8,12 @@
        void timer_interrupt(void) { impact_step(&absorber); write_dac(impact_displacement(&absorber)); }
 
    Of the rig this header must be told, and impact_c.cpp checks: IMPACT_C_FLOAT for Float32 and Float32Plain,
-   IMPACT_C_SAMPLED for a Sampled drive, IMPACT_C_BASE for the part BaseAcceleration, IMPACT_C_CONTACT_FORCE for the
-   feature ContactForce.
+   IMPACT_C_SAMPLED for a Sampled drive, IMPACT_C_BASE for the part BaseAcceleration, IMPACT_C_CONTACT_FORCE and
+   IMPACT_C_SNAPSHOTS for the features ContactForce and Snapshots.
 
-   No runtime of C++; of C's library memcpy and memset. Rust's bindgen reads the same header. */
+   One context steps, an interrupt or a task, and calls all these functions but two: impact_get_fault and
+   impact_get_snapshot may be called from any. The library needs no runtime of C++, and of C's memcpy and memset. Rust's
+   bindgen reads the same header. */
 #ifndef IMPACT_C_H
 #define IMPACT_C_H
 
@@ -22,7 +24,7 @@
 extern "C" {
 #endif
 
-/* Opaque, and at most this large; its content differs from rig to rig. Aligned as uint64_t. A plain number. */
+/* The state of an absorber: opaque, of at most this many bytes, a plain multiple of 8. It differs from rig to rig. */
 #ifndef IMPACT_C_BYTES
 #define IMPACT_C_BYTES 256
 #endif
@@ -30,7 +32,7 @@ typedef struct {
   uint64_t opaque[IMPACT_C_BYTES / 8];
 } impact_absorber;
 
-/* A native number: raw 2^31 is the unit in Fixed32; SI in floating point. */
+/* A native number: SI in floating point; in Fixed32 a fraction of a unit, which is 2^31. */
 #ifdef IMPACT_C_FLOAT
 typedef float impact_number;
 #define IMPACT_C_NUMBER float
@@ -63,6 +65,7 @@ typedef int32_t impact_number;
 #define impact_ball_displacement IMPACT_C_NAME(impact_ball_displacement)
 #define impact_ball_velocity IMPACT_C_NAME(impact_ball_velocity)
 #define impact_contact_force IMPACT_C_NAME(impact_contact_force)
+#define impact_get_snapshot IMPACT_C_NAME(impact_get_snapshot)
 #define impact_correct IMPACT_C_NAME(impact_correct)
 #define impact_is_touching IMPACT_C_NAME(impact_is_touching)
 #define impact_get_fault IMPACT_C_NAME(impact_get_fault)
@@ -77,10 +80,10 @@ typedef enum {
   impact_fault_plan
 } impact_fault;
 
-void impact_init(impact_absorber*);  /* before anything else: until then an absorber of zeros has the fault plan */
-void impact_reset(impact_absorber*); /* back to the initial state, without fault */
+void impact_init(impact_absorber*);  /* call it first: until then an absorber of zeros has the fault plan */
+void impact_reset(impact_absorber*); /* goes back to the initial state and clears the fault */
 
-/* Samples are those at the step's end, in the units below. */
+/* Advances by one step. A sample is the value at the step's end, in the units below. */
 #if defined(IMPACT_C_SAMPLED) && defined(IMPACT_C_BASE)
 void impact_step(impact_absorber*, impact_number force, impact_number acceleration);
 #elif defined(IMPACT_C_SAMPLED)
@@ -91,29 +94,44 @@ void impact_step(impact_absorber*, impact_number acceleration);
 void impact_step(impact_absorber*);
 #endif
 #ifdef IMPACT_C_SAMPLED
-double impact_sample_unit(void); /* N of a native 1.0 */
+double impact_sample_unit(void); /* the unit of a force sample, N */
 #endif
 #ifdef IMPACT_C_BASE
-double impact_base_sample_unit(void); /* m/s^2 */
+double impact_base_sample_unit(void); /* the unit of an acceleration sample, m/s^2 */
 #endif
 
+/* After the last step, in the units below. */
 impact_number impact_displacement(const impact_absorber*); /* of the main mass */
 impact_number impact_velocity(const impact_absorber*);
 impact_number impact_ball_displacement(const impact_absorber*);
 impact_number impact_ball_velocity(const impact_absorber*);
-bool impact_is_touching(const impact_absorber*);
-double impact_displacement_unit(void); /* m of a native 1.0 */
-double impact_velocity_unit(void);     /* m/s */
+bool impact_is_touching(const impact_absorber*); /* true if the step ended in contact */
+double impact_displacement_unit(void);           /* m */
+double impact_velocity_unit(void);               /* m/s */
 
 #ifdef IMPACT_C_CONTACT_FORCE
-impact_number impact_contact_force(const impact_absorber*); /* on the main mass: absorber.hpp */
-double impact_force_unit(void);                             /* N */
+/* On the main mass along x: the average over the step, or with Impulsive the law's peak. */
+impact_number impact_contact_force(const impact_absorber*);
+double impact_force_unit(void); /* N */
 #endif
 
-void impact_correct(impact_absorber*, impact_number dx, impact_number dv); /* of the main mass */
-impact_fault impact_get_fault(const impact_absorber*);                     /* may be polled from any context */
+#ifdef IMPACT_C_SNAPSHOTS
+/* The values of one step, from any context while another steps. contact_force is 0 without ContactForce. */
+typedef struct {
+  impact_number displacement, velocity, ball_displacement, ball_velocity, contact_force;
+  uint32_t steps; /* since impact_init or impact_reset, modulo 2^32 */
+  impact_fault fault;
+  bool is_touching;
+  bool is_whole; /* false if two steps began within each of four tries: the values may be of two steps */
+} impact_snapshot;
+impact_snapshot impact_get_snapshot(const impact_absorber*);
+#endif
+
+/* Adds to the main mass's displacement and velocity between two steps. Beyond a bound it is clamped, with a fault. */
+void impact_correct(impact_absorber*, impact_number dx, impact_number dv);
+impact_fault impact_get_fault(const impact_absorber*); /* the first fault, until it is cleared; from any context */
 void impact_clear_fault(impact_absorber*);
-bool impact_self_test(void); /* this compiler, its flags and this core compute what was proved */
+bool impact_self_test(void); /* true if compiler, flags and core compute the bits of every target */
 
 #ifdef __cplusplus
 }

@@ -18,8 +18,8 @@ struct Rig {
   static constexpr impact::Bounds bounds{};
   static constexpr double step = 1e-4;
 };
-using Absorber =
-    impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::Fixed32, impact::ContactForce>;
+using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::Fixed32,
+                                  impact::ContactForce, impact::Snapshots>;
 END
 cat >main.c <<'END'
 #include <impact_c.h>
@@ -31,20 +31,27 @@ int scene_main(void);
 int scene_main(void) {
   if (!impact_self_test()) return 2;
   impact_step(&absorber, INT32_MAX); /* impact_init forgotten */
-  if (impact_get_fault(&absorber) != impact_fault_plan) return 3;
+  if (impact_get_fault(&absorber) != impact_fault_plan || impact_get_snapshot(&absorber).fault != impact_fault_plan) return 3;
   impact_init(&absorber);
   for (int32_t n = 0; n < 20000; ++n) {
     impact_step(&absorber, (n / 785) % 2 ? -INT32_MAX : INT32_MAX);
     const int32_t force = impact_contact_force(&absorber);
+    const impact_snapshot now = impact_get_snapshot(&absorber);
+    if (!now.is_whole || now.steps != (uint32_t)n + 1 || now.displacement != impact_displacement(&absorber) ||
+        now.velocity != impact_velocity(&absorber) || now.ball_displacement != impact_ball_displacement(&absorber) ||
+        now.ball_velocity != impact_ball_velocity(&absorber) || now.contact_force != force ||
+        now.is_touching != impact_is_touching(&absorber) || now.fault != impact_get_fault(&absorber))
+      return 4;
     if (force > largest_force) largest_force = force;
   }
   final_displacement = impact_displacement(&absorber);
   final_velocity = impact_velocity(&absorber);
   impact_correct(&absorber, 1000, 0);
-  return impact_displacement(&absorber) == final_displacement + 1000 &&
-                 impact_get_fault(&absorber) == impact_fault_none && impact_displacement_unit() == 0.25
-             ? 0
-             : 1;
+  if (impact_displacement(&absorber) != final_displacement + 1000 || impact_get_fault(&absorber) != impact_fault_none ||
+      impact_displacement_unit() != 0.25)
+    return 1;
+  impact_reset(&absorber);
+  return impact_displacement(&absorber) != 0 || impact_get_snapshot(&absorber).steps != 0;
 }
 END
 cat >host.c <<'END'
@@ -94,7 +101,7 @@ project(program LANGUAGES C CXX)
 set(CMAKE_C_STANDARD 11)
 add_subdirectory(${IMPACT} impact)
 include(${IMPACT}/c/impact_c.cmake)
-impact_c_library(scene rig.hpp SAMPLED CONTACT_FORCE)
+impact_c_library(scene rig.hpp SAMPLED CONTACT_FORCE SNAPSHOTS)
 add_executable(program main.c ${SOURCE})
 target_link_libraries(program PRIVATE scene)
 set_target_properties(program PROPERTIES LINKER_LANGUAGE C)

@@ -11,8 +11,8 @@
 //     Absorber absorber;
 //     void timer_interrupt() { absorber.step(); write_dac(to_dac(absorber)); }  // converter.hpp
 //
-// A scene is a type. What its template arguments do not name is not compiled: no power table for Hooke-Newton, no
-// oscillator for a sampled drive, no ledger and no log unless asked for.
+// The absorber is a type; parts that its template arguments do not name cost nothing. All member functions but fault()
+// and snapshot() belong to the one context that steps, an interrupt or a task.
 //
 //     contact law   HookeNewton, Hertz, HuntCrossley; with a damping set at each impact HuntCrossleyPerImpact,
 //                   HerbertMcWhannell, LeeWang, LankaraniNikravesh, Flores, HuGuo, Exact
@@ -140,20 +140,21 @@ class AbsorberOf
   using Source::plan;
   using typename Machine::State;
 
-  // The SI value of a native 1.0, which is a raw 2^31 in Fixed32; 1 in floating point. Of displacements in m, of
-  // velocities in m/s, of contact forces and, of a Sampled drive, of samples in N. Constants of the type, but where the
-  // plan is AtRunTime.
-  using Source::displacement_unit;
-  using Source::force_unit;
-  using Source::sample_unit;
-  using Source::velocity_unit;
-  // A force for step(): newtons as a constant in double, or while running as a float, which asks for an FPU or some
-  // hundred instructions.
-  using Source::sample_of;
-  // The same of an acceleration of the base, m/s^2.
+  // The SI value of a native 1.0, which is raw 2^31 in Fixed32. In floating point it is 1. They are constants of the
+  // type unless the plan is AtRunTime.
+  using Source::base_sample_unit;   // m/s^2
+  using Source::displacement_unit;  // m
+  using Source::force_unit;         // N, of contact_force()
+  using Source::sample_unit;        // N, of the samples of a Sampled drive
+  using Source::velocity_unit;      // m/s
+  // sample_of(newtons) and base_sample_of(acceleration in m/s^2) return a sample for step(). A constant is a double; a
+  // float works while running, with an FPU or some hundred instructions. In Fixed32 both clamp to the bound without a
+  // fault, and no number becomes 0.
   using Source::base_sample_of;
-  using Source::base_sample_unit;
+  using Source::sample_of;
 
+  // The scene's initial state. With AtRunTime the plan is an argument; with a rejected one the absorber stands still at
+  // 0 and has Fault::plan.
   constexpr AbsorberOf() {
     Begin::start(machine());
     if constexpr (publishes) see(Window::first());
@@ -163,13 +164,13 @@ class AbsorberOf
     if constexpr (publishes) see(Window::first());
   }
 
-  // Back to the scene's initial state, without fault.
+  // Goes back to the scene's initial state and clears the fault.
   constexpr void reset() {
     Begin::start(machine());
     publish();
   }
 
-  // Advances by one step.
+  // Advances by one step: with the drive NoDrive or Sine, and without BaseAcceleration.
   template <class... Nothing>
   constexpr void step() {
     static_assert(!Drive::is_sampled || sizeof...(Nothing) > 0,
@@ -181,9 +182,9 @@ class AbsorberOf
     Steps::step(machine(), Value{}, Value{});
     publish();
   }
-  // Advances a sampled drive, or a base that accelerates, by one step, with the sample at the step's end: newtons or
-  // m/s^2 in a floating-point format, a fraction of Bounds::force or Bounds::base_acceleration in Q1.31 in Fixed32; the
-  // sample before the first is 0.
+  // Advances by one step with a Sampled drive or with BaseAcceleration. The sample is the value at the step's end. In
+  // floating point it is in N or m/s^2, and beyond its bound it is clamped with Fault::sample. In Fixed32 it is a
+  // fraction of Bounds::force or Bounds::base_acceleration in Q1.31. The sample before the first is 0.
   template <class Sample = detail::InBraces>
   constexpr void step(Sample sample) {
     constexpr Quantity quantity = Drive::is_sampled ? Quantity::force : Quantity::base_acceleration;
@@ -202,7 +203,7 @@ class AbsorberOf
       publish();
     }
   }
-  // With both samples, at the step's end: the force, and the base's acceleration.
+  // Advances by one step with a Sampled drive and BaseAcceleration: the force and the base's acceleration at its end.
   template <class Force = detail::InBraces, class Acceleration = detail::InBraces>
   constexpr void step(Force force, Acceleration acceleration) {
     constexpr bool takes_both = Drive::is_sampled && Field::is_sampled;
@@ -217,8 +218,8 @@ class AbsorberOf
     }
   }
 
-  // As of the last step, in native numbers, of the main mass and of the ball: in the context that steps. In any other
-  // snapshot().
+  // Displacement and velocity of the main mass and of the ball after the last step, in native numbers. Another context
+  // calls snapshot().
   constexpr Value displacement() const { return plan.units.position(Machine::position_of(Machine::state.x1)); }
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(Machine::rate_ahead());
@@ -236,10 +237,10 @@ class AbsorberOf
       rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * Machine::state.impulse);
     return plan.units.velocity(rate);
   }
-  // The contact's force on the main mass along x, in native numbers of force_unit(); the ball feels the opposite. With
-  // a stepper that resolves the contact it is the mean over the last step. With Impulsive, whose impacts take no time,
-  // it is the peak that the law has in the impact of the last step, whatever the step, or the force on a ball at rest.
-  // Needs the feature ContactForce.
+  // The contact's force on the main mass along x, in native numbers of force_unit(). The ball feels the opposite. With
+  // a stepper that resolves the contact it is the average over the last step. With Impulsive, whose impacts take no
+  // time, it is the law's peak in an impact of the last step, at every rate, or the force on a ball at rest. It needs
+  // the feature ContactForce.
   constexpr Value contact_force() const {
     static_assert(has_force, "contact_force() needs the feature ContactForce: append it to the absorber's type");
     if constexpr (!has_force)
@@ -249,7 +250,7 @@ class AbsorberOf
     else
       return plan.units.native_force(record_in<ContactForce, PlanType>(Machine::state).force);
   }
-  // With Impulsive: the mean over the contact of the force whose peak is contact_force().
+  // With Impulsive, the average over the contact of the force whose peak is contact_force().
   constexpr Value mean_impact_force() const {
     static_assert(has_force, "mean_impact_force() needs the feature ContactForce: append it to the absorber's type");
     static_assert(Contact::is_instantaneous,
@@ -259,22 +260,24 @@ class AbsorberOf
     else
       return {};
   }
-  // Whether the last step ended in contact; not for a ball that is let go but still inside.
+  // True if the last step ended in contact. False for a ball that a stop has let go and that is still inside it.
   constexpr bool is_touching() const { return Machine::state.contact.phase == Phase::touching; }
+  // All that a step changes, and what the features record.
   constexpr const State& state() const { return Machine::state; }
 
-  // Safe to ask and to wait for in any context: one aligned half word, read anew at each call.
+  // The first fault since the start, reset() or clear_fault(). Any context may call it or wait for it: it is one
+  // aligned half word that each call reads.
   Fault fault() const {
     if (Source::is_refused()) return Fault::plan;
     return *static_cast<const volatile Fault*>(&Machine::state.fault);
   }
-  // In the context that steps; the state stays as it is.
+  // Clears the fault. The state stays as it is.
   constexpr void clear_fault() {
     Machine::state.fault = Fault::none;
     publish();
   }
 
-  // The last step whole, for a task that an interrupt may step under (snapshot.hpp).
+  // All values of one step, for any context while another one steps (snapshot.hpp). It needs the feature Snapshots.
   Snapshot<Value> snapshot() const {
     static_assert(publishes, "snapshot() needs the feature Snapshots: append it to the absorber's type");
     if constexpr (publishes)
@@ -283,13 +286,13 @@ class AbsorberOf
       return {};
   }
 
-  // An observer's correction between two steps: what to add to the main mass's displacement and velocity, in the units
-  // of displacement() and velocity(). At most as much as the bounds of both: more is clamped there, as is the
-  // corrected state, with a fault. A contact under way
-  // goes on from the corrected penetration; a damping that was set at its impact is held to what a step bears there
+  // An observer's correction between two steps. It adds to the main mass's displacement and velocity, in the units of
+  // displacement() and velocity(). A correction of more than a bound is clamped to it, and so is the corrected state,
+  // with a fault; what is no number is not added, with a fault. A contact under way goes on from the corrected
+  // penetration; a damping that was set at its impact is clamped to what a step tolerates there
   // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands at that stop, and
   // one at rest on an impulsive stop stays on it. Dry friction's last impulse turns with the sliding. A ledger counts
-  // what a correction does to the stored energy as dissipated, and nothing as the drive's work.
+  // the change of the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
@@ -309,13 +312,13 @@ class AbsorberOf
     publish();
   }
 
-  // A state to keep or to send, and the way back: a host that takes it over goes on bit for bit. The bytes are the same
-  // on every little-endian target and on a 64-bit host. Restoring refuses, and changes nothing, when the layout's
-  // version, the scene, the bounds, the step or a type differ, or when no step can have left the state: displacements,
-  // drive or kind of contact are out of range, or a contact under way does not fit together; one that a motion far
-  // beyond the bounds has just left, and that the next step would hold, is refused as well. It is no signature: of
-  // bytes that somebody has made up to pass, the next steps are defined and end in range or with a fault, but they are
-  // no motion of this absorber, and what features recorded may be anything.
+  // save() and restore() save and restore the state; a host that restores it goes on bit for bit. The bytes are the
+  // same on every little-endian target and on a 64-bit host. restore() returns false and changes nothing if the
+  // layout's version, the scene, the bounds, the step or a type differ, or if no step can have left the state:
+  // displacements, drive or kind of contact are out of range, or a contact under way is inconsistent. It also returns
+  // false for a state beyond the bounds that the next step would clamp. It does not authenticate: after bytes that were
+  // made up to pass, steps are defined and end in range or with a fault, but they are no motion of this absorber, and
+  // the features' records may be anything.
   static constexpr uint32_t state_version = 5;
   struct Saved {
     uint32_t version, plan_identity;
@@ -330,12 +333,13 @@ class AbsorberOf
     return true;
   }
 
-  // Goes on under another plan from here, for an absorber with its plan AtRunTime: displacements, velocities and the
-  // drive's phase do not jump (motion/handover.hpp); a drive that was off starts at phase 0, and ledger and log start
-  // anew. A contact under way whose own parameters change goes on from its penetration. Refuses, and changes nothing,
-  // when bounds, step, clearance or stops differ; in Fixed32 when displacement_unit() does, which a softer stop or a
-  // larger drive may widen under the same bounds; with BaseAcceleration when gravity does; or during a contact when its
-  // state depends on the plan's forces: Newmark's classical steppers, a damping set per impact, features.
+  // Goes on under another plan, between two steps, for an absorber with its plan AtRunTime. Displacements, velocities
+  // and the drive's phase do not jump (motion/handover.hpp). A drive that was off starts at phase 0. Ledger and log
+  // start at 0 again. A contact under way whose parameters change goes on from its penetration. It returns false and
+  // changes nothing if the plan is rejected or bounds, step, clearance or stops differ; in Fixed32 if
+  // displacement_unit() differs, which a softer stop or a larger drive may widen under the same bounds; with
+  // BaseAcceleration if gravity differs; and during a contact whose state depends on the plan's forces: Newmark's
+  // classical steppers, a damping set per impact, features.
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
@@ -360,8 +364,8 @@ class AbsorberOf
     return true;
   }
 
-  // With ImpactLog, for a host: the speed at which the last contact began, m/s, and the largest contact force since the
-  // start, N, as contact_force() has it. Double arithmetic.
+  // For a host, in double arithmetic, with the feature ImpactLog: the closing speed of the last impact, m/s, and the
+  // largest contact_force() since the start, N.
   constexpr double impact_speed() const {
     return plan.units.si_penetration(record_in<ImpactLog, PlanType>(Machine::state).impact_rate) / plan.step;
   }
@@ -373,7 +377,8 @@ class AbsorberOf
       return plan.units.fraction(peak) * plan.force_scale;
   }
 
-  // J by dry friction since the start, for a host: double arithmetic.
+  // For a host, in double arithmetic: the energy that dry friction has dissipated since the start, J. 0 without
+  // DryFriction and EnergyLedger.
   constexpr double friction_dissipated() const {
     if constexpr (counts_slid_way) {
       if (!Rub::acts(machine())) return 0;
@@ -384,9 +389,9 @@ class AbsorberOf
     }
   }
 
-  // In SI units, for a host: double arithmetic.
+  // For a host, in double arithmetic: displacements and velocities from the whole state, in m and m/s.
   struct Reading {
-    double x1, v1, x2, v2;
+    double x1, v1, x2, v2;  // of the main mass and of the ball
   };
   constexpr Reading reading() const {
     if (Source::is_refused()) return {};
@@ -441,7 +446,7 @@ class AbsorberOf
                   "Q1.31 as Absorber::Value{raw}");
   }
 
-  // What records by the plan starts anew.
+  // Records that depend on the plan start again.
   template <class Feature>
   constexpr void restart() {
     if constexpr (!__is_base_of(ScenePart, Feature) && Feature::is_bound) {
@@ -494,7 +499,8 @@ class AbsorberOf
 };
 }  // namespace detail
 
-// What the rig states is in the type beside the rig's name: two files of one program may each have a Rig of its own.
+// The absorber of a rig. The rig's values are in the type beside its name, so two files of one program may each have a
+// `Rig` of their own.
 template <class Rig, class ContactLaw, class Stepper, class Drive, class Format, class... Features>
 using Absorber = detail::AbsorberOf<
     detail::identity_of<contract::KeptRig<Rig>>(), Rig, ContactLaw,

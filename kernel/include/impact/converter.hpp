@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Between an absorber's numbers and a converter's counts, one multiplication each way, with a constant that the
-// compiler makes:
+// Converts between an absorber's numbers and a converter's counts, with one multiplication each way by a constant that
+// the compiler makes:
 //
 //     constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095};     // the middle is 0 m, full scale 0.05 m
 //     constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_dac(dac);
@@ -11,13 +11,13 @@
 //     constexpr impact::FromCounts<Absorber> from_adc(adc);            // the sample of a Sampled drive
 //     absorber.step(from_adc(ADC));
 //
-// A converter reads its own quantity from the absorber, or from its snapshot, and step() takes its own quantity only.
-// Where the plan is AtRunTime its units are the plan's: to_dac(dac, plan).
+// A converter out reads its own quantity from the absorber or from its snapshot(), and step() accepts from a converter
+// its own quantity only. With a plan AtRunTime the units are the plan's: to_dac(dac, plan). A ToCounts of the absorber
+// belongs to the context that steps, one of a snapshot to any.
 //
-// Out: to the nearest count, clamped to the converter's ends. In: within 2^-29 of the unit (Fixed32) or 2^-22 of
-// itself; in Fixed32 counts are clamped to the last one below the unit by 2^-28 of it. The ends, and the counts that
-// come, lie less than 2^31 counts from zero. A converter in whose end is more than its quantity's bound does not
-// compile.
+// Out, the result is the nearest count, clamped to the converter's ends. In, it is within 2^-29 of the unit (Fixed32) or
+// 2^-22 of itself, and in Fixed32 counts are clamped 2^-28 of the unit below it. Ends and counts lie less than 2^31
+// counts from zero. A `constexpr` converter in whose end is more than its quantity's bound does not compile.
 
 #include <stdint.h>
 
@@ -29,15 +29,15 @@
 
 namespace impact {
 
-// As its circuit has it.
+// What the circuit does.
 struct Converter {
-  int32_t zero;               // counts at 0
-  double counts_per_si_unit;  // below 0 where it counts backwards
-  int32_t least, most;        // counts, the ends
+  int32_t zero;               // counts at 0 of the quantity
+  double counts_per_si_unit;  // not 0; negative if it counts backwards
+  int32_t least, most;        // the ends, counts; least <= most
 };
 
 namespace detail {
-// Not constexpr: where the compiler makes a converter, it names the mistake.
+// Not constexpr, so that the compiler names the mistake in a constexpr converter.
 inline void a_converters_least_count_is_above_its_most() {}
 inline void a_converter_has_no_counts_per_si_unit() {}
 inline void a_converters_end_is_more_than_the_bound_of_its_quantity() {}
@@ -63,7 +63,7 @@ class CountsOut {
     detail::check_converter(converter);
   }
 
-  // Of a native value of your own.
+  // The counts of a native value of the same quantity.
   constexpr int32_t of(Value x) const { return zero_ + Format::counts(gain_, x, least_, most_); }
 
  private:
@@ -157,6 +157,7 @@ constexpr Value read(const Snapshot<Value>& snapshot) {
 }
 }  // namespace detail
 
+// Counts out, of a quantity that the absorber has: a displacement, a velocity or the contact force.
 template <class Absorber, Quantity quantity>
 class ToCounts : public detail::CountsOut<typename Absorber::Format> {
   static_assert(quantity != Quantity::force && quantity != Quantity::base_acceleration,
@@ -184,6 +185,7 @@ class ToCounts : public detail::CountsOut<typename Absorber::Format> {
   }
 };
 
+// Counts in, to a sample for step(): of a Sampled drive or of BaseAcceleration, or a measured value for correct().
 template <class Absorber, Quantity quantity = Quantity::force>
 class FromCounts : public detail::CountsIn<typename Absorber::Format> {
   static_assert(quantity != Quantity::force || Absorber::Drive::is_sampled,

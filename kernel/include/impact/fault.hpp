@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Why a state is no longer to be trusted. Sticky: the first fault stays until clear_fault() or reset(). The kernel goes
-// on in any case, from a state that has been clamped at its bounds (StateLimits, numeric/units.hpp): it is always
-// finite, and no step takes longer for it. What is no number becomes 0.
+// Why a state is no longer valid. The first fault stays until clear_fault() or reset(). The kernel goes on from a state
+// that is clamped at its bounds (StateLimits, numeric/units.hpp). The state is always finite, and no step takes longer
+// for it. A value that is no number becomes 0.
 //
-// Clamping a displacement or a speed lets go of the contact under way; recorded features leave such a step out. A
-// sample counts in newtons in floating point: beyond Bounds::force it is clamped there, and instead of one that is not
-// a number the one before it goes on; an acceleration of the base likewise, and 0 instead of no number. In Fixed32
-// either is a fraction of its bound, all of whose bits are good.
+// A step that clamps a displacement or a speed ends the contact under way, and features do not record it. In floating
+// point a sample is in N or m/s^2, and beyond its bound it is clamped there. Of a sample that is no number, a force is
+// replaced by the one before and an acceleration by 0. In Fixed32 a sample is a fraction of its bound and cannot pass
+// it.
 
 #include <stdint.h>
 
@@ -15,11 +15,11 @@ namespace impact {
 
 enum class Fault : uint16_t {
   none,
-  displacement,  // of a mass, or of a correction
-  speed,         // of a mass, or of a correction
-  penetration,   // at the end of a step
-  sample,        // of a sampled drive or a base, floating point only
-  plan,          // refused, AtRunTime only: the absorber holds still
+  displacement,  // a mass or a correction passed Bounds::displacement
+  speed,         // a mass or a correction passed Bounds::speed
+  penetration,   // the ball ended a step deeper in a stop than the bounds allow
+  sample,        // a sample passed its bound; in floating point only
+  plan,          // the plan is rejected, AtRunTime only: the absorber stands still
 };
 
 }  // namespace impact

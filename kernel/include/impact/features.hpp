@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a scene may ask to have recorded. A feature that is not named costs nothing.
+// What an absorber can record. A feature that its type does not name costs nothing.
 
 #include <stdint.h>
 
@@ -10,7 +10,7 @@
 
 namespace impact {
 
-// What a feature records, whatever other features and the state itself call theirs.
+// The record of one feature, also where another feature or the state has members of the same names.
 template <class Feature, class Plan>
 constexpr auto& record_in(typename Feature::template State<typename Plan::FormatType>& state) {
   return state;
@@ -20,7 +20,7 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
   return state;
 }
 
-// Energies since the start: what contact has dissipated, what it stores now, and the work of the drive.
+// Energies since the start or the last reset(): what contact has dissipated, what it stores now, and the drive's work.
 //
 //     work on the contact in a step   = J1/h v0 + (J0 - J1/h) v1      (the rate linear in time; exact for a free pair)
 //                                     = f (d1 - d0) where the force is constant over the step: exact
@@ -32,10 +32,10 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
 //     dissipated.total() * plan.force_scale * plan.units.si_penetration_unit()
 //     drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit()
 //
-// An entry keeps all places of its products, so that Fixed32 rounds none, however slow the contact is beside its
-// bounds; in Float32 each is rounded by 2^-24 of itself.
+// An entry keeps all bits of its products, so Fixed32 rounds none, however slow the contact is beside its bounds. In
+// Float32 each is rounded by 2^-24 of itself.
 //
-// What the step itself takes of the energy is in neither: with Impulsive (w0 t h)^4/12 of the main mass's share in each
+// Neither has what the step itself takes of the energy: with Impulsive (w0 t h)^4/12 of the main mass's share in each
 // impact (stepper/impulsive.hpp), with EnergyConsistent in a field what a stiff contact's position correction does.
 //
 // What is dissipated never falls
@@ -126,8 +126,8 @@ constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
     return Value{};
 }
 
-// Contacts begun, the rate at which the last one began, and what the largest force follows from: the largest mean force
-// over a step or, of impacts at an instant, the rate of the fastest. In m/s and N: impact_speed(), peak_force().
+// The number of contacts begun, the rate at which the last one began, and the largest force: its largest average over a
+// step or, with Impulsive, the rate of the fastest impact. impact_speed() and peak_force() return m/s and N.
 struct ImpactLog : SilentFeature {
   static constexpr uint32_t kind = 2;
   static constexpr bool is_bound = true;
@@ -157,8 +157,8 @@ struct ImpactLog : SilentFeature {
   }
 };
 
-// The contact force of the last step: contact_force(), mean_impact_force(). `force` is the mean over the step, on the
-// main mass along x; `impact_rate` is recorded of an impact at an instant, and is 0 of a ball that rests.
+// The contact force of the last step, for contact_force() and mean_impact_force(). `force` is the average over the step
+// on the main mass along x. `impact_rate` is that of an impact with Impulsive, and 0 for a ball that rests.
 struct ContactForce : SilentFeature {
   static constexpr uint32_t kind = 3;
   static constexpr bool is_bound = true;
@@ -188,7 +188,7 @@ struct ContactForce : SilentFeature {
   }
 };
 
-// A window for snapshot(), of two snapshots: see snapshot.hpp. Of it a saved state has the number of steps.
+// Memory for snapshot(), two snapshots (snapshot.hpp). A saved state has the number of steps only.
 struct Snapshots : SilentFeature {
   static constexpr uint32_t kind = 4;
   static constexpr bool is_bound = false;

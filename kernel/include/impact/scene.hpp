@@ -20,17 +20,19 @@ namespace impact {
 // Hunt-Crossley: Fc = delta^(3/2) (k1 + c1 delta')      (2.7)
 enum class Law { hooke_newton, hertz, hunt_crossley };
 
-// None: the ball meets nothing, whatever the clearance.
+// Which stops the ball can meet. With `none` the clearance is irrelevant.
 enum class Stops { both, left, right, none };
 
-// What a negative contact force means: `clamp` lets the ball go at zero force (a stop cannot pull); `allow` keeps the
-// law as the paper writes it, with separation at zero penetration. Hooke-Newton's alone: the others never pull.
+// What a negative contact force of HookeNewton does. `clamp` lets the ball go at zero force, since a stop cannot pull.
+// `allow` keeps the law as the paper writes it, with separation at zero penetration. The other laws never pull.
 enum class Tension { clamp, allow };
 
-// Nobody stated it: the paper's c1, one bit up. A plan takes it as 19560 with HuntCrossley and the default
-// contact_stiffness, and refuses it with another stiffness or with HookeNewton.
+// The value of a contact_damping that nobody stated: the paper's c1, one bit up. With HuntCrossley and the default
+// contact_stiffness it means 19560. With another stiffness or with HookeNewton the plan is rejected.
 inline constexpr double unstated_damping = 19560.0 + 0x1p-38;
 
+// The values that a scene states, in SI units. status.hpp has the range of each, 1e-9 to 1e9 kg for a mass; a value
+// outside its range does not compile, or at run time has its PlanStatus.
 struct Scene {
   double main_mass = 1.0;                     // M, kg
   double main_stiffness = 1000.0;             // k, N/m; 0 for a free main mass
@@ -39,7 +41,7 @@ struct Scene {
   double clearance = 0.02;                    // d, m
   double contact_stiffness = 32600.0;         // k1, N/m (Hooke-Newton) or N/m^(3/2)
   double contact_damping = unstated_damping;  // c1, N s/m (Hooke-Newton) or N s/m^(5/2)
-  double drive_amplitude = 10.0;              // F0, N: F(t) = F0 sin(w t) for a sine drive; without one 0 is tighter
+  double drive_amplitude = 10.0;              // F0, N: F(t) = F0 sin(w t) for Sine; state 0 for another drive
   double drive_pulsation = 40.0;              // w, rad/s
   double x1 = 0.0;                            // initial displacement of the main mass, m
   double v1 = 0.0;                            // initial velocity of the main mass, m/s
@@ -47,22 +49,22 @@ struct Scene {
   double v2 = 0.0;                            // initial velocity of the ball, m/s
   Stops stops = Stops::both;
   Tension tension = Tension::clamp;
-  double restitution = 1.0;    // e, read by Exact and the other laws of law/per_impact.hpp alone
+  double restitution = 1.0;    // e, 0.01 to 1, for Exact and the other laws of law/per_impact.hpp
   double gravity = 0.0;        // g along x, m/s^2, on both masses: with Gravity or BaseAcceleration, motion/field.hpp
   double ball_friction = 0.0;  // R, N, dry friction between ball and main mass: with DryFriction, motion/friction.hpp
 };
 
-// The largest values that the scene reaches, in SI units. The plan judges the step by them, and a state that passes
-// them raises a fault, in every format. Fixed32 takes its units from them: the tighter they are, the finer it counts.
-// The defaults hold the paper's scene under every law; with Hertz, which loses nothing, for the first ten minutes (in
-// three hours the ball reaches 2.7 m/s). Scene::drive_amplitude, too, has its part in the units and in the deepest
-// penetration under every drive.
+// The largest values that the scene may reach, in SI units. The plan checks its step against them, and a state that
+// passes them raises a fault, in every format. Fixed32 derives its units from them: tighter bounds give a finer
+// resolution. The defaults suit the paper's scene under every law; with Hertz, which loses nothing, for ten minutes (in
+// three hours the ball reaches 2.7 m/s). Scene::drive_amplitude counts in the units and in the deepest penetration
+// under every drive.
 struct Bounds {
   double displacement = 0.1;     // of the main mass, and of a ball that has one stop, m
   double speed = 2.0;            // of either mass, m/s
-  double penetration = 0;        // m; 0: the deepest that the others allow, law/depth.hpp
-  double force = 10.0;           // of a sampled drive, N; under another the plan has room for it as well
-  double base_acceleration = 0;  // of a base that shakes, m/s^2: with BaseAcceleration, which asks for it
+  double penetration = 0;        // into a stop, m; 0: the deepest that the others lead to, law/depth.hpp
+  double force = 10.0;           // of the samples of a Sampled drive, N; the plan has room for it under any drive
+  double base_acceleration = 0;  // of the samples of BaseAcceleration, which requires it, m/s^2
 };
 
 }  // namespace impact

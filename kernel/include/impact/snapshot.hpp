@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a task reads while an interrupt steps: a whole snapshot of one step, without a lock and without turning an
-// interrupt off. The writer fills the one of two slots that is not published and then publishes it:
+// A snapshot of one step that a task reads while an interrupt steps, without a lock and with interrupts on. The writer
+// fills the one of two slots that is not published and then publishes it:
 //
 //     writer    begun = n + 1        slot[(n + 1) & 1] = snapshot      published = n + 1
 //     reader    n = published        copy = slot[n & 1]                whole if begun - n <= 1
 //
 // The slot that a reader copies is written again only by the second publication after, which then has begun. So a copy
-// is whole whoever interrupts whom, on one core or two, for any number of readers: a try fails only where two steps
-// begin during its own dozen loads. After four tries, that is after eight steps in which the reader had next to no
-// time, it says so instead. One writer. Loads and stores of one word, no read-modify-write: the same on a Cortex-M0.
+// is whole whoever interrupts whom, on one core or two, for any number of readers and one writer. A try fails only if
+// two steps begin during its dozen loads; after four such tries `is_whole` is false. There are only loads and stores of
+// one word and no read-modify-write, so it is the same on a Cortex-M0.
 
 #include <stdint.h>
 
@@ -17,15 +17,15 @@
 
 namespace impact {
 
-// In native numbers, as of the absorber's getters.
+// The values of one step, in native numbers, as the absorber's getters return them.
 template <class Value>
 struct Snapshot {
   Value displacement, velocity, ball_displacement, ball_velocity;
   Value contact_force;  // 0 without the feature ContactForce
-  uint32_t steps;       // since the start or the last reset(): retune() does not touch it
+  uint32_t steps;       // since the start or the last reset(), modulo 2^32; retune() keeps it
   Fault fault;
-  bool is_touching;
-  bool is_whole;  // false after four interrupted tries
+  bool is_touching;  // true if the step ended in contact
+  bool is_whole;     // false after four interrupted tries: the values may be of two steps
 };
 
 // The memory of the feature Snapshots; empty without it.

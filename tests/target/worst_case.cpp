@@ -72,9 +72,10 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
   state.contact = {};
   state.at_left = left;
   state.fault = Fault::none;
-  if constexpr (Absorber::Field::is_sampled)
-    state.by_field =
-        Absorber::Field::at_end(plan, Absorber::base_sample_of(random.scattered(bounds.base_acceleration)));
+  if constexpr (Absorber::Field::is_sampled) {
+    const typename Absorber::Value sample = Absorber::base_sample_of(random.scattered(bounds.base_acceleration));
+    state.by_field = Absorber::Field::at_end(plan, sample);
+  }
   if constexpr (Absorber::Friction::is_friction) {
     // Sliding either way, on or from a turn of the sliding.
     DryFriction::slide(plan, state, random.below(2) != 0);

@@ -9,7 +9,7 @@
 namespace impact::host {
 namespace {
 
-// A treatment that comes too late out of a contact does so within four times its length and a few steps.
+// A contact that comes too late out of a contact does so within four times its length and a few steps.
 long most_steps(const FreePair& free) {
   return std::lround(4 * contact_time(impact_of(free)).value() / free.step) + 20;
 }

@@ -144,7 +144,7 @@ class KernelSimulation final : public Simulation {
 
  private:
   // Whether a contact's force is known by its impulse only.
-  static constexpr bool has_impulse = detail::is_one_of<DryFriction, Parts...> || Kernel::Contact::is_instantaneous;
+  static constexpr bool has_impulse = detail::is_one_of<DryFriction, Parts...> || Kernel::Contact::traits.is_instantaneous;
 
   // By x2 - x1; of the stop that is touched, where one is.
   double penetration(double y) const {

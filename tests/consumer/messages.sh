@@ -170,7 +170,7 @@ struct NotStatic {
   double step = 1e-4;
 };
 struct NoTraits {};
-struct NoTreatment : impact::Moment {
+struct NoContact : impact::Moment {
   template <class, class>
   struct Contact {};
 };
@@ -184,7 +184,7 @@ absorber short 'the rig has no scene: static constexpr impact::Scene scene' 'Not
 absorber short 'the fifth argument must be a format, such as Fixed32 or Float32' 'Rig, HuntCrossley, Moment, Sine, float'
 absorber short 'the second argument must be a law' 'Rig, NoTraits, Moment, Sine, Fixed32'
 absorber short 'the third argument must be a stepper' 'Rig, HuntCrossley, Sine, Moment, Fixed32'
-absorber short "the stepper's Contact<Format, Law> is no contact treatment" 'Rig, HuntCrossley, NoTreatment, Sine, Fixed32'
+absorber short "the stepper's Contact<Format, Law> is no contact" 'Rig, HuntCrossley, NoContact, Sine, Fixed32'
 absorber any 'arguments must be features' 'Rig, HuntCrossley, Moment, Sine, Fixed32, Float32'
 wrong any 'Chosen chooses by a rig' <<END
 #include <impact/absorber.hpp>

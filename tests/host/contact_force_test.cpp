@@ -72,7 +72,7 @@ Force stepped(const host::Case& run, double rate, double contact_time) {
     const double now = newtons(model.contact_force());
     if (force.peak > 0 && !(now > 0) && !model.is_touching()) break;
     force.peak = host::larger(force.peak, now);
-    if constexpr (Model::Contact::is_instantaneous)
+    if constexpr (Model::Contact::traits.is_instantaneous)
       force.mean = host::larger(force.mean, newtons(model.mean_impact_force()));
     else
       force.mean += now / (rate * contact_time);

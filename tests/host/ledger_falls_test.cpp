@@ -57,7 +57,7 @@ struct Allowance : SilentFeature {
                  stored = plan.units.fraction(step.stored),
                  response =
                      std::ldexp(0.5 / factor_of(plan.contact.response.force), -plan.contact.response.travel_places),
-                 back = response * force, free = way + back, press = free - plan.units.fraction(step.rate_at_impact),
+                 back = response * force, free = way + back, press = free - plan.units.fraction(step.rate_at_start),
                  length = std::abs(free) + std::abs(press);
     state.allowed += sum * std::abs(state.dissipated.total());
     state.allowed += relative * (length * length / response + state.stored_before + stored) +
@@ -65,7 +65,7 @@ struct Allowance : SilentFeature {
     if constexpr (Plan::LawType::is_linear) state.allowed += 3 * lsb * std::abs(way) / factor_of(plan.contact.solved);
     if constexpr (!Plan::LawType::is_linear) {
       const double depth = plan.units.fraction(state.contact.penetration);
-      if (plan.contact.is_resolved)
+      if (!plan.contact.response.is_sudden)
         state.left_over += force * (step.begins ? -back : way - (depth - state.depth_before));
       state.most_left_over = larger(state.most_left_over, state.left_over);
       state.depth_before = depth;
@@ -177,9 +177,9 @@ struct InDouble : SilentFeature {
   static void after_contact(const Plan& plan, State& state, const Step& step) {
     const auto number = [&plan](auto x) { return plan.units.fraction(x); };
     const double force = number(step.force.j0), rate = number(step.rate), stored = number(step.stored),
-                 before = step.follows ? state.rate_before : number(step.rate_at_impact);
+                 before = step.begins ? number(step.rate_at_start) : state.rate_before;
     const double work =
-        step.has_way ? force * number(step.way) : force * rate - (rate - before) * number(step.force.j1);
+        step.knows_way ? force * number(step.way) : force * rate - (rate - before) * number(step.force.j1);
     state.sum += work - (stored - state.stored_before);
     state.size += std::abs(force * rate) + std::abs(work) + stored;
     state.rate_before = rate;

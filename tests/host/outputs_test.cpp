@@ -123,7 +123,7 @@ TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
     TypeParam::step(kernel, n);
     // Of an impact at an instant the impulse, over the step.
     const double force = kernel.plan.units.fraction(kernel.state().force) * kernel.plan.force_scale;
-    if constexpr (!TypeParam::Kernel::Contact::is_instantaneous) {
+    if constexpr (!TypeParam::Kernel::Contact::traits.is_instantaneous) {
       ASSERT_NEAR(si(kernel.contact_force(), kernel.force_unit()), force, std::abs(force) * 0x1p-22);
     }
     momentum -= force * h;

@@ -123,7 +123,7 @@ bool is_left_out(const FreePair& free, Numeric numeric) {
 
 class EveryCell : public testing::TestWithParam<Kind> {};
 
-// The restitution is the law's within 1 % by auto and by the impulsive treatment, and within 1e-3 by the
+// The restitution is the law's within 1 % by auto and by Impulsive, and within 1e-3 by the
 // energy-consistent one from 2.5 steps a contact on and 2e-3 below, but for Hooke-Newton, of whose force it sees the
 // jump in second order only (0.04 off at 2.6 steps). Rounding may add half of the energy's share.
 TEST_P(EveryCell, ReboundsAsTheLawAndGainsNothing) {

@@ -83,7 +83,8 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
   }
   const auto inside = plan.units.penetration(mirrored(state.x2 - state.x1, left));
   if (is_positive(inside) && random.below(3) != 0) {
-    state.contact.start(plan.contact, plan.units, inside, mirrored(plan.units.relative(state.dx2 - state.dx1), left));
+    state.contact.start(plan.contact, plan.units,
+                        {inside, mirrored(plan.units.relative(state.dx2 - state.dx1), left), {}});
     if (can_be_released && random.below(3) == 0) state.contact.phase = Phase::released;
   }
   return absorber.restore(saved);

@@ -114,8 +114,8 @@ class AbsorberOf
   static_assert(has_law, "the second argument must be a law, such as HuntCrossley: see impact/contracts.hpp");
   static_assert(!has_law || has_stepper, "the third argument must be a stepper, such as Moment: see contracts.hpp");
   static_assert(!has_law || !has_stepper ||
-                    contract::has_treatment<Stepper_, contract::KeptFormat<Format_>, contract::KeptLaw<Law_>>,
-                "the stepper's Contact<Format, Law> is no contact treatment: see impact/contracts.hpp");
+                    contract::has_contact<Stepper_, contract::KeptFormat<Format_>, contract::KeptLaw<Law_>>,
+                "the stepper's Contact<Format, Law> is no contact: see impact/contracts.hpp");
   static_assert(!has_stepper || contract::is_drive<Drive_>,
                 "the fourth argument must be a drive, such as NoDrive, Sine or Sampled: see impact/contracts.hpp");
   static_assert(!contract::is_drive<Drive_> || contract::is_format<Format_>,
@@ -223,7 +223,7 @@ class AbsorberOf
   constexpr Value displacement() const { return plan.units.position(Machine::position_of(Machine::state.x1)); }
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(Machine::rate_ahead());
-    if constexpr (Contact::keeps_force) rate = rate - carried(plan.contact.dx1_share);
+    if constexpr (Contact::traits.keeps_force) rate = rate - carried(plan.contact.dx1_share);
     if constexpr (Friction::is_friction)
       rate = rate - plan.units.as_displacement(plan.friction.main_rate_ahead * Machine::state.impulse);
     return plan.units.velocity(plan.units.displacement(Machine::state.dx1) + rate);
@@ -231,7 +231,7 @@ class AbsorberOf
   constexpr Value ball_displacement() const { return plan.units.position(Machine::position_of(Machine::state.x2)); }
   constexpr Value ball_velocity() const {
     Value rate = plan.units.displacement(Machine::state.dx2);
-    if constexpr (Contact::keeps_force) rate = rate + carried(plan.contact.dx2_share);
+    if constexpr (Contact::traits.keeps_force) rate = rate + carried(plan.contact.dx2_share);
     if constexpr (Field::is_field) rate = rate - plan.units.as_displacement(Field::ball_rate(plan, Machine::state));
     if constexpr (Friction::is_friction)
       rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * Machine::state.impulse);
@@ -245,7 +245,7 @@ class AbsorberOf
     static_assert(has_force, "contact_force() needs the feature ContactForce: append it to the absorber's type");
     if constexpr (!has_force)
       return {};
-    else if constexpr (Contact::is_instantaneous)
+    else if constexpr (Contact::traits.is_instantaneous)
       return impact_force().peak;
     else
       return plan.units.native_force(record_in<ContactForce, PlanType>(Machine::state).force);
@@ -253,9 +253,9 @@ class AbsorberOf
   // With Impulsive, the average over the contact of the force whose peak is contact_force().
   constexpr Value mean_impact_force() const {
     static_assert(has_force, "mean_impact_force() needs the feature ContactForce: append it to the absorber's type");
-    static_assert(Contact::is_instantaneous,
+    static_assert(Contact::traits.is_instantaneous,
                   "mean_impact_force() is of Impulsive: with this stepper contact_force() is the mean over each step");
-    if constexpr (has_force && Contact::is_instantaneous)
+    if constexpr (has_force && Contact::traits.is_instantaneous)
       return impact_force().mean;
     else
       return {};
@@ -305,7 +305,7 @@ class AbsorberOf
     units.add(Machine::state.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
     Rub::start(machine(), excess);
     if (!Machine::clamp_to_range()) {
-      if (Machine::state.contact.phase != Phase::apart) Begin::restart_contact(machine());
+      if (Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), true);
       if (Machine::state.contact.phase == Phase::apart) Begin::push_out(machine());
     }
     Machine::record_correction();
@@ -343,7 +343,8 @@ class AbsorberOf
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
-    constexpr bool is_bound = Contact::keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
+    constexpr bool is_bound =
+        Contact::traits.keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && Machine::state.contact.phase != Phase::apart) return false;
     const Value excess = Rub::stop(machine());
@@ -355,11 +356,7 @@ class AbsorberOf
     (restart<Features>(), ...);
     if constexpr (counts_slid_way) Machine::state.slid = {};
     Rub::start(machine(), excess);
-    if (is_other_contact && Machine::state.contact.phase != Phase::apart) {
-      Machine::state.contact.stand_at(Machine::depth_in(Machine::contact_is_left()));
-      Begin::restart_contact(machine());
-      Begin::load_contact(machine());
-    }
+    if (is_other_contact && Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), false);
     publish();
     return true;
   }
@@ -371,7 +368,7 @@ class AbsorberOf
   }
   constexpr double peak_force() const {
     const Value peak = record_in<ImpactLog, PlanType>(Machine::state).peak;
-    if constexpr (Contact::is_instantaneous)
+    if constexpr (Contact::traits.is_instantaneous)
       return plan.units.fraction(plan.contact.force.at(plan.contact.rebound, peak).peak) * plan.force_unit();
     else
       return plan.units.fraction(peak) * plan.force_scale;
@@ -402,7 +399,7 @@ class AbsorberOf
       u1 -= plan.units.si_penetration(plan.friction.main_rate_ahead * Machine::state.impulse);
       u2 += plan.units.si_penetration(plan.friction.ball_ahead * Machine::state.impulse);
     }
-    if constexpr (Contact::keeps_force) {
+    if constexpr (Contact::traits.keeps_force) {
       const double side = Machine::state.at_left ? -1 : 1;
       u1 -= side * plan.units.si_penetration(plan.contact.dx1_share * Machine::state.contact.force);
       u2 += side * plan.units.si_penetration(plan.contact.dx2_share * Machine::state.contact.force);
@@ -422,7 +419,7 @@ class AbsorberOf
   using Steps = Step<Machine>;
   using Rub = FrictionImpulse<Machine>;
   using Begin = Restart<Machine>;
-  using Machine::counts_slid_way, Machine::has_own_damping;
+  using Machine::counts_slid_way;
   constexpr Machine& machine() { return *this; }
   constexpr const Machine& machine() const { return *this; }
 
@@ -492,9 +489,7 @@ class AbsorberOf
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (counts_slid_way) is_sound = is_sound && Format::is_sound(state.slid);
-    if constexpr (has_own_damping) is_sound = is_sound && Format::is_sound(state.contact.own_damping);
-    return is_sound && state.contact.is_sound(plan.contact, units) && state.contact.fits_together(plan.contact) &&
-           (Features::is_sound(plan, state) && ...);
+    return is_sound && state.contact.valid(plan.contact, units) && (Features::is_sound(plan, state) && ...);
   }
 };
 }  // namespace detail

@@ -18,22 +18,9 @@
 //           longest_phase              radians of the main mass's own vibration that a step may have
 //           flow(scene, h)             LinearFlow: how the main mass moves in a step that nothing touches
 //           steps(resolution)          Range, s: the steps with which it is right for such contacts
-//           Contact<Format, Law>       the contact treatment
+//           Contact<Format, Law>       what happens inside a stop: below
 //
-// Treatment a base                     Treatment or ResolvedForces of stepper/treatment.hpp, which have the rest
-//           is_instantaneous           an impact takes no time: its forces are not judged by their size in a step
-//           reads_rate, sees_change    the approach says the rate at the step's end; its increment is of a drive as it
-//                                      is there
-//           keeps_force                then `force`, which acts in the next step too, with dx1_share and dx2_share
-//           Plan                       its constants, with `response`: what an impulse and a moment do to the state
-//           make_plan(terms, flow, exponents)      SI in, law/terms.hpp
-//           force_unit(terms, exponents)           N: what its forces count in
-//           bound_forces(terms, largest)           adds the largest push and force to the bounds, m and m per step
-//           phase                      Phase: where the contact stands between steps
-//           start(plan, units, penetration, rate)  a contact that begins at this state
-//           resolve(plan, units, approach)         from the step as the stop sees it (Approach) the Impulse, or a
-//                                      SplitImpulse; record(plan, units, approach, before, impulse) the same step as
-//                                      features see it (ContactStep), where `before` is the treatment before it
+// Contact   see stepper/contact.hpp, which has all that a step asks of it
 //
 // Drive     is_sine, is_sampled        at most one of them
 //           Plan<Format>, State<Format>, Handover<Format>    constants, what changes from step to step, and what a
@@ -46,7 +33,7 @@
 //           and if sine: State::advance(plan), rate(plan), oscillator; if sampled: accepts, held, at_once,
 //                                      advance(plan, next), rate, sample, as motion/sampled.hpp has them
 //           State::before()            what change() asks of a step's start
-//           State::change(plan, before)    the step's DriveChange, for a treatment that sees_change
+//           State::change(plan, before)    the step's DriveChange, for a contact that sees_change
 //           largest(scene, bounds)     N: the largest force
 //           at_start(scene, flow), largest_at_once(scene, bounds, flow)    m: what it adds to dx1 at the start, and
 //                                      what a sample may add to x1 as it comes
@@ -158,16 +145,15 @@ inline constexpr bool is_stepper<
     is_same<LinearFlow, decltype(Type::flow(value_of<Scene>(), 1.0))>;
 
 template <class Stepper, class Format, class ContactLaw, class = void>
-inline constexpr bool has_treatment = false;
+inline constexpr bool has_contact = false;
 template <class Stepper, class Format, class ContactLaw>
 inline constexpr bool
-    has_treatment<Stepper, Format, ContactLaw,
-                  Void<decltype(value_of<typename Stepper::template Contact<Format, ContactLaw>::Plan>().response),
-                       decltype(Stepper::template Contact<Format, ContactLaw>::phase),
-                       decltype(Stepper::template Contact<Format, ContactLaw>::force_unit(value_of<ContactTerms>(),
-                                                                                          value_of<UnitExponents>())),
-                       decltype(Stepper::template Contact<Format, ContactLaw>::make_plan(
-                           value_of<ContactTerms>(), value_of<LinearFlow>(), value_of<UnitExponents>()))>> = true;
+    has_contact<Stepper, Format, ContactLaw,
+                Void<decltype(value_of<typename Stepper::template Contact<Format, ContactLaw>::Plan>().response),
+                     decltype(Stepper::template Contact<Format, ContactLaw>::phase),
+                     decltype(Stepper::template Contact<Format, ContactLaw>::traits.reads_rate),
+                     decltype(Stepper::template Contact<Format, ContactLaw>::make_plan(
+                         value_of<ContactTerms>(), value_of<LinearFlow>(), value_of<UnitExponents>()))>> = true;
 
 template <class Type, class = void>
 inline constexpr bool is_drive = false;
@@ -214,7 +200,7 @@ template <class Type>
 inline constexpr bool is_field<Type, Void<decltype(Type::is_field)>> = Type::is_field;
 
 template <class Stepper, class Format, class ContactLaw>
-inline constexpr bool is_stepper_for = is_stepper<Stepper>&& has_treatment<Stepper, Format, ContactLaw>;
+inline constexpr bool is_stepper_for = is_stepper<Stepper>&& has_contact<Stepper, Format, ContactLaw>;
 template <class Stepper, class Format, class ContactLaw>
 using KeptStepper = typename detail::Either<is_stepper_for<Stepper, Format, ContactLaw>, Stepper, Moment>::Type;
 

@@ -6,7 +6,7 @@
 
 #include <impact/numeric/formula.hpp>
 #include <impact/silent_feature.hpp>
-#include <impact/stepper/contact_step.hpp>
+#include <impact/stepper/contact.hpp>
 
 namespace impact {
 
@@ -71,9 +71,10 @@ struct EnergyLedger {
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     auto& own = record_in<EnergyLedger, Plan>(state);
-    const auto rate_before = step.follows ? own.contact_rate : step.rate_at_impact;
-    const auto done = step.has_way ? work(step.force.j0, step.way)
-                                   : work(step.force.j0 - step.force.j1, step.rate) + work(step.force.j1, rate_before);
+    const auto rate_before = step.begins ? step.rate_at_start : own.contact_rate;
+    const auto done = step.knows_way
+                          ? work(step.force.j0, step.way)
+                          : work(step.force.j0 - step.force.j1, step.rate) + work(step.force.j1, rate_before);
     own.dissipated.add(done - (step.stored - own.stored));
     own.stored = step.stored;
     own.contact_rate = step.rate;
@@ -100,7 +101,8 @@ struct EnergyLedger {
   template <class Plan, class State>
   static constexpr auto stored_now(const Plan& plan, const State& state) {
     using Format = typename Plan::FormatType;
-    if (Plan::ContactType::is_instantaneous || state.contact.phase != Phase::touching) return typename Format::Energy{};
+    if (Plan::ContactType::traits.is_instantaneous || state.contact.phase != Phase::touching)
+      return typename Format::Energy{};
     return Plan::LawType::template stored<Format>(plan.units,
                                                   plan.units.penetration(mirrored(state.x2 - state.x1, state.at_left)));
   }
@@ -119,9 +121,9 @@ struct EnergyLedger {
 // The rate of an impact at an instant, and 0 in a step in which the ball rests on its stop or flies on inside it.
 template <class Contact, class Step>
 constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
-  using Value = decltype(step.rate_at_impact);
-  if constexpr (Contact::is_instantaneous)
-    return contact.rests || !is_positive(step.force.j0) ? Value{} : step.rate_at_impact;
+  using Value = decltype(step.rate);
+  if constexpr (Contact::traits.is_instantaneous)
+    return contact.rests || !is_positive(step.force.j0) ? Value{} : step.rate;
   else
     return Value{};
 }
@@ -146,7 +148,7 @@ struct ImpactLog : SilentFeature {
       ++own.impacts;
       own.impact_rate = step.rate_at_touch;
     }
-    const auto size = Contact::is_instantaneous ? impact_rate_of(state.contact, step) : step.force.j0;
+    const auto size = Contact::traits.is_instantaneous ? impact_rate_of(state.contact, step) : step.force.j0;
     if (is_positive(size - own.peak)) own.peak = size;
   }
   template <class Plan, class State>
@@ -172,7 +174,7 @@ struct ContactForce : SilentFeature {
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     auto& own = record_in<ContactForce, Plan>(state);
     own.force_of_step = own.force_of_step + mirrored(step.force.j0, state.at_left & 1);
-    if constexpr (Plan::ContactType::is_instantaneous) own.impact_rate = impact_rate_of(state.contact, step);
+    if constexpr (Plan::ContactType::traits.is_instantaneous) own.impact_rate = impact_rate_of(state.contact, step);
   }
   template <class Plan, class State>
   static constexpr void after_step(const Plan&, State& state) {

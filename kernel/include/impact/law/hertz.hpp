@@ -13,8 +13,8 @@ struct Hertz {
 
   // Energy stored at a penetration, (2/5) k1 delta^(5/2), in the units of law/terms.hpp.
   template <class Format>
-  static constexpr typename Format::Energy stored(const typename Format::Units& units,
-                                                  typename Format::Value penetration) {
+  [[gnu::always_inline]] static constexpr typename Format::Energy stored(const typename Format::Units& units,
+                                                                         typename Format::Value penetration) {
     const auto d = positive_part(penetration);
     const auto shape = Format::root(Format::value(d)) * d;
     return units.elastic(work(Format::value(shape), Format::value(Format::constant(2.0 / 5) * d)));

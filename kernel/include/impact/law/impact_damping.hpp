@@ -20,7 +20,7 @@ constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const Un
 
 // The largest damping that a step tolerates: an impact at the rate V is damped by a/V, and reaches the damping z = h
 // c/mu at the penetration d; one that is slow and is then pressed in far beyond its own speed would reach any. Wherever
-// z would pass what the treatment tolerates (`largest`), the contact goes on as one whose z there is `largest`. An
+// z would pass what the contact tolerates (`largest`), the contact goes on as one whose z there is `largest`. An
 // impact that nothing presses stays below that, as the plan has judged: of slower ones z is less, as V^(1/5).
 //
 // A contact that a correction has put to the penetration d and the rate V is damped as an impact no slower than V, nor
@@ -61,6 +61,7 @@ struct ImpactDamping {
   static constexpr auto damping(const Plan& plan) {
     return plan.damping;
   }
+  static constexpr bool has_sound_damping() { return true; }
 };
 
 template <class Format>
@@ -73,6 +74,7 @@ struct ImpactDamping<Format, true> {
   constexpr Damping damping(const Plan&) const {
     return own_damping;
   }
+  constexpr bool has_sound_damping() const { return Format::is_sound(own_damping); }
   // An impact without speed is one without damping, and so is a contact under way at the start.
   constexpr void begin(typename Format::Gain share, typename Format::Value rate) {
     own_damping = {is_positive(rate) ? Format::gain_over(share, rate) : typename Format::Gain{}};

@@ -111,7 +111,7 @@ struct ImpactForce {
       return {high, low};
     }
   }
-  // `step` is the mean force over a step, as treatments count it, along x. Where an impact made it, `speed` is the
+  // `step` is the mean force over a step, as contacts count it, along x. Where an impact made it, `speed` is the
   // impact's, and 0 otherwise.
   constexpr ForceOfImpact<Value> of(const Rebound<Format, ContactLaw>& rebound, Value step, Value speed) const {
     const bool is_left = is_negative(step);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a contact treatment needs to make its constants, in SI units, and how its forces are counted.
+// What a contact needs to make its constants, in SI units, and how its forces are counted.
 //
 // Penetrations count in 2^penetration metres and rates in the same unit per step. A force counts in
 //

@@ -42,6 +42,8 @@ constexpr double limit_of(double bound) {
 struct UnitBounds {
   double gap, apart, amplitude, way, position, displacement, increment, push, penetration, force_factor;
   bool is_lightly_damped;
+  bool is_as_deep_as_flight;  // a step may leave the ball as deep as its free flight comes
+  double finest_penetration;  // the smallest change of a penetration that a contact must tell; 0: any
   StateLimits limits;
 };
 

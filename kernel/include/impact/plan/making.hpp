@@ -14,6 +14,7 @@
 #include <impact/plan/identity.hpp>
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
+#include <impact/stepper/contact.hpp>
 
 namespace impact {
 
@@ -62,7 +63,7 @@ class PlanMaking {
     if (status != PlanStatus::ok) return Plan::refused(status);
     const UnitBounds largest = largest_of(scene, bounds, basis);
     const UnitExponents exponents = Format::Units::exponents(largest);
-    basis.terms.force_unit = Contact::force_unit(basis.terms, exponents);
+    basis.terms.force_unit = force_unit_of(Contact::traits, basis.terms, exponents);
     basis.terms.damping_exponent = exponents.force + (basis.terms.is_linear ? exponents.penetration : 0);
     status = status_of_units(scene, basis, largest, exponents);
     if (status != PlanStatus::ok) return Plan::refused(status);
@@ -104,7 +105,7 @@ class PlanMaking {
     basis.terms.step = h;
     basis.terms.field = Field::largest(scene, bounds);
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
-    // Where the ball crosses the clearance in a step, a treatment that waits for the next finds it beyond the stop by
+    // Where the ball crosses the clearance in a step, a contact that waits for the next finds it beyond the stop by
     // the ways of both.
     basis.terms.crosses = scene.stops == Stops::both && basis.terms.largest_rate * h >= scene.clearance;
     return basis;
@@ -125,7 +126,7 @@ class PlanMaking {
       if (!(basis.friction_way <= way)) return PlanStatus::ball_friction;
     }
     // Deeper than a ball gets that starts apart. An impact at an instant stores nothing, and puts the ball on its stop.
-    if (!Contact::is_instantaneous && initial_penetration(scene) > basis.terms.deepest_start)
+    if (!Contact::traits.is_instantaneous && initial_penetration(scene) > basis.terms.deepest_start)
       return PlanStatus::initial_displacement;
     return PlanStatus::ok;
   }
@@ -144,7 +145,7 @@ class PlanMaking {
     largest.displacement = largest.way + h * h / 2 * terms.pressing;
     // And the half of friction's impulse that acts ahead.
     if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
-    const double way = terms.largest_rate * h * (terms.crosses && !Contact::meets_both_stops ? 2 : 1);
+    const double way = terms.largest_rate * h * (terms.crosses && !Contact::traits.crosses_cavity ? 2 : 1);
     // Free flight from within a contact ends deeper than contact lets the ball go: with (d/D)^2 + (d'/V)^2 <= 1, for
     // the power laws (d/D)^(5/2), no deeper than (D^2 + (5/4) (h V)^2)^(1/2).
     const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
@@ -153,8 +154,8 @@ class PlanMaking {
     // An impact changes the rate of sliding by twice the largest, and friction by no more than the largest in a step.
     const double largest_change = Friction::is_friction && scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
     largest.penetration = larger(largest.penetration, largest_change);
-    // A rate that a treatment reads is that of free flight to the step's end.
-    if constexpr (Contact::reads_rate)
+    // A rate that a contact reads is that of free flight to the step's end.
+    if constexpr (Contact::traits.reads_rate)
       largest.penetration = larger(largest.penetration, 1.01 * h * (terms.largest_rate + h * terms.pressing));
     if constexpr (Field::is_field) {
       const double in_field = h * h * Field::largest(scene, bounds);
@@ -162,9 +163,9 @@ class PlanMaking {
       largest.displacement += in_field;
     }
     // A kept force has a share in what the coming step makes, of up to half of what it does in a step.
-    if constexpr (Contact::keeps_force) {
+    if constexpr (Contact::traits.keeps_force) {
       UnitBounds of_forces = largest;
-      Contact::bound_forces(terms, of_forces);
+      Contact::room(terms, of_forces);
       largest.displacement += of_forces.push / 2;
     }
     // In a sampled field the state keeps a position less up to h^2 a / 6 (motion/field.hpp).
@@ -177,13 +178,15 @@ class PlanMaking {
     largest.increment = h * h * (2 * larger(scene.drive_amplitude, bounds.force) + spring + damper) / scene.main_mass +
                         2 * h * h * Field::largest(scene, bounds);
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
-    Contact::bound_forces(terms, largest);
-    largest.penetration = larger(largest.penetration, largest_change);  // again: a treatment may have set it lower
+    Contact::room(terms, largest);
+    largest.penetration = larger(largest.penetration, largest_change);  // again: the contact may have set it lower
     // The others are refused such a start where it is deeper than what they bound.
-    if (Contact::is_instantaneous) largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
-    // An impact at an instant goes nowhere.
+    if (Contact::traits.is_instantaneous)
+      largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
+    // An impact at an instant goes nowhere. A force at the step's end does not see how deep the flight comes.
     const bool is_of_flight =
-        Contact::is_instantaneous || (Contact::ends_as_deep_as_flight(terms) && !(bounds.penetration > 0));
+        Contact::traits.is_instantaneous ||
+        ((Contact::traits.keeps_force || largest.is_as_deep_as_flight) && !(bounds.penetration > 0));
     largest.limits.penetration = limit_of(is_of_flight ? largest.penetration : terms.largest_penetration);
     // Between two stops the ball is where they are.
     const bool is_between = scene.stops == Stops::both;
@@ -205,9 +208,9 @@ class PlanMaking {
     // The fastest impact has a way in a step.
     if (!Units::resolves(terms.largest_rate * h / 2, exponents.penetration)) return PlanStatus::speed_bound;
     const double lighter = constant::smaller(scene.ball_mass, scene.main_mass);
-    if (!Contact::is_instantaneous && !Units::resolves(terms.force_unit * h * h / lighter, exponents.recoil))
+    if (!Contact::traits.is_instantaneous && !Units::resolves(terms.force_unit * h * h / lighter, exponents.recoil))
       return PlanStatus::contact_stiffness;
-    if (!Units::resolves(Contact::finest_penetration(terms), exponents.penetration))
+    if (largest.finest_penetration > 0 && !Units::resolves(largest.finest_penetration, exponents.penetration))
       return PlanStatus::contact_stiffness;
     // What is below 64 of a rate's LSBs has no size of its own.
     if (Friction::is_friction && scene.ball_friction > 0 &&
@@ -237,7 +240,7 @@ class PlanMaking {
     plan.drive_scale = Drive::template force_unit<Format>(scene, bounds);
     plan.left_stop = scene.stops == Stops::both || scene.stops == Stops::left;
     plan.right_stop = scene.stops != Stops::left;
-    plan.crosses = terms.crosses && Contact::meets_both_stops;
+    plan.crosses = terms.crosses && Contact::traits.crosses_cavity;
     plan.x1 = units.state_at(scene.x1);
     const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
     const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);
@@ -248,7 +251,7 @@ class PlanMaking {
     plan.dx2 = units.state(scene.v2 * h + ball_in_field);
     plan.identity = Plan::identity_of(scene, bounds, h);
     const Fingerprint of_state = fingerprint_of_state<Field>(scene, bounds, h, exponents),
-                      of_contact = fingerprint_of_contact(terms, exponents, Contact::is_sudden(plan.contact));
+                      of_contact = fingerprint_of_contact(terms, exponents, plan.contact.response.is_sudden);
     plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents, of_state.value, of_contact.value);
     if constexpr (Field::is_field)
       static_cast<typename Plan::FieldConstants&>(plan) =

@@ -56,7 +56,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   constexpr double displacement_unit() const { return units.displacement_unit(); }
   constexpr double velocity_unit() const { return units.velocity_unit(step); }
   constexpr double force_unit() const {
-    if constexpr (ContactType::is_instantaneous)
+    if constexpr (ContactType::traits.is_instantaneous)
       return contact.force.unit;
     else
       return Format::sample_unit(force_scale);

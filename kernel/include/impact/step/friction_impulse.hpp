@@ -28,7 +28,7 @@ struct FrictionImpulse {
   // The rate that friction works against.
   static constexpr Value rubbing_rate(const Model& m) {
     Value main = m.plan.units.relative(m.state.dx1) + m.rate_ahead(), sliding = m.relative_rate(false);
-    if constexpr (Contact::keeps_force) {
+    if constexpr (Contact::traits.keeps_force) {
       const Value main_carried = m.plan.contact.dx1_share * m.state.contact.force,
                   ball_carried = m.plan.contact.dx2_share * m.state.contact.force;
       main = main - mirrored(main_carried, m.contact_is_left());
@@ -100,7 +100,7 @@ struct FrictionImpulse {
     if (!touches) taken = {};
     [[maybe_unused]] Value rate{};
     if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
-    if (Contact::is_sudden(m.plan.contact))
+    if (m.plan.contact.response.is_sudden)
       apply_anew(m, m.plan.units.relative(slid), m.way_ahead() - taken, Friction::passive(m.plan, rubbing_rate(m)));
     else if (!Friction::slides_on(m.plan, m.state, m.state.dx2 - taken))
       apply_anew(m, m.plan.units.relative(slid), m.way_ahead() - taken, typename Friction::Any{});

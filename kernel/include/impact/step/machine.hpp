@@ -9,10 +9,9 @@
 
 #include <impact/fault.hpp>
 #include <impact/features.hpp>
-#include <impact/law/impact_damping.hpp>
 #include <impact/motion/friction.hpp>
 #include <impact/numeric/formula.hpp>
-#include <impact/stepper/contact_step.hpp>
+#include <impact/stepper/contact.hpp>
 
 namespace impact {
 
@@ -35,7 +34,6 @@ struct Machine : Source {
   static constexpr bool records = (!__is_base_of(ScenePart, Features) || ...);
   // Whether friction's work is counted: beside an EnergyLedger, or a feature derived from it.
   static constexpr bool counts_slid_way = Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
-  static constexpr bool has_own_damping = __is_base_of(ImpactDamping<Format, true>, Contact);
 
   // All that changes from step to step. Plain: it can be copied, kept and given back.
   struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
@@ -148,7 +146,7 @@ struct Machine : Source {
   constexpr bool clamp_to_range() { return !is_in_range(state) && clamp(); }
   constexpr void end_contact() {
     state.contact.phase = Phase::apart;
-    state.contact.drop_force();
+    if constexpr (Contact::traits.keeps_force) state.contact.force = Value{};
   }
 };
 

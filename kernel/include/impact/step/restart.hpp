@@ -5,6 +5,7 @@
 
 #include <impact/step/friction_impulse.hpp>
 #include <impact/step/machine.hpp>
+#include <impact/stepper/response.hpp>
 
 namespace impact {
 
@@ -14,10 +15,12 @@ struct Restart {
   using Contact = typename Model::Contact;
   using Value = typename Model::Value;
 
-  // Tells the contact by how much spring, drive and field change its rate in a step.
-  static constexpr void load_contact(Model& m) {
-    const Value in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), m.contact_is_left());
-    m.state.contact.bear(m.plan.contact, in_half_a_step + in_half_a_step);
+  // The ball in its stop between two steps.
+  static constexpr Standing<Value> standing(const Model& m, bool left) {
+    const Value in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), left);
+    const auto &x1 = m.state.x1, &x2 = m.state.x2;
+    // Exact on both sides: mirrored() of a state may be one last place off.
+    return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1), m.relative_rate(left), in_half_a_step + in_half_a_step};
   }
 
   // The scene's initial state.
@@ -25,7 +28,6 @@ struct Restart {
     auto& state = m.state;
     m.state = typename Model::State{};
     state.contact.phase = Phase::apart;  // compiler.hpp
-    state.contact.drop_force();
     if (m.is_refused()) return;
     state.x1 = m.plan.x1;
     state.dx1 = m.plan.dx1;
@@ -33,36 +35,39 @@ struct Restart {
     state.dx2 = m.plan.dx2;
     state.drive = decltype(state.drive)::start(m.plan.drive);
     if constexpr (Field::is_sampled) Field::begin(m.plan, state);
-    const Value depth = m.depth_beyond_stop();
-    if (is_positive(depth)) {
-      const bool left = m.ball_is_left();
-      state.at_left = left;
-      state.contact.start(m.plan.contact, m.plan.units, depth, m.relative_rate(left));
-      load_contact(m);
+    if (is_positive(m.depth_beyond_stop())) {
+      state.at_left = m.ball_is_left();
+      state.contact.start(m.plan.contact, m.plan.units, standing(m, state.at_left));
     }
     FrictionImpulse<Model>::start(m);
     m.start_features();
   }
 
-  // Restarts the contact at its present penetration. Its load stays, and its damping, up to what a step tolerates.
-  static constexpr void restart_contact(Model& m) {
+  // Goes on with a contact at its present penetration: after a correction with the load that it has, and its damping up
+  // to what a step tolerates; under another plan as a contact that begins there.
+  static constexpr void resume_contact(Model& m, bool is_same_plan) {
+    const auto& units = m.plan.units;
     auto& state = m.state;
     Contact& contact = state.contact;
     const bool left = m.contact_is_left();
-    if (contact.rests_on(m.plan.units, state, left)) return;
     const Phase phase = contact.phase;
-    const Value found = m.depth_in(left), inside = contact.no_deeper(found);
-    if (m.plan.units.is_too_deep(inside)) m.raise(Fault::penetration);
-    if (is_positive(found - inside)) m.plan.units.displace(state.x2, -mirrored(found - inside, left));
-    if (Contact::is_instantaneous ? !is_negative(inside) : is_positive(inside)) {
-      const Value rate = m.relative_rate(left);
-      if constexpr (Model::has_own_damping) contact.hold_damping(m.plan.contact, inside, rate);
-      contact.start(m.plan.contact, m.plan.units, inside, rate);
+    const Standing<Value> found = standing(m, left);
+    Value inside = found.penetration;
+    if (is_same_plan) {
+      inside = contact.resume(m.plan.contact, units, found);
+    } else {
+      contact.start(m.plan.contact, units, found);
       contact.phase = phase;
-      if (contact.is_sound(m.plan.contact, m.plan.units)) return;
-      m.raise(Fault::speed);
     }
-    m.end_contact();
+    if (units.is_too_deep(inside)) m.raise(Fault::penetration);
+    if (is_positive(found.penetration - inside)) place_ball(units, state, left, inside);
+    bool goes_on = Contact::traits.is_instantaneous ? !is_negative(inside) : is_positive(inside);
+    if constexpr (Contact::traits.keeps_force)
+      if (goes_on && !contact.valid(m.plan.contact, units)) {
+        m.raise(Fault::speed);
+        goes_on = false;
+      }
+    if (!goes_on) m.end_contact();
   }
   // A ball that a correction has put into a stop without touching it stands at it.
   static constexpr void push_out(Model& m) {

@@ -4,16 +4,16 @@
 //
 //     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2
 //
-// of x1 the new one, of dx1 the old. Where the ball then stands inside a stop, the contact (stepper/treatment.hpp)
+// of x1 the new one, of dx1 the old. Where the ball then stands inside a stop, the contact (stepper/contact.hpp)
 // finds the impulse J0 and the moment J1 of its force within the step, and both masses respond to them. Dry friction
 // acts at the step's end. What compilers must be told stands in compiler.hpp.
 
 #include <impact/compiler.hpp>
 #include <impact/step/friction_impulse.hpp>
 #include <impact/step/machine.hpp>
-#include <impact/stepper/contact_step.hpp>
+#include <impact/stepper/contact.hpp>
+#include <impact/stepper/response.hpp>
 #include <impact/stepper/touch.hpp>
-#include <impact/stepper/treatment.hpp>
 #include <impact/types.hpp>
 
 namespace impact {
@@ -25,6 +25,7 @@ struct Step {
   using Field = typename Model::Field;
   using Friction = typename Model::Friction;
   using Contact = typename Model::Contact;
+  static constexpr ContactTraits traits = Contact::traits;
   using Value = typename Model::Value;
   using Long = typename Model::Long;
 
@@ -41,7 +42,7 @@ struct Step {
     // A flight that meets a stop is judged with what contact makes of it.
     if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
       DriveChange<Value> change{};
-      if constexpr (Contact::sees_change || Model::records) change = m.state.drive.change(m.plan.drive, drive_before);
+      if constexpr (traits.sees_change || Model::records) change = m.state.drive.change(m.plan.drive, drive_before);
       contact(m, increment, main_travel, change);
     } else if (!m.flight_is_in_range()) {
       m.clamp();
@@ -110,8 +111,8 @@ struct Step {
 
   // The step as the stop sees it.
   using InField = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
-  using StopApproach =
-      typename detail::Either<Contact::is_instantaneous, ApproachAtInstant<InField, Value>, InField>::Type;
+  using Unrecorded = typename detail::Either<traits.is_instantaneous, ApproachAtInstant<InField, Value>, InField>::Type;
+  using StopApproach = typename detail::Either<Model::records, RecordedApproach<Unrecorded>, Unrecorded>::Type;
 
   [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Value increment, Long main_travel,
                                                              DriveChange<Value> change) {
@@ -119,14 +120,14 @@ struct Step {
     auto& state = m.state;
     if (state.contact.phase == Phase::apart) state.at_left = m.ball_is_left();
     const bool left = m.contact_is_left();
-    state.contact.carry_over(plan.contact, plan.units, state, left);
+    if constexpr (traits.keeps_force) apply_kept_force(m, mirrored(state.contact.force, left));
     StopApproach approach{};
     if (!find_contact(m, approach, left)) return clamp_unchecked(m);
-    if constexpr (Contact::reads_rate || Model::records) approach.rate = m.relative_rate(left);
+    if constexpr (traits.reads_rate || Model::records) approach.rate = m.relative_rate(left);
     approach.travel = mirrored(m.way_flown(main_travel), left);
     approach.before = approach.penetration - approach.travel;
-    if constexpr (Contact::sees_change) increment = increment + change.to_end;
-    if constexpr (Contact::is_instantaneous) {
+    if constexpr (traits.sees_change) increment = increment + change.to_end;
+    if constexpr (traits.is_instantaneous) {
       approach.half_change = -mirrored(change.half, left);
       approach.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
     }
@@ -143,8 +144,29 @@ struct Step {
     approach.rate = m.relative_rate(left);
     approach.travel = approach.rate + Format::value(half(mirrored(m.plan.units.increment_of_rate(increment), left)));
     approach.before = approach.penetration - approach.travel;
-    if (is_positive(approach.before) && !put_back(m.plan.units, m.state, approach, left)) return;
+    if (is_positive(approach.before) && !put_back(m, approach, left)) return;
     apply_contact(m, approach, increment, left, {});
+  }
+
+  // What a force still does in the step after the one that found it.
+  [[gnu::always_inline]] static constexpr void apply_kept_force(Model& m, Value force) {
+    m.plan.units.push(m.state.dx1, m.plan.contact.dx1_next * force);
+    m.plan.units.push(m.state.dx2, -(m.plan.contact.dx2_next * force));
+  }
+  // The ball goes back to its stop before it is touched: a penetration that it has flown into freely would store energy
+  // that no force has put in. Returns false where that ends the step.
+  [[gnu::always_inline]] static constexpr bool put_back(Model& m, Approach<Value>& approach, bool left) {
+    m.plan.units.displace(m.state.x2, -mirrored(approach.before, left));
+    approach.penetration = approach.travel;
+    approach.before = Value{};
+    return is_positive(approach.penetration);
+  }
+  // The ball is inside the stop without having come there: by a rounding, or across a cavity shorter than the way of a
+  // step.
+  [[gnu::always_inline]] static constexpr bool begin_inside(Model& m, Approach<Value>& approach, bool left) {
+    if constexpr (traits.puts_back) return put_back(m, approach, left);
+    approach.before = Value{};
+    return true;
   }
 
   // Writes the penetration at the step's end. Returns true where a contact is under way or begins; raises a fault
@@ -164,8 +186,8 @@ struct Step {
     const auto& plan = m.plan;
     auto& state = m.state;
     Contact& contact = state.contact;
-    if (contact.phase == Phase::apart && is_positive(approach.before) &&
-        !contact.begin_inside(plan.units, state, approach, left)) {
+    [[maybe_unused]] const bool begins = contact.phase == Phase::apart;
+    if (contact.phase == Phase::apart && is_positive(approach.before) && !begin_inside(m, approach, left)) {
       reload_state<Model>(state);
       clamp_unchecked(m);
       return false;
@@ -177,24 +199,32 @@ struct Step {
     } else {
       approach.increment = minus_mirrored(increment, left);
     }
-    if constexpr (Contact::is_instantaneous)
+    if constexpr (traits.is_instantaneous)
       approach.main_rate = mirrored(plan.units.relative(state.dx1) + m.rate_ahead(), left);
     // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
     [[maybe_unused]] const auto rate = approach.rate;
-    if constexpr (Friction::is_friction && Contact::keeps_force)
+    if constexpr (Friction::is_friction && traits.keeps_force)
       approach.rate = rate - mirrored(Format::value(half(state.impulse)), left);
-    const Contact contact_before = contact;
-    auto impulse = contact.resolve(plan.contact, plan.units, approach);
+    auto reaction = contact.solve(plan.contact, plan.units, approach);
     reload_state<Model>(state);
-    plan.contact.response.answer(plan.units, state, mirrored(impulse, left));
-    contact.place_ball(plan.contact, plan.units, state, left);
-    const bool is_too_deep = plan.units.is_too_deep(contact.depth(plan.contact, approach, impulse));
+    plan.contact.response.apply(plan.units, state, reaction, left);
+    bool is_too_deep = false;
+    if constexpr (traits.keeps_penetration)
+      is_too_deep = plan.units.is_too_deep(contact.penetration);
+    else
+      is_too_deep = plan.units.is_too_deep(reaction.penetration);
     if ((is_too_deep || !m.contact_is_in_range()) && m.clamp()) return false;
     if constexpr (Model::records) {
-      approach.rate = rate;
-      auto seen = contact.record(plan.contact, plan.units, approach, contact_before, impulse);
-      if (seen.begins) {
-        if (!Contact::sees_change) approach.increment = approach.increment + minus_mirrored(to_end, left);
+      auto& seen = reaction.record;
+      if constexpr (Friction::is_friction && traits.keeps_force) {
+        seen.rate = seen.rate + (rate - approach.rate);
+        approach.rate = rate;
+      }
+      seen.rate_at_start = approach.rate_at_start();
+      seen.begins = begins;
+      seen.knows_way = traits.knows_way;
+      if (begins) {
+        if (!traits.sees_change) approach.increment = approach.increment + minus_mirrored(to_end, left);
         seen.rate_at_touch = touch_rate(plan.units, approach);
       }
       m.record_contact(seen);

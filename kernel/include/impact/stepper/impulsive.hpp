@@ -60,9 +60,9 @@
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/scene.hpp>
+#include <impact/stepper/contact.hpp>
 #include <impact/stepper/response.hpp>
 #include <impact/stepper/touch.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -88,13 +88,24 @@ struct Impulsive {
   }
 
   template <class Format, class ContactLaw>
-  struct Contact : Treatment {
+  struct Contact : ContactDefaults {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
 
+    // A ball that rests is put where it lies.
+    struct InstantAnswer : Answer<Gain> {
+      static constexpr bool is_sudden = true;
+
+      template <class State>
+      [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
+                                                  bool left) const {
+        Answer<Gain>::apply(units, state, reaction, left);
+        if (state.contact.rests) place_ball(units, state, left, state.contact.lies);
+      }
+    };
     struct Plan {
-      Answer<Gain> response;
+      InstantAnswer response;
       Rebound<Format, ContactLaw> rebound;
       ImpactForce<Format, ContactLaw> force;
       Gain acceleration;  // the change of the displacement per step, as one of the rate
@@ -108,13 +119,9 @@ struct Impulsive {
         Gain penetration, half_rate;  // and to penetration and half its rate
       } rest;
     };
-    // Rates and penetrations count in one unit, impulses in 2 mu of it.
-    static constexpr double force_unit(const ContactTerms& terms, const UnitExponents& unit) {
-      return 2 * terms.reduced_mass() * constant::power_of_two(unit.penetration) / (terms.step * terms.step);
-    }
     // No impact within the bounds changes a speed by more than twice the bound, and no rest by more than what presses.
     // What would is held at the push's unit, which takes the speed beyond its bound.
-    static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
+    static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       const double rate = terms.largest_rate * terms.step;
       largest.force_factor = 1;
       largest.penetration = (terms.crosses ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
@@ -132,9 +139,9 @@ struct Impulsive {
       const double unit_impulse =
           impulse / constant::smaller(ball_mass, main_mass) * constant::power_of_two(-unit.push);
       return {
-          {Format::gain(impulse / main_mass, 0, unit.push), Format::gain(impulse / main_mass * flow.e12, 0, unit.push),
-           Format::gain(impulse / main_mass * flow.e11, 0, unit.push), Format::gain(impulse / ball_mass, 0, unit.push),
-           Format::gain(impulse / ball_mass, 0, unit.push)},
+          {{Format::gain(impulse / main_mass, 0, unit.push), Format::gain(impulse / main_mass * flow.e12, 0, unit.push),
+            Format::gain(impulse / main_mass * flow.e11, 0, unit.push), Format::gain(impulse / ball_mass, 0, unit.push),
+            Format::gain(impulse / ball_mass, 0, unit.push)}},
           Rebound<Format, ContactLaw>::make(terms, unit),
           ImpactForce<Format, ContactLaw>::make(terms, unit),
           // What a force does to a free main mass over what it adds to the displacement per step, so that the rate is
@@ -154,51 +161,52 @@ struct Impulsive {
            Format::gain(penetration_rate_by_force / 2, 0, 0)}};
     }
 
-    static constexpr bool is_instantaneous = true, sees_change = true;
-    static constexpr bool is_sudden(const Plan&) { return true; }
+    static constexpr ContactTraits traits = [] {
+      ContactTraits own;
+      own.is_instantaneous = own.sees_change = own.knows_way = true;
+      own.keeps_penetration = false;
+      return own;
+    }();
 
     Phase phase;
     uint32_t rests;  // held by the last step
     Value lies;      // and how far inside the stop
 
-    constexpr void start(const Plan&, const Units&, Value, Value) { phase = Phase::touching; }
-    constexpr void stand_at(Value inside) { lies = is_positive(inside) ? inside : Value{}; }
-    // No deeper in it than it lay.
-    template <class State>
-    constexpr bool rests_on(const Units& units, State& state, bool left) {
-      if (!rests) return false;
-      const auto place = resting_place(units, state, left), deeper = left ? place - state.x2 : state.x2 - place;
-      if (!deeper.is_negative()) {
-        state.x2 = place;
-      } else {
-        lies = units.penetration(mirrored(state.x2 - state.x1, left));
+    constexpr void start(const Plan&, const Units&, const Standing<Value>& at) {
+      phase = Phase::touching;
+      lies = at.penetration;
+    }
+    // A ball at rest lies no deeper than it lay.
+    constexpr Value resume(const Plan&, const Units&, const Standing<Value>& at) {
+      if (!rests) return at.penetration;
+      if (is_positive(lies - at.penetration)) {
+        lies = at.penetration;
         if (!is_positive(lies)) phase = Phase::apart;
       }
-      return true;
-    }
-
-    template <class State>
-    [[gnu::always_inline]] constexpr void place_ball(const Plan&, const Units& units, State& state, bool left) const {
-      if (rests) state.x2 = resting_place(units, state, left);
-    }
-    [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan&, const Units&, const Approach<Value>&,
-                                                               const Contact& before,
-                                                               const SplitImpulse<Value>& given) const {
-      const Value impulse = given.ball.j0;
-      ContactStep<Value> result{{impulse, Format::value(half(impulse))},
-                                {},
-                                given.rate,
-                                given.rate - impulse - impulse,
-                                before.phase == Phase::apart,
-                                false};
-      // The work at the mean rate: the change of the rate may be twice a Value.
-      result.has_way = true;
-      result.way = given.rate - impulse;
-      return result;
+      return lies;
     }
 
     template <class Seen>
-    [[gnu::always_inline]] constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, Seen step) {
+    [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
+      const SplitImpulse given = impulse_of(plan, units, step);
+      Reaction<Format> reaction{given.main, given.ball, step.penetration, {}, {}};
+      if constexpr (Seen::is_recorded) {
+        reaction.record.force = {given.ball.j0, Format::value(half(given.ball.j0))};
+        // The work at the mean rate: the change of the rate may be twice a Value.
+        reaction.record.way = given.rate - given.ball.j0;
+        reaction.record.rate = given.rate;
+      }
+      return reaction;
+    }
+
+   private:
+    // And the rate of penetration at which it came.
+    struct SplitImpulse {
+      Impulse<Value> main, ball;
+      Value rate;
+    };
+    template <class Seen>
+    [[gnu::always_inline]] constexpr SplitImpulse impulse_of(const Plan& plan, const Units& units, Seen step) {
       const Value trial = step.penetration, rate = step.rate, travel = step.travel;
       // A ball that came into the step at more than half the rate that it leaves it with has been sent by a correction.
       const bool is_sent = is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate))),
@@ -206,7 +214,7 @@ struct Impulsive {
       rests = 0;
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
       if (!is_positive(trial)) return {{}, {}, rate};
-      constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);
+      constexpr bool is_in_field = Seen::is_in_field;
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
       const Value before = trial - travel, from = is_positive(before) ? before : Value{};
@@ -257,13 +265,6 @@ struct Impulsive {
       return given(plan, force, {}, inside - before);
     }
 
-   private:
-    template <class State>
-    [[gnu::always_inline]] constexpr auto resting_place(const Units& units, const State& state, bool left) const {
-      auto place = units.stop(state.x1, left);
-      units.displace(place, mirrored(lies, left));
-      return place;
-    }
     // A force that keeps the ball from going on by `way`, and half the rate that it leaves.
     struct Support {
       Value force, half_rate;
@@ -273,8 +274,8 @@ struct Impulsive {
       const Value force = held(plan, units, plan.rest.by_penetration * way);
       return {force, Format::value(half(rate)) - plan.rest.half_rate * force};
     }
-    [[gnu::always_inline]] constexpr SplitImpulse<Value> rest(const Plan& plan, Value trial, Value from, Value way,
-                                                              Value weight, const Support& support) {
+    [[gnu::always_inline]] constexpr SplitImpulse rest(const Plan& plan, Value trial, Value from, Value way,
+                                                       Value weight, const Support& support) {
       const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
       rests = 1;
       lies = left_inside(is_positive(trial - from) ? from : trial, weight, last, last);
@@ -282,8 +283,7 @@ struct Impulsive {
     }
     // A force over the step, against which the ball comes by `way`, and an impulse at its end. The energy that both
     // take is that of one impulse at the rate J + (f way + last^2)/J.
-    [[gnu::always_inline]] static constexpr SplitImpulse<Value> given(const Plan& plan, Value force, Value last,
-                                                                      Value way) {
+    [[gnu::always_inline]] static constexpr SplitImpulse given(const Plan& plan, Value force, Value last, Value way) {
       const Value impulse = force + last;
       const auto share = Format::quotient(positive_part(force), positive_part(impulse));
       return {{plan.rest.rate * force + last, plan.rest.displacement * force},
@@ -332,7 +332,7 @@ struct Impulsive {
       }
       constexpr Value sixth(Value x) const { return Format::value(turned * x * Format::short_constant(1.0 / 6)); }
       template <class Share>
-      constexpr SplitImpulse<Value> split(Share t, Value impulse) const {
+      constexpr SplitImpulse split(Share t, Value impulse) const {
         const Value lost = Format::value(faded * impulse);
         return {{impulse - lost - Format::value(half(turned * impulse)),
                  Format::value(t * (impulse - Format::value(half(lost)) - sixth(impulse)))},

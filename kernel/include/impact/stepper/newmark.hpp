@@ -21,8 +21,8 @@
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/scene.hpp>
+#include <impact/stepper/contact.hpp>
 #include <impact/stepper/response.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -39,7 +39,7 @@ struct Pointwise {
   static constexpr Range steps(const Resolution&) { return any_step; }
 
   template <class Format, class ContactLaw>
-  struct Contact : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+  struct Contact : ContactDefaults, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
@@ -96,50 +96,51 @@ struct Pointwise {
           terms.clamped};
     }
 
-    static constexpr bool keeps_force = true;
-    static constexpr bool ends_as_deep_as_flight(const ContactTerms&) { return true; }
+    static constexpr ContactTraits traits = [] {
+      ContactTraits own;
+      own.keeps_force = true;
+      own.keeps_penetration = false;
+      return own;
+    }();
 
     Value force;  // at the start of the step
     Phase phase;
 
-    template <class State>
-    static constexpr void carry_over(const Plan& plan, const Units& units, State& state, bool left) {
-      const Value carried = mirrored(state.contact.force, left);
-      units.push(state.dx1, plan.dx1_next * carried);
-      units.push(state.dx2, -(plan.dx2_next * carried));
-    }
     // What a kept force has still to do is in the range of a displacement.
-    constexpr bool is_sound(const Plan& plan, const Units& units) const {
-      return units.is_sound(plan.dx1_share * force) && units.is_sound(plan.dx2_share * force);
-    }
-    constexpr void drop_force() { force = Value{}; }
-    [[gnu::always_inline]] static constexpr Value depth(const Plan& plan, const Approach<Value>& step,
-                                                        const Impulse<Value>& impulse) {
-      return penetration_after(plan.response, step.penetration, impulse);
-    }
-    // The force, linear over the step between its values before and after.
-    [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
-                                                               const Approach<Value>& step, const Contact& before,
-                                                               const Impulse<Value>& impulse) const {
-      const Impulse<Value> mean = {
-          Format::value(half(before.force + force)),
-          Format::value(Format::constant(0.5 - beta) * before.force) + Format::value(Format::constant(beta) * force)};
-      return recorded<Format, ContactLaw>(plan.response, units, step, impulse, mean, before.phase == Phase::apart,
-                                          phase == Phase::touching);
+    constexpr bool valid(const Plan& plan, const Units& units) const {
+      return this->has_sound_damping() && units.is_sound(plan.dx1_share * force) &&
+             units.is_sound(plan.dx2_share * force);
     }
 
-    [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
-                                                            const Approach<Value>& step) {
+    template <class Seen>
+    [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
+      const Value force_before = force;
       const Value trial = step.penetration, trial_rate = step.rate;
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)
         if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);
       phase = touches ? Phase::touching : Phase::apart;
       force = touches ? found(plan, units, trial, trial_rate) : Value{};
-      return {force, force};
+      const Impulse<Value> impulse = {force, force};
+      auto reaction = reaction_of<Format>(impulse);
+      reaction.penetration = penetration_after(plan.response, trial, impulse);
+      if constexpr (Seen::is_recorded) {
+        // Linear over the step between its values before and after.
+        reaction.record.force = {
+            Format::value(half(force_before + force)),
+            Format::value(Format::constant(0.5 - beta) * force_before) + Format::value(Format::constant(beta) * force)};
+        if (touches) reaction.record.stored = ContactLaw::template stored<Format>(units, reaction.penetration);
+        reaction.record.rate = rate_after(plan.response, trial_rate, impulse);
+      }
+      return reaction;
     }
 
-    constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
+    constexpr Value resume(const Plan& plan, const Units& units, const Standing<Value>& standing) {
+      start(plan, units, standing);
+      return standing.penetration;
+    }
+    constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& standing) {
+      const Value at = standing.penetration, at_rate = standing.rate;
       phase = Phase::touching;
       if constexpr (ContactLaw::is_linear) {
         force = units.elastic(at) + this->damping(plan) * at_rate;
@@ -148,7 +149,6 @@ struct Pointwise {
         force = Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate));
       }
     }
-    constexpr void hold_damping(const Plan&, Value, Value) {}
 
    private:
     // x (1 + C v), never negative: the contact does not pull.

@@ -2,16 +2,26 @@
 #pragma once
 // What an impulse of the contact's force does to the state of both masses.
 
-#include <impact/stepper/contact_step.hpp>
+#include <impact/stepper/contact.hpp>
 
 namespace impact {
+
+// The ball as deep in its stop as `depth`, wherever the main mass is.
+template <class Units, class State, class Value>
+[[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left, Value depth) {
+  auto place = units.stop(state.x1, left);
+  units.displace(place, mirrored(depth, left));
+  state.x2 = place;
+}
 
 // What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and dx1
 // are the main mass's displacement and its displacement per step, x2 and dx2 the ball's. Signs are those of a push on
 // the right stop: x1 and dx1 grow, the others fall.
+//
+// `is_sudden` says of any response whether it may change the rate of penetration as no force over that step does.
 template <class Gain>
 struct Answer {
-  static constexpr bool is_shared = false;
+  static constexpr bool is_sudden = false;
   Gain x1, dx1, dx1_by_moment, x2, dx2;
 
   template <class Units, class State, class Value>
@@ -19,9 +29,10 @@ struct Answer {
     units.push(state.x1, x1 * main.j1);
     units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
   }
-  template <class Units, class State, class Felt>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& main) const {
-    const auto& ball = felt_by_ball(main);
+  template <class Units, class State, class Format>
+  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
+                                              bool left) const {
+    const auto main = mirrored(reaction.main, left), ball = mirrored(reaction.ball, left);
     move_main(units, state, main);
     units.push(state.x2, x2 * -ball.j1);
     units.push(state.dx2, dx2 * -ball.j0);
@@ -42,12 +53,14 @@ inline constexpr double largest_share = 1 - 0x1p-31;
 // share of them, with its sign, and the main mass the rest, of which dx1 counts what spring and damper do meanwhile.
 template <class Gain>
 struct SharedResponse {
-  static constexpr bool is_shared = true;
+  static constexpr bool is_sudden = false;
   Gain ball, dx1, dx1_by_moment;
   Gain penetration, rate, rate_by_moment;
 
-  template <class Units, class State, class Felt>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& impulse) const {
+  template <class Units, class State, class Format>
+  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
+                                              bool left) const {
+    const auto impulse = mirrored(reaction.main, left);
     const auto ball_j0 = ball * impulse.j0, ball_j1 = ball * impulse.j1;
     units.recoil(state.x1, impulse.j1 + ball_j1);
     units.recoil(state.dx1, dx1 * impulse.j0 + dx1_by_moment * impulse.j1);

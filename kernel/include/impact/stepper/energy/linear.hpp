@@ -7,26 +7,25 @@
 // inside a contact this is linear in d1; as the ball enters or leaves it is a quadratic.
 
 #include <impact/law/hooke_newton.hpp>
+#include <impact/stepper/contact.hpp>
 #include <impact/stepper/energy/response.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
 template <class Format>
-struct EnergyLinear : ConstantForce {
+struct EnergyLinear : ContactDefaults {
+  static constexpr ContactTraits traits = constant_force_traits();
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;
 
-  // An impact of two free masses at the largest speed peaks at no less than 2^-9 of the penetrations' unit.
-  static constexpr double finest_penetration(const ContactTerms& terms) {
-    return 0x1p-22 * terms.largest_rate * constant::square_root(terms.reduced_mass() / terms.stiffness);
-  }
-
-  // A push counts as what it does to the displacement between the masses.
-  static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
-    ResolvedForces::bound_forces(terms, largest);
+  // A push counts as what it does to the displacement between the masses. And an impact of two free masses at the
+  // largest speed peaks at no less than 2^-9 of the penetrations' unit.
+  static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
+    ContactDefaults::room(terms, largest);
     largest.push *= constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
+    largest.finest_penetration =
+        0x1p-22 * terms.largest_rate * constant::square_root(terms.reduced_mass() / terms.stiffness);
   }
 
   struct Plan {
@@ -57,33 +56,27 @@ struct EnergyLinear : ConstantForce {
   Value penetration;  // at the start of the step, while touching
   Phase phase;
 
-  constexpr void start(const Plan&, const Units&, Value at, Value) {
-    penetration = at;
+  constexpr void start(const Plan&, const Units&, const Standing<Value>& at) {
+    penetration = at.penetration;
     phase = Phase::touching;
   }
-  template <class AnyPlan, class Seen, class Felt>
-  [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {
-    return penetration;
-  }
-  [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
-                                                             const Approach<Value>& step, const EnergyLinear& before,
-                                                             const Impulse<Value>& impulse) const {
-    const bool begins = before.phase == Phase::apart;
-    typename Format::Energy stored{};
-    if (phase == Phase::touching) stored = HookeNewton::stored<Format>(units, penetration);
-    return plan.response.recorded(step, impulse.j0, penetration - (begins ? step.before : before.penetration), stored,
-                                  begins);
-  }
+  constexpr Value resume(const Plan&, const Units&, const Standing<Value>& at) { return penetration = at.penetration; }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
-                                                          const Approach<Value>& step) {
-    const Value trial = step.penetration, before = step.before;
+  template <class Seen>
+  [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
+    const Value trial = step.penetration, before = step.before, from = phase == Phase::apart ? before : penetration;
     Value force = phase == Phase::apart ? entering(plan, units, trial, before) : inside(plan, units, trial);
     if (plan.clamped && !is_positive(force)) force = Value{};
     const Value impulse = plan.impulse * force, taken = Format::value(half(impulse));
     penetration = trial - plan.response.travel(taken);
     phase = is_positive(penetration) ? Phase::touching : Phase::apart;
-    return {impulse, taken};
+    auto reaction = reaction_of<Format>(Impulse<Value>{impulse, taken});
+    if constexpr (Seen::is_recorded) {
+      typename Format::Energy stored{};
+      if (phase == Phase::touching) stored = HookeNewton::stored<Format>(units, penetration);
+      plan.response.record(reaction, stored, penetration - from);
+    }
+    return reaction;
   }
 
  private:

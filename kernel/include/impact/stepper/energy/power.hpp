@@ -34,10 +34,10 @@
 // Any other contact goes to stiff.hpp, which an image whose contact is resolved does not hold.
 
 #include <impact/law/impact_damping.hpp>
+#include <impact/stepper/contact.hpp>
 #include <impact/stepper/energy/mean.hpp>
 #include <impact/stepper/energy/response.hpp>
 #include <impact/stepper/energy/stiff.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -45,12 +45,13 @@ namespace impact {
 inline constexpr double largest_damping_of_energy = 1, largest_lasting_damping_of_energy = 0.2;
 
 template <class Format, class ContactLaw>
-struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Weight = typename Format::Weight;
   using Units = typename Format::Units;
   using Root = typename Format::Root;
+  static constexpr ContactTraits traits = constant_force_traits();
   static constexpr bool is_per_impact = ContactLaw::is_damped_per_impact;
   using Stiff = StiffContact<Format, ContactLaw>;
   using Damping = typename Stiff::Damping;
@@ -62,17 +63,11 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
     Weight damping;     // K C, of stiff contact C
     Factor stiffness;   // K
     Factor correction;  // C G^2/3
-    bool is_resolved;
     typename Stiff::Plan stiff;
     typename Format::HeldGain field;  // g over the increment that the field gives the ball
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
 
-  static constexpr bool is_sudden(const Plan& plan) { return !plan.is_resolved; }
-  // In a field a stiff contact may leave the ball where its force does, deeper than its energy says (stiff.hpp).
-  static constexpr bool ends_as_deep_as_flight(const ContactTerms& terms) {
-    return terms.field > 0 && !is_resolved(terms);
-  }
   // Whether a contact lasts 20 steps and u = h c/(2 mu) stays below 1/2, at the deepest penetration and at the peak of
   // an elastic impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d). And a
   // contact that lasts has u of at most 1/10: where it bears what presses, with a damping set per impact anywhere.
@@ -91,7 +86,7 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
   // g d = share (h v/2)^2.
   static constexpr double largest_lift = 1e-4;
   static constexpr double finest_penetration(const ContactTerms& terms) {
-    if (is_resolved(terms) || !(terms.field > 0)) return Treatment::finest_penetration(terms);
+    if (!(terms.field > 0)) return 0;
     const double compliance = terms.step * terms.step / (2 * terms.reduced_mass()), rate = terms.largest_rate;
     const double lift = largest_lift * rate * rate * terms.step * terms.step / 4;
     const double d = lift / (compliance * terms.ball_mass * terms.field);
@@ -100,8 +95,11 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
   // No force can do more in a step than to send the ball back at its own speed and to bear what presses meanwhile, nor
   // more than the law does at the deepest; what is stored there, W, counts as V times V/G (stiff.hpp), V^2 = G W. No
   // penetration is more than an impact's or a few steps' way.
-  static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
-    if (is_resolved(terms)) return ResolvedForces::bound_forces(terms, largest);
+  static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
+    if (is_resolved(terms)) return ContactDefaults::room(terms, largest);
+    largest.finest_penetration = finest_penetration(terms);
+    // In a field a stiff contact may leave the ball where its force does, deeper than its energy says (stiff.hpp).
+    largest.is_as_deep_as_flight = terms.field > 0;
     const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
     largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
@@ -124,7 +122,6 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
             Format::weight(stiffness * damping, is_per_impact ? 0 : unit.penetration, 0),
             Format::constant(stiffness),
             Format::constant(stiffness * stiffness * damping * constant::power_of_two(unit.push) / 12),
-            true,
             {},
             {},
             decltype(Plan::limit)::make(terms, unit, largest_lasting_damping_of_energy)};
@@ -136,11 +133,10 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
     const double largest = is_per_impact ? 4 * (1 + terms.damping_ratio)
                                          : terms.damping_time / terms.step * power_of_two(unit.penetration);
     terms.damping_exponent = Format::exponent_of(constant::smaller(constant::larger(largest, 1), 0x1p20));
-    return {answer.gains<Format>(terms.force_unit, unit),
+    return {answer.gains<Format>(terms.force_unit, unit, true),
             Weight{Format::at_most_one(damping_gain<Format, ContactLaw>(terms, unit))},
             {},
             {},
-            false,
             Stiff::Plan::make(compliance * power_of_two(-unit.penetration),
                               Format::gain(1 / (terms.force_unit * answer.penetration()), unit.penetration, 0),
                               terms.damping_exponent),
@@ -151,15 +147,21 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
 
   Value penetration;
   Root root;        // at the start of the step, while touching
-  Value memory[3];  // of a resolved contact taken(), of a stiff one stored_rate() and last_correction()
+  Value memory[3];  // of a resolved contact taken(), of a stiff one stored_rate()
   Phase phase;
 
-  constexpr void start(const Plan& plan, const Units&, Value at, Value rate) {
+  constexpr Value resume(const Plan& plan, const Units& units, const Standing<Value>& standing) {
+    if constexpr (is_per_impact) this->hold_damping(plan, standing.penetration, standing.rate);
+    start(plan, units, standing);
+    return penetration;
+  }
+  constexpr void start(const Plan& plan, const Units&, const Standing<Value>& standing) {
+    const Value at = standing.penetration, rate = standing.rate;
     penetration = at;
     root = Format::root(at);
     memory[0] = memory[1] = memory[2] = Value{};
     phase = Phase::touching;
-    if (!plan.is_resolved) {
+    if (plan.response.is_sudden) {
       stored_rate() = plan.stiff.rate_at(at);
       return;
     }
@@ -179,33 +181,24 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
     if (is_positive(most))
       taken(3) = taken(3) + Format::value(half(size * Format::quotient(without_sign(size), without_sign(most))));
   }
-  template <class AnyPlan, class Seen, class Felt>
-  [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {
-    return penetration;
-  }
-  constexpr bool fits_together(const Plan& plan) const {
-    return !plan.is_resolved || phase == Phase::apart || is_root_of<Format>(penetration, root);
-  }
-  // What a stiff contact's correction is beside the impulse.
-  template <class State>
-  [[gnu::always_inline]] constexpr void place_ball(const Plan& plan, const Units& units, State& state,
-                                                   bool left) const {
-    if (!plan.is_resolved) units.displace(state.x2, -mirrored(last_correction(), left));
-  }
-  [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
-                                                             const Approach<Value>& step, const EnergyPower& before,
-                                                             const Impulse<Value>& impulse) const {
-    const Value way = step.travel - plan.response.travel(Format::value(half(impulse.j0)));
-    return plan.response.recorded(step, impulse.j0, way, stored(plan, units), before.phase == Phase::apart);
+  constexpr bool valid(const Plan& plan, const Units&) const {
+    return this->has_sound_damping() &&
+           (plan.response.is_sudden || phase == Phase::apart || is_root_of<Format>(penetration, root));
   }
 
   template <class Seen>
-  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units&, const Seen& step) {
-    const bool enters = phase == Phase::apart;
+  [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
     if constexpr (is_per_impact)
-      if (enters) this->begin(plan.damping, step.rate);
-    if (!plan.is_resolved) return resolve_stiff(plan, step);
-
+      if (phase == Phase::apart) this->begin(plan.damping, step.rate);
+    auto reaction = plan.response.is_sudden ? solve_stiff(plan, step) : solve_resolved(plan, step);
+    if constexpr (Seen::is_recorded)
+      plan.response.record(reaction, stored(plan, units),
+                           step.travel - plan.response.travel(Format::value(half(reaction.main.j0))));
+    return reaction;
+  }
+  template <class Seen>
+  [[gnu::always_inline]] constexpr Reaction<Format> solve_resolved(const Plan& plan, const Seen& step) {
+    const bool enters = phase == Phase::apart;
     const Value before = enters ? step.before : penetration;
     Value predicted{};
     Factor n;
@@ -224,21 +217,19 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
     const Value way = enters ? step.travel : penetration - before;
     Impulse<Value> push = pushed(plan, n, way);  // not const: GCC would keep it in memory
     taken(1) = push.j1;
-    return {push.j0, predicted};
+    return reaction_of<Format>(Impulse<Value>{push.j0, predicted});
   }
 
   constexpr typename Format::Energy stored(const Plan& plan, const Units& units) const {
     if (phase != Phase::touching) return {};
-    if (plan.is_resolved) return ContactLaw::template stored<Format>(units, penetration);
-    return plan.stiff.stored(stored_rate());
+    if (plan.response.is_sudden) return plan.stiff.stored(stored_rate());
+    return ContactLaw::template stored<Format>(units, penetration);
   }
 
  private:
   constexpr Value& taken(int steps_ago) { return memory[steps_ago - 1]; }  // y
   constexpr Value& stored_rate() { return memory[0]; }                     // V, energy/stiff.hpp
-  constexpr Value& last_correction() { return memory[1]; }                 // of the ball's place, in the last step
   constexpr Value stored_rate() const { return memory[0]; }
-  constexpr Value last_correction() const { return memory[1]; }
 
   // J0, and as j1 y, of a step with the mean n in which the penetration changes by `way`, but for the correction.
   [[gnu::always_inline]] constexpr Impulse<Value> pushed(const Plan& plan, Factor n, Value way) const {
@@ -260,8 +251,8 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
       return Format::value(plan.correction * square(n));
   }
   template <class Seen>
-  [[gnu::always_inline]] constexpr Impulse<Value> resolve_stiff(const Plan& plan, const Seen& step) {
-    constexpr bool is_in_field = __is_base_of(ApproachInField<Value>, Seen);
+  [[gnu::always_inline]] constexpr Reaction<Format> solve_stiff(const Plan& plan, const Seen& step) {
+    constexpr bool is_in_field = Seen::is_in_field;
     const Value trial = step.penetration;
     Value field{};
     if constexpr (is_in_field) field = plan.field * step.ball_increment;
@@ -280,11 +271,12 @@ struct EnergyPower : ConstantForce, ImpactDamping<Format, ContactLaw::is_damped_
                         field};
     const auto end = contact.template end<is_in_field>();
     stored_rate() = end.rate;
-    last_correction() = trial - end.recoil - end.penetration;
     penetration = end.penetration;
     phase = end.is_inside ? Phase::touching : Phase::apart;
     const Value j1 = Format::moved(end.recoil, -plan.response.travel_places);
-    return {j1 + j1, j1};
+    auto reaction = reaction_of<Format>(Impulse<Value>{j1 + j1, j1});
+    reaction.shift = trial - end.recoil - end.penetration;
+    return reaction;
   }
 
   // n, for the penetration at the end; these take root and phase along.

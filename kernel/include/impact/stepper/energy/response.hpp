@@ -7,58 +7,52 @@
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
+#include <impact/stepper/contact.hpp>
 #include <impact/stepper/response.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
 // To what a constant force does to the displacement between the masses, twice (j0): the ball has its share of it, and
 // the main mass the rest, of whose displacement per step, dx1, spring and damper meanwhile take a little. The ball ends
 // where the penetration is smaller by j1, which a position correction makes another number than j0/2: it moves the ball
-// alone, and changes no rate.
+// alone, and changes no rate. A stiff contact's correction is the reaction's shift.
 template <class Format>
 struct ConstantForceGains {
   using Value = typename Format::Value;
 
-  static constexpr bool is_shared = true;
   typename Format::Weight ball, dx1;
-  typename Format::Gain rate;   // of penetration
   typename Format::Gain force;  // from twice the displacement to the force
   int travel_places;            // from displacements to penetrations
+  bool is_sudden;               // a stiff contact
 
   constexpr Value travel(Value displacement) const { return Format::moved(displacement, travel_places); }
 
-  template <class Units, class State, class Felt>
-  [[gnu::always_inline]] constexpr void answer(const Units& units, State& state, const Felt& impulse) const {
+  template <class Units, class State>
+  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
+                                              bool left) const {
+    const auto impulse = mirrored(reaction.main, left);
     const auto ball_part = ball * impulse.j0, main_part = impulse.j0 - ball_part;
     units.push(state.x1, half(main_part));
     units.push(state.dx1, dx1 * impulse.j0);
     units.push(state.x2, half(main_part) - impulse.j1);
     units.push(state.dx2, -ball_part);
+    if (is_sudden) units.displace(state.x2, -mirrored(reaction.shift, left));
   }
-  // The step for the features, whose work is the force's by the contact's way.
-  [[gnu::always_inline]] constexpr ContactStep<Value> recorded(const Approach<Value>& step, Value j0, Value way,
-                                                               typename Format::Energy stored, bool begins) const {
-    const Value own_force = force * j0;
-    return {{own_force, Format::value(half(own_force))},
-            stored,
-            step.rate_at_start(),
-            step.rate - rate * j0,
-            begins,
-            !begins,
-            true,
-            way};
+  // For the features, whose work is the force's by the contact's way.
+  [[gnu::always_inline]] constexpr void record(Reaction<Format>& reaction, typename Format::Energy stored,
+                                               Value way) const {
+    const Value own_force = force * reaction.main.j0;
+    reaction.record.force = {own_force, Format::value(half(own_force))};
+    reaction.record.stored = stored;
+    reaction.record.way = way;
   }
 };
 
-// A treatment whose force is constant in a step.
-struct ConstantForce : ResolvedForces {
-  template <class Units, class State, class Value>
-  [[gnu::always_inline]] static constexpr bool begin_inside(const Units& units, State& state, Approach<Value>& step,
-                                                            bool left) {
-    return put_back(units, state, step, left);
-  }
-};
+constexpr ContactTraits constant_force_traits() {
+  ContactTraits traits;
+  traits.puts_back = traits.knows_way = true;
+  return traits;
+}
 
 struct ConstantForceResponse {
   double x1, dx1, x2, dx2;  // m/N
@@ -67,23 +61,19 @@ struct ConstantForceResponse {
       : x1(flow.constant_start()),
         dx1(flow.e12 * (flow.c0 + flow.c1) + flow.e11 * x1),
         x2(terms.step * terms.step / (2 * terms.ball_mass)),
-        dx2(2 * x2),
-        rate_(flow.c0 + flow.c1 + dx2) {}
+        dx2(2 * x2) {}
 
   constexpr double penetration() const { return x1 + x2; }
   // Of a force, twice, in metres.
   constexpr double impulse() const { return 2 * penetration(); }
 
   template <class Format>
-  constexpr ConstantForceGains<Format> gains(double force_unit, const UnitExponents& unit) const {
+  constexpr ConstantForceGains<Format> gains(double force_unit, const UnitExponents& unit,
+                                             bool is_stiff = false) const {
     return {Format::weight(dx2 / impulse(), 0, 0),
             Format::weight(constant::smaller(dx1 / impulse(), largest_share), 0, 0),
-            Format::gain(rate_ / impulse(), unit.push, unit.penetration),
-            Format::gain(1 / (impulse() * force_unit), unit.push, 0), unit.penetration - unit.push};
+            Format::gain(1 / (impulse() * force_unit), unit.push, 0), unit.penetration - unit.push, is_stiff};
   }
-
- private:
-  double rate_;
 };
 
 // x >= 0 with x^2 + 2 b x = y z, for y z >= 0, in a unit of its own, so that the squares keep their places.

@@ -18,13 +18,13 @@
 //               the ball is free until it is out or a positive force pushes it in again)
 
 #include <impact/law/hooke_newton.hpp>
+#include <impact/stepper/contact.hpp>
 #include <impact/stepper/moment/response.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
 template <class Format>
-struct MomentLinear : ResolvedForces {
+struct MomentLinear : ContactDefaults {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;
@@ -71,36 +71,38 @@ struct MomentLinear : ResolvedForces {
             terms.clamped};
   }
 
-  static constexpr bool meets_both_stops = true;
+  static constexpr ContactTraits traits = moment_traits(true, false);
 
   Value penetration, rate;  // at the start of the step, while touching or let go inside
   Phase phase;
 
-  constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
-    penetration = at;
-    rate = at_rate;
-    const bool is_tension = !is_positive(units.elastic(at) + plan.damping * at_rate);
+  constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& at) {
+    penetration = at.penetration;
+    rate = at.rate;
+    const bool is_tension = !is_positive(units.elastic(penetration) + plan.damping * rate);
     phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
-  template <class AnyPlan, class Seen, class Felt>
-  [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {
+  // A ball that was let go is on its way out: deeper the stop would push it with all that a correction put in.
+  constexpr Value resume(const Plan&, const Units&, const Standing<Value>& at) {
+    if (phase != Phase::released || !is_positive(at.penetration - penetration)) penetration = at.penetration;
+    rate = at.rate;
     return penetration;
   }
   constexpr void change_rate(const Plan&, Value by) { rate = rate + by; }
-  constexpr void stand_at(Value inside) { penetration = inside; }
-  // A ball that was let go is on its way out: deeper the stop would push it with all that a correction put in.
-  constexpr Value no_deeper(Value inside) const {
-    return phase == Phase::released && is_positive(inside - penetration) ? penetration : inside;
-  }
-  [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
-                                                             const Approach<Value>& step, const MomentLinear& before,
-                                                             const Impulse<Value>& impulse) const {
-    return recorded<Format, HookeNewton>(plan.response, units, step, impulse, impulse, before.phase == Phase::apart,
-                                         phase == Phase::touching);
-  }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units& units,
-                                                          const Approach<Value>& step) {
+  template <class Seen>
+  [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
+    Impulse<Value> impulse = impulse_of(plan, units, step);  // not const: compiler.hpp
+    auto reaction = reaction_of<Format>(impulse);
+    if constexpr (Seen::is_recorded) {
+      reaction.record.force = impulse;
+      if (phase == Phase::touching) reaction.record.stored = HookeNewton::stored<Format>(units, penetration);
+      reaction.record.rate = rate;
+    }
+    return reaction;
+  }
+  [[gnu::always_inline]] constexpr Impulse<Value> impulse_of(const Plan& plan, const Units& units,
+                                                             const Approach<Value>& step) {
     const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);

@@ -27,9 +27,9 @@
 // of its energy, in one of 16 steps 0.1 %.
 
 #include <impact/law/impact_damping.hpp>
+#include <impact/stepper/contact.hpp>
 #include <impact/stepper/moment/response.hpp>
 #include <impact/stepper/touch.hpp>
-#include <impact/stepper/treatment.hpp>
 
 namespace impact {
 
@@ -37,7 +37,7 @@ namespace impact {
 inline constexpr double largest_damping_of_moment = 2.5;
 
 template <class Format, class ContactLaw>
-struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
+struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
   using Root = typename Format::Root;
   using Gain = typename Format::Gain;
@@ -79,36 +79,41 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
             decltype(Plan::limit)::make(terms, unit, largest_damping_of_moment)};
   }
 
-  static constexpr bool meets_both_stops = true, reads_rate = ContactLaw::is_damped_per_impact,
-                        sees_change = ContactLaw::is_damped_per_impact;
+  static constexpr ContactTraits traits =
+      moment_traits(ContactLaw::is_damped_per_impact, ContactLaw::is_damped_per_impact);
 
   // While touching, at the start of the step: the change is that of the rate in a step around it, by all but contact.
   Value penetration, change;
   Root root;
   Phase phase;
 
-  constexpr void start(const Plan&, const Units&, Value at, Value) {
-    penetration = at;
-    root = Format::root(at);
+  constexpr void start(const Plan& plan, const Units&, const Standing<Value>& at) {
+    stand_at(at.penetration);
+    change = Format::moved(at.load, -plan.travel_places);
     phase = Phase::touching;
   }
-  template <class AnyPlan, class Seen, class Felt>
-  [[gnu::always_inline]] constexpr Value depth(const AnyPlan&, const Seen&, const Felt&) const {
-    return penetration;
+  constexpr Value resume(const Plan& plan, const Units&, const Standing<Value>& at) {
+    if constexpr (ContactLaw::is_damped_per_impact) this->hold_damping(plan, at.penetration, at.rate);
+    stand_at(at.penetration);
+    return at.penetration;
   }
-  constexpr bool fits_together(const Plan&) const {
-    return phase == Phase::apart || Format::is_root_beside(root, penetration);
-  }
-  constexpr void bear(const Plan& plan, Value load) { change = Format::moved(load, -plan.travel_places); }
-  [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
-                                                             const Approach<Value>& step, const MomentPower& before,
-                                                             const Impulse<Value>& impulse) const {
-    return recorded<Format, ContactLaw>(plan.response, units, step, impulse,
-                                        {plan.force * impulse.j0, plan.force * impulse.j1},
-                                        before.phase == Phase::apart, phase == Phase::touching);
+  constexpr bool valid(const Plan&, const Units&) const {
+    return this->has_sound_damping() && (phase == Phase::apart || Format::is_root_beside(root, penetration));
   }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> resolve(const Plan& plan, const Units&, const Approach<Value>& step) {
+  template <class Seen>
+  [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
+    Impulse<Value> impulse = impulse_of(plan, units, step);  // not const: compiler.hpp
+    auto reaction = reaction_of<Format>(impulse);
+    if constexpr (Seen::is_recorded) {
+      reaction.record.force = {plan.force * impulse.j0, plan.force * impulse.j1};
+      if (phase == Phase::touching) reaction.record.stored = ContactLaw::template stored<Format>(units, penetration);
+      reaction.record.rate = rate_after(plan.response, step.rate, impulse);
+    }
+    return reaction;
+  }
+  [[gnu::always_inline]] constexpr Impulse<Value> impulse_of(const Plan& plan, const Units&,
+                                                             const Approach<Value>& step) {
     const Value trial = step.penetration, before = step.before;
     const Value after = Format::moved(step.increment, plan.change_places);
     const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
@@ -117,6 +122,10 @@ struct MomentPower : ResolvedForces, ImpactDamping<Format, ContactLaw::is_damped
   }
 
  private:
+  constexpr void stand_at(Value at) {
+    penetration = at;
+    root = Format::root(at);
+  }
   [[gnu::always_inline]] constexpr Impulse<Value> respond(const Plan& plan, Value trial, Value before, Value trial_rate,
                                                           Value g) {
     if (phase == Phase::apart) return enter(plan, trial, before, trial_rate, g);

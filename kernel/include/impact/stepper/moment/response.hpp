@@ -14,6 +14,14 @@
 
 namespace impact {
 
+constexpr ContactTraits moment_traits(bool reads_rate, bool sees_change) {
+  ContactTraits traits;
+  traits.crosses_cavity = true;
+  traits.reads_rate = reads_rate;
+  traits.sees_change = sees_change;
+  return traits;
+}
+
 struct MomentResponse {
   double gx, g0, hg1;  // 1/kg
 

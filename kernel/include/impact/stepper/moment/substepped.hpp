@@ -62,11 +62,12 @@ struct SubsteppedMoment {
     // places: a heavy ball's may have none in a push.
     struct StepAnswer : Answer<Gain> {
       template <class State>
-      [[gnu::always_inline]] constexpr void answer(const Units& units, State& state,
-                                                   const SplitImpulse<Value>& main) const {
-        this->move_main(units, state, main);
-        units.displace(state.x2, this->x2, -main.ball.j1);
-        units.displace(state.dx2, this->dx2, -main.ball.j0);
+      [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
+                                                  bool left) const {
+        const auto ball = mirrored(reaction.ball, left);
+        this->move_main(units, state, mirrored(reaction.main, left));
+        units.displace(state.x2, this->x2, -ball.j1);
+        units.displace(state.dx2, this->dx2, -ball.j0);
       }
     };
     // Power laws' impulses are changes of the relative rate, Hooke-Newton's count in forces and become the ball's at
@@ -91,8 +92,8 @@ struct SubsteppedMoment {
     };
     // An impulse counts by what it does in a sub-step. A step's n impulses change the displacement per step by no more
     // than n^2 of them, and a speed by no more than twice the largest rate.
-    static constexpr void bound_forces(const ContactTerms& terms, UnitBounds& largest) {
-      Inner::bound_forces(in_a_part(terms), largest);
+    static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
+      Inner::room(in_a_part(terms), largest);
       // The displacements of both masses have room together.
       if (terms.is_linear) largest.push *= constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
       const double n = parts_for(resolution_of<ContactLaw>(terms), terms.step);
@@ -143,36 +144,33 @@ struct SubsteppedMoment {
       return plan;
     }
 
-    static constexpr bool meets_both_stops = false, reads_rate = true, sees_change = true;
+    static constexpr ContactTraits traits = [] {
+      ContactTraits own;
+      own.sees_change = true;
+      return own;
+    }();
 
     Value step_rate;  // of penetration, at the end of the last step in contact
 
-    constexpr void start(const Plan& plan, const Units& units, Value at, Value at_rate) {
-      Inner::start(plan.inner, units, at, plan.part * at_rate);
-      step_rate = at_rate;
+    constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& at) {
+      Inner::start(plan.inner, units, of_a_part(plan, at));
+      step_rate = at.rate;
     }
-    constexpr void bear(const Plan& plan, Value load) { Inner::bear(plan.inner, plan.square * load); }
-    constexpr void hold_damping(const Plan& plan, Value at, Value rate) {
-      Inner::hold_damping(plan.inner, at, plan.part * rate);
+    constexpr Value resume(const Plan& plan, const Units& units, const Standing<Value>& at) {
+      step_rate = at.rate;
+      return Inner::resume(plan.inner, units, of_a_part(plan, at));
     }
-    constexpr bool fits_together(const Plan& plan) const { return Inner::fits_together(plan.inner); }
+    static constexpr Standing<Value> of_a_part(const Plan& plan, const Standing<Value>& at) {
+      return {at.penetration, plan.part * at.rate, plan.square * at.load};
+    }
+    constexpr bool valid(const Plan& plan, const Units& units) const { return Inner::valid(plan.inner, units); }
     constexpr void change_rate(const Plan& plan, Value by) {
       step_rate = step_rate + by;
       Inner::change_rate(plan.inner, plan.part * by);
     }
-    // For the ledger: J0 (v0 + v1)/2 is all of a free pair's work, however the force runs.
-    [[gnu::always_inline]] constexpr ContactStep<Value> record(const Plan& plan, const Units& units,
-                                                               const Approach<Value>& step, const Contact& before,
-                                                               const SplitImpulse<Value>& impulse) const {
-      const Value force = plan.force * impulse.ball.j0;
-      typename Format::Energy stored{};
-      if (this->phase == Phase::touching) stored = ContactLaw::template stored<Format>(units, this->penetration);
-      const bool begins = before.phase == Phase::apart;
-      return {{force, Format::value(half(force))}, stored, step.rate_at_start(), step_rate, begins, !begins};
-    }
 
     template <class Seen>
-    constexpr SplitImpulse<Value> resolve(const Plan& plan, const Units& units, const Seen& step) {
+    [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
       const Value trial = step.penetration;
       const bool begins = this->phase == Phase::apart;
       Value at = begins ? step.before : this->penetration;
@@ -210,7 +208,7 @@ struct SubsteppedMoment {
         part.travel = part_trial - at;
         part.before = at;
         part.increment = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
-        Impulse<Value> impulse = Inner::resolve(plan.inner, units, part);  // not const: GCC would keep it in memory
+        Impulse<Value> impulse = Inner::impulse_of(plan.inner, units, part);  // not const: compiler.hpp
         sums.x = sums.x + plan.main_x * impulse.j1;
         sums.u = sums.u + plan.main_u * impulse.j0 + plan.main_u_by_moment * impulse.j1;
         sums.y = sums.y + for_ball(plan, impulse.j1);
@@ -226,7 +224,17 @@ struct SubsteppedMoment {
         }
       }
       step_rate = free.rate - plan.to_penetration * (sums.u + of_ball(plan, sums.w));
-      return {{sums.u, sums.x}, {sums.w, sums.y}, {}};
+      auto reaction = reaction_of<Format>(Impulse<Value>{sums.u, sums.x});
+      reaction.ball = {sums.w, sums.y};
+      if constexpr (Seen::is_recorded) {
+        // J0 (v0 + v1)/2 is all of a free pair's work, however the force runs.
+        const Value force = plan.force * reaction.ball.j0;
+        reaction.record.force = {force, Format::value(half(force))};
+        if (this->phase == Phase::touching)
+          reaction.record.stored = ContactLaw::template stored<Format>(units, this->penetration);
+        reaction.record.rate = step_rate;
+      }
+      return reaction;
     }
 
    private:

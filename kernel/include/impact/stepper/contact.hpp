@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A contact: what a stepper does while the ball is inside a stop. The step asks this of it, and no more:
+//
+//     traits        ContactTraits: what it reads and does
+//     Plan          its constants, with `response`: response.apply(units, state, reaction, left) changes the state
+//     make_plan     (terms, flow, exponents)    SI in, law/terms.hpp
+//     room          (terms, largest)            adds the largest numbers of its steps to the units' bounds
+//     phase         Phase
+//     start         (plan, units, standing)     a contact that the ball is found in, at the start or under a new plan
+//     solve         (plan, units, approach)     the step as the stop sees it: returns the Reaction
+//     resume        (plan, units, standing)     goes on after a correction: returns how deep it leaves the ball, which
+//                                               the step then puts there
+//     valid         (plan, units)               whether a contact from elsewhere fits together
+//     change_rate   (plan, by)                  friction has changed the rate at the step's end
+//
+// A new contact derives from ContactDefaults, which has the last three and room() for a law's forces, and states only
+// what differs. Approach and Reaction have room for a touch at any instant of the step: how the force runs within it is
+// the contact's own affair, and main mass and ball may feel it differently.
+
+#include <stdint.h>
+
+#include <impact/law/terms.hpp>
+#include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/formula.hpp>
+#include <impact/numeric/units.hpp>
+
+namespace impact {
+
+// Where a contact stands between steps. `released`: let go at zero force, still inside the stop.
+enum class Phase : uint32_t { apart, touching, released };
+
+struct ContactTraits {
+  bool is_instantaneous = false;  // impacts at an instant: forces are not judged by their size, and count in 2 mu
+  bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step
+  bool reads_rate = true;         // at the step's end, which costs the main mass's own to know
+  bool sees_change = false;       // asks for the increment of a drive as it is at the step's end
+  bool keeps_force = false;       // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
+                                  // share in the displacements of the coming one, dx1_share and dx2_share
+  bool puts_back = false;         // a ball found inside goes back to its stop before it is touched
+  bool keeps_penetration = true;  // from step to step, as `penetration`
+  bool knows_way = false;         // its force is constant in a step: reaction.way tells the work to rounding
+};
+
+// A step as the stop sees it, free flight to its end: penetrations and what they change by in a step, all positive
+// towards the stop. Inside a contact the contact itself knows the penetration before.
+template <class Value>
+struct Approach {
+  static constexpr bool is_recorded = false, is_in_field = false;
+  Value penetration, rate;  // at the end of the step
+  Value travel;             // of the penetration in the step
+  Value before;             // at its start
+  Value increment;          // of the rate by spring, drive and field from this step's end to the next one's, of a
+                            // drive as it is at the end where the contact sees_change
+
+  // As if the rate were linear in time.
+  [[gnu::always_inline]] constexpr Value rate_at_start() const { return travel + (travel - rate); }
+};
+// The same in a field (motion/field.hpp).
+template <class Value>
+struct ApproachInField : Approach<Value> {
+  static constexpr bool is_in_field = true;
+  Value ball_increment;  // the ball's part of the increment
+};
+// Either, for an impact at an instant.
+template <class Seen, class Value>
+struct ApproachAtInstant : Seen {
+  Value half_change;  // of what the drive adds to the rate in a step, from the step's start to its end
+  Value damped;       // the damper's part of the increment
+  Value main_rate;    // of the main mass at the end
+};
+// Any, of which features see the reaction.
+template <class Seen>
+struct RecordedApproach : Seen {
+  static constexpr bool is_recorded = true;
+};
+
+// The impulse of the contact's force in a step, and its moment about the step's end.
+template <class Value>
+struct Impulse {
+  Value j0, j1;
+};
+// The nearest of a force that never pulls: 0 <= J1 <= J0.
+template <class Format, class Value>
+[[gnu::always_inline]] constexpr Impulse<Value> of_push(const Impulse<Value>& impulse) {
+  const Value j1 = Format::value(positive_part(impulse.j1));
+  return {no_less(impulse.j0, j1), j1};
+}
+template <class Value>
+[[gnu::always_inline]] constexpr Impulse<Value> mirrored(const Impulse<Value>& impulse, bool left) {
+  return {mirrored(impulse.j0, left), mirrored(impulse.j1, left)};
+}
+
+// A step in contact as the features see it. The contact writes the first four, the step the others.
+template <class Format>
+struct ContactStep {
+  Impulse<typename Format::Value> force;  // in force_unit
+  typename Format::Energy stored;
+  typename Format::Value rate;  // of penetration at the step's end, or of an impact at an instant when it came
+  typename Format::Value way;   // how far the contact moved, where it knows_way
+  typename Format::Value rate_at_start, rate_at_touch;  // the latter in the first step of a contact
+  bool begins, knows_way;
+};
+
+// What a contact does in a step, as plan.response counts it. A contact writes what its response reads, the penetration,
+// and the record where the approach is_recorded.
+template <class Format>
+struct Reaction {
+  using Value = typename Format::Value;
+
+  Impulse<Value> main, ball;  // on each mass; a shared response reads `main` alone
+  Value penetration;          // with which the step ends, of a contact that does not keep it
+  Value shift;                // of the ball out of the stop, besides
+  ContactStep<Format> record;
+};
+// Of an impulse on both masses alike.
+template <class Format, class Value>
+[[gnu::always_inline]] constexpr Reaction<Format> reaction_of(const Impulse<Value>& impulse) {
+  return {impulse, impulse, {}, {}, {}};
+}
+
+// Where a contact is found between steps: the penetration and its rate, and what spring, drive and field change the
+// rate by in a step.
+template <class Value>
+struct Standing {
+  Value penetration, rate, load;
+};
+
+// What a force counts in, N.
+constexpr double force_unit_of(const ContactTraits& traits, const ContactTerms& terms, const UnitExponents& unit) {
+  using constant::power_of_two;
+  if (traits.is_instantaneous)
+    return 2 * terms.reduced_mass() * power_of_two(unit.penetration) / (terms.step * terms.step);
+  return terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) * power_of_two(unit.force);
+}
+
+// What a contact is that says nothing else: one that evaluates the law at penetrations up to the deepest.
+struct ContactDefaults {
+  static constexpr ContactTraits traits{};
+
+  static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
+    using constant::larger;
+    const double k1 = terms.stiffness, h = terms.step;
+    // A linear force is sized by the largest penetration: of a contact of few steps the ball's way in one.
+    const double way = terms.largest_rate * h * (terms.crosses ? 2 : 1);
+    const double d = terms.is_linear ? larger(terms.largest_penetration, way) : terms.largest_penetration;
+    const double damping = terms.damping_time * terms.largest_rate;
+    const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
+    const double force = terms.is_linear ? k1 * (d + damping) : k1 * terms.to_the_power(d) * (1 + damping);
+    largest.force_factor = terms.is_linear ? (d + damping) / unit : terms.is_damped ? 1.01 + damping : 1;
+    // A damping set per impact is held from half of the range on, impact_damping.hpp.
+    largest.force_factor = larger(largest.force_factor, 2 * terms.damping_ratio);
+    largest.push = h * h * force / constant::smaller(terms.ball_mass, terms.main_mass);
+    if (terms.is_linear) return;
+    // Impulses count in half the unit of pushes: room for the force at the largest penetration that its unit holds, and
+    // for what spring and drive add.
+    const double rate = h * h * 1.1 * (1 / terms.ball_mass + 1 / terms.main_mass) * k1 * terms.to_the_power(unit) *
+                        largest.force_factor;
+    largest.push = larger(2 * rate, 8 * largest.increment);
+  }
+  template <class Plan, class Units>
+  static constexpr bool valid(const Plan&, const Units&) {
+    return true;
+  }
+  template <class Plan, class Value>
+  static constexpr void change_rate(const Plan&, Value) {}
+};
+
+// Whether a root that is kept with a penetration is that penetration's.
+template <class Format>
+constexpr bool is_root_of(typename Format::Value penetration, typename Format::Root root) {
+  return is_positive(penetration) && root == Format::root(penetration);
+}
+
+}  // namespace impact

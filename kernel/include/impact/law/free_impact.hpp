@@ -1,25 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // One impact of two free masses, no spring, damper or drive on either, in closed form: how fast they come apart, after
-// what time, and where in time the force's impulse has its centroid. In double, for the plan.
-//
-// With V the speed of approach, mu = m M/(m + M), and the end of contact at penetration d and rate -e V, mu V' = -F
-// gives for any law
-//
-//     integral of F dt = mu (1 + e) V        integral of t F dt = mu (e V T + d)
-//     centroid = (e T + d/V) / (1 + e)
-//
-// Hertz           e = 1, T = 2.943275 (5 mu V^2/(4 k1))^(2/5) / V                 (Hertz 1882; Goldsmith, Impact, 1960)
-// Hooke-Newton    a damped oscillator, omega^2 = k1/mu, zeta = c1/(2 mu omega), phi = arccos(zeta)/sqrt(1 - zeta^2):
-//                 let go at zero force, e = exp(-2 zeta phi), T = 2 phi/omega, d = e V c1/k1, at any zeta;
-//                 let go at zero penetration, e = exp(-pi zeta/sqrt(1 - zeta^2)), T = pi/(omega sqrt(1 - zeta^2)); for
-//                 zeta >= 1 they never come apart, and e = 0 with its impulse at once.
-// Hunt-Crossley   mu v dv = -k1 d^(3/2) (1 + c1 v/k1) dd. With a = c1 V/k1, y = ln(1 + c1 v/k1) and
-//                 psi(y) = exp(y) - 1 - y the motion keeps psi(y) + (2/5) (c1/k1)^2 (k1/mu) d^(5/2), from ln(1 + a) to
-//                 the y < 0 with psi(y) = psi(ln(1 + a)):  e = (1 - exp(y))/a,
-//                 T = (2/5)^(3/5) (mu/k1)^(2/5) (c1/k1)^(1/5) integral of (psi(ln(1 + a)) - psi(y))^(-3/5) dy.
-//                 y = end (1 - t^5) takes both singular ends out of the integral; 8 Gauss points on each side of y = 0
-//                 leave a relative error of 1e-5 for a <= 3 (e >= 0.3), and 2e-4 at most.
+// what time, and where in time the force's impulse has its centroid. In double, for the plan. Formulas and derivation:
+// kernel/docs/contact.md. Bound: relative 1e-5 for e >= 0.3, 2e-4 at most.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/constant_math.hpp>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The energy-consistent step: exact free flight, and in contact a force that is constant over the step and equals the
-// difference quotient of the contact's potential (a discrete gradient: Hughes, Caughey & Liu 1978), so that its work is
-// the change of the stored energy whatever the step and the stiffness. The damping is a total derivative and its work
-// is never negative: contact cannot create energy. The masses' response to a constant force is exact, so that this
-// holds on a sprung, damped, driven main mass as well. Second order.
+// difference quotient of the contact's potential. Contact cannot create energy, at any step and stiffness. Second order.
+// Derivation: kernel/docs/energy.md.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>

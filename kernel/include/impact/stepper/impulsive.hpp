@@ -1,58 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The impulsive step, for a contact shorter than the step: exact free flight, and an impact as one impulse with the
-// restitution that the law has at this speed (law/rebound.hpp), at the instant of the force's centroid. Seen from
-// outside the contact, that is the motion of a free pair.
+// The impulsive step, for a contact shorter than the step: exact free flight, and an impact as one impulse J with the
+// restitution that the law has at this speed (law/rebound.hpp), at the instant of the force's centroid, t h before the
+// step's end. Derivation: kernel/docs/impulsive.md.
 //
-// The trial state is the free flight to the step's end, with the penetration d and its rate there; the ball came by D
-// in this step. V0 is the rate at the touch, located by a cubic (stepper/touch.hpp), A the acceleration towards the
-// stop by spring and drive. From the touch the ball goes on by depth(V0) + A tau^2/2, tau = depth/D, until the
-// centroid, which so lies t h before the end of the step, where the cubic has that penetration: its chord's place,
-// corrected once. While d is less the centroid is yet to come, and the ball flies on inside the stop. An impulse J at
-// the centroid acts on the end of the step as
+//     x2 -= t h J/m    x1 += p J/M    p = t h (1 - c t h/(2 M) - (w0 t h)^2/6)        J = 2 mu (Vi - loss V)
+//     v2 -= J/m        v1 += g J/M    g = 1 - c t h/M - (w0 t h)^2/2                  V = Vi - A tau >= 0
 //
-//     x2 -= t h J/m    x1 += p J/M    p = t h (1 - c t h/(2 M) - (w0 t h)^2/6)
-//     v2 -= J/m        v1 += g J/M    g = 1 - c t h/M - (w0 t h)^2/2
-//
-// and came at the rate Vi, free flight's at that instant: from the step's end back by A, by what spring and damper
-// change A by, and of a drive that has come to its force from F - dF in the step, by t^2 h dF/2M (1 - (w0 t h)^2/12)
-// more. (A sine F0 of the pulsation w counts by its slope at the end: Vi misses up to (w h)^2/12 F0 h/M, where the main
-// spring turns w0 h = 0.3 in the step up to three times that. Of what a base changes by, da h, it misses
-// (w0 t h)^2/24.) At the instant the energy of both masses changes by J^2/(2 mu) - J Vi, 1/mu = 1/m + 1/M, which is
-// never positive for J from 0 to 2 mu Vi; and what an impulse has done to main mass and spring does not grow until the
-// step's end, g^2 + w0^2 p^2 <= 1 - (w0 t h)^4/12 + (w0 t h)^6/36 <= 1 for w0 h <= 1:
-//
-// an impact creates no energy, whatever t is and however wrong e or the depth may be. Of second order in c t h/M the
-// damper covers what the formulas miss: up to c h/M = 0.1 no step of 7e5 was found to gain (Field.Impulsive..). Beyond,
-// they are without the damper, and what it takes of the main mass's speed after the impact is not given back: J is held
-// to 2 mu Vi without it. One of restitution 1 loses up to (w0 t h)^4/12 of the main mass's share. The impulse counts in
-// 2 mu,
-//
-//     J = 2 mu (Vi - loss V)     V = Vi - A tau >= 0
-//
-// so that rounding cannot put it above. A makes the ball faster on its way to the centroid, and gives that speed back
-// on the way out.
-//
-// What is left of an impact is what the pulse's own length makes of it: of second order in A tau/V0, and within the
-// contact what the masses have not moved yet.
-//
-// Settling. A presses the ball against its stop when the contact, which lasts about twice the time to its centroid, is
-// long enough for A to make the speed V: V^2 < 2 A depth. Then, and when the impulse would leave the ball inside the
-// stop and approaching it, the ball is held by a force that is constant over the step, and ends it on the stop:
-//
-//     f = d/(b + h^2/2m)        x1 += b f    v1 += c f    x2 -= f h^2/2m    v2 -= f h/m
-//
-// with the flow's own response (b, c), so that it does exactly what a force does, at any damping and in any field: it
-// takes f D of the energy. A rate of penetration that it leaves is taken by an impulse at the step's end. Where it
-// would send the ball back faster than V/8, f takes V alone; the ball ends inside the stop and is put on it. In a field
-// a that is to be lifted, for m a times the way: no farther than what f and the impulse have taken pays for. By what is
-// left the ball lies inside its stop, until another impulse pays for it.
-//
-// Rest. From then on the force is the one that keeps the ball where it lies, and does no work; it is the static one at
-// rest, and nothing buzzes or sinks in. A ball that it leaves going away is let go.
-//
-// One impact a step: a ball that crosses the clearance in less goes beyond the other stop by less than it flies in a
-// step, and is turned back in the next.
+// Vi is free flight's rate at that instant, A the acceleration towards the stop by spring and drive, tau the time from
+// touch to centroid. An impact creates no energy, whatever t is and however wrong the restitution. A ball that A
+// presses to its stop is ended on it by a force over the step, f = d/(b + h^2/2m), and from then on rests: the force
+// keeps it where it lies and does no work. In a field it is lifted no farther than what the force has taken pays for.
+// One impact a step.
 
 #include <impact/law/impact_force.hpp>
 #include <impact/law/rebound.hpp>
@@ -71,14 +30,10 @@ struct Impulsive {
   // Radians of the main mass's own vibration in a step.
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
-  // The impact is at an instant for the main mass, whatever the step: what contact dissipates in a driven run is off by
-  // 1.6 % at 0.04 rad of the main mass's vibration during a contact, by 10 % at 0.25.
+  // Of the main mass's vibration during a contact, rad.
   static constexpr double longest_main_phase = 0.25;
   // c h/M up to which an impact's response has the main damper in it.
   static constexpr double largest_fading = 0.1;
-  // A slow ball that comes to rest at its impact's depth, V tc/pi, is not lifted out by its own energy where V is below
-  // (2/pi) (1 + m/M) a tc: 0.64 field_share of the fastest impact's. What it then lies inside is little beside that
-  // one's depth.
   static constexpr double largest_field_share = 0.01;
   static constexpr bool is_instant(const Resolution& contact, double main_phase) {
     return contact.main_phase <= main_phase && contact.field_share <= largest_field_share;

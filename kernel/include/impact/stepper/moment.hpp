@@ -1,34 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The moment-fitted step: exact free flight, and in contact Newmark's two updates with the weights fitted to the
-// contact law instead of to a force that is constant or linear in time. Over a step from 0 to h,
+// contact law. Over a step from 0 to h, v gains J0/m and x gains J1/m:
 //
 //     J0 = integral of f(s) ds        J1 = integral of (h - s) f(s) ds
 //
-// are all that the motion of a free mass sees of the force: v gains J0/m and x gains J1/m. With r and s the roots of
-// the penetrations d0 and d1 at both ends, p = (s+r)/2 and z = (s-r)/2, a root of the penetration that runs linearly in
-// time gives both in closed form, the damping is a total derivative, and the deviation of the rates from a uniform one
-// enters to first order. One square root and one quotient a step; fourth order. It is derived here and in moment/.
-//
-// Range. Free pairs, over 64 phases of the impact within the step, e = 0.05 to 1 (choice_test.cpp): from 5 steps per
-// Resolution::shortest_part on a contact gains no energy (an undamped Hooke-Newton one 1.4e-4 of it at 5 steps, 1e-5 at
-// 8, falling with the sixth power); from 8 on its restitution is within 1 % of the law's.
-//
-// In the coupled machine (coupled_scenes_test.cpp) three more numbers decide. A contact linearised at a penetration has
-// per step the stiffness k = (h omega)^2 and the damping q = h c/mu, and the formulas of moment/power.hpp map its
-// deviation (a, b) of penetration and rate to (a + b - J1, b - J0). Without stiffness that takes the rate by
-//
-//     b' = (1 - q + q^2/2 - q^3/6 + q^4/24) b
-//
-// the exponential series to fourth order, which grows above q = 2.785. Without damping the map damps, by 1 - (h
-// omega)^6/900 at first, and grows above h omega = 2.69. With both it grows nowhere within q <= 2.7, h omega <= 2.2.
-// The step is taken up to q = 2.5 and h omega = 0.9 (5 steps a contact), where both are well inside.
-// The main mass is displaced as by a constant force (moment/response.hpp), and its spring and damper answer to a moment
-// in the next step (moment/power.hpp). Of the energy of both masses that creates up to 2e-5 in 2000 steps at w0 h =
-// 0.16 without any damping (2000 random machines, 8 to 20 steps a contact). Beside a ball that is hardly ever free,
-// since it crosses its clearance in a small part of a step, 2e-4 in 2000 steps and 4 % in 10^6, with the fourth power
-// of w0 h; in Hooke-Newton contacts of 20 steps 0.1 % and 28 %, with the second (narrow_cavity_test.cpp). With a damped
-// main mass none was found to gain.
+// One square root and one quotient a step; fourth order. Derivation, and why each bound below is where it is:
+// kernel/docs/moment.md.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>

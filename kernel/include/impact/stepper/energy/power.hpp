@@ -1,37 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The energy-consistent contact for the power laws, in the units of law/terms.hpp. n is the mean of d^(3/2) between
-// the penetrations d0 and d1 at both ends (0 where they are negative); r, s: their roots; p = (s+r)/2, z = (s-r)/2:
-//
-//     staying   n = p^3 + 2 p z^2 + z^4/(5p)
-//     entering  n = (2/5) s^3 d1/(d1 - d0)
-//     leaving   n = (2/5) r^3 d0/(d0 - d1)
+// The energy-consistent contact for the power laws, in the units of law/terms.hpp. Derivation: kernel/docs/energy.md.
+// With the mean n of d^(3/2) in the step (mean.hpp), d0 and d1 the penetrations at its ends, C = 0 for Hertz:
 //
 //     f = n (1 + C (d1 - d0 + correction))        correction = G n u/3        u = C G n
 //     d1 = trial - G f - correction
 //
-// (Hertz: C = 0, no correction.) Hunt-Crossley's motion has a first integral, in C v - ln(1 + C v); with the
-// correction, which moves the ball without changing its velocity, this step keeps it (stiff.hpp; u/3 is the first term
-// of its k).
-//
-// Where the plan knows the contact to be resolved (is_resolved), f is evaluated once, at a predicted end:
+// Where the plan knows the contact to be resolved (is_resolved), f is evaluated once, at a predicted end, and the ball
+// moves there:
 //
 //     d1 = trial - (3 y1 - 3 y2 + y3)        y = G f + correction, of the three steps before; 0 before contact
 //
-// and the ball moves there: what the equation leaves over is added to its correction. With K = 2 G, twice what the
-// force takes of the penetration is J0 = n (K + K C (way + correction)), and the correction (C G^2/3) n^2. The energy
-// stored is d1's, so that for Hertz an impact loses
-//
-//     sum f (3 y1 - 3 y2 + y3 - y) = G/(2 pi) integral |F(w)|^2 8 sin^3(w/2) sin(3w/2) dw        w from -pi to pi
-//
-// where F is the force's spectrum, which for a force that lasts N >= 20 steps lies below w = 2 pi/3: a loss, of fifth
-// order in 1/N. What u/3 leaves out of the correction is of fourth. Restitution is right within 100/N^4
-// (tests/host/energy_test.cpp).
-//
-// The damping counts with the way to the predicted end, and that with the steps before: at rest, with y = u w for the
-// way w, a step answers the one before by its opposite where 8 u = 1, and chatters on beyond.
-//
-// Any other contact goes to stiff.hpp, which an image whose contact is resolved does not hold.
+// With K = 2 G, twice what the force takes of the penetration is J0 = n (K + K C (way + correction)), and the
+// correction (C G^2/3) n^2. Bound: the restitution is right within 100/N^4 (energy_test). Any other contact goes to
+// stiff.hpp, which an image whose contact is resolved does not hold.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/contact.hpp>

@@ -1,69 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The energy-consistent step of a power law at any stiffness, in closed form. All are lengths: D the displacement
-// without contact, b what the force takes from it, w0 = D and w1 = D - 2 b the displacements per step at its start and
-// end, d0 and d1 the penetrations there, and V what the stored energy is worth as such a rate: V^2 = (2/5) G d^(5/2).
+// The energy-consistent step of a power law at any stiffness, in closed form. Derivation: kernel/docs/energy.md. All
+// are lengths: D the displacement without contact, b what the force takes from it, p half of what spring, drive and
+// field change the displacement per step by, d0 and d1 the penetrations at the step's start and end, and V what the
+// stored energy is worth as a rate, V^2 = (2/5) G d^(5/2). Hertz, with t the tangent of half the angle by which the
+// contact moves along its circle of D - b and V:
 //
-// Hertz. (w/2)^2 + V^2 is the contact's energy, and b(D - b) what the force's work takes from (w/2)^2, because the
-// response of both masses to it is exact. So whatever b, a step that ends at
+//     b = (t^2 D + 2 t V0)/(1 + t^2)        V1^2 = V0^2 + b (D - b)        d1 = K V1^(4/5)
 //
-//     V1^2 = V0^2 + b (D - b)        d1 = K V1^(4/5)
+// Hunt-Crossley, with the elastic force's part q, u = C q, A = C D and x = u (b - p)/b:
 //
-// has neither made nor lost energy; the position correction puts the ball to d1 without changing its rate. A contact
-// moves along half a circle in the plane of w/2 and V, and b only says how far. With the tangent t of half the angle,
+//     b = q (1 + A)/(1 + u)        V1^2 = V0^2 + q (D - b - k(x) x/C)        artanh x = x + k(x) x^2
+//     q = 2 W/(B + (B^2 + 4 C W cos^2)^(1/2))        W = sin^2 D + sin V0        B = 1 - C sin V0
 //
-//     b = (t^2 D + 2 t V0)/(1 + t^2)        t = (V1 - V0)/(d1 - d0)
-//
-// is the step whose force is the difference quotient. t depends little on the end: t^2 = (5/8) G sqrt(d)
-// at the mean d of d0 and d1, or for a ball that enters from d0 < 0, (2/5) G sqrt(d1) times the square of
-// d1/(d1 - d0). d1 is taken for that as the free end, d0 + D or within a contact d0 + D - p (p below), or, where that
-// is beyond it, K (V0 + D/2)^(4/5) to 1 %, which no step passes. An elastic contact ends late by less than a step, by
-// 0.1 step where it lasts 5 (tests/host/energy_test.cpp).
-//
-// A ball at rest under a press has D = b = p and stays where b = 2 t V0 = G d^(3/2) for the t^2 of its own d, as the
-// law says, (m g/k1)^(2/3): d1 = d0 + D instead would leave it (h omega)^2/36 of itself higher. What x^(4/5)
-// rounds, 4.4e-5 of d, leaves the ball trembling by up to 2e-3 of d, on average within 1.5e-4, up to h omega = 3
-// (tests/host/field_test.cpp).
-//
-// Hunt-Crossley. Spring, drive and field change the rate by 2 p in the step, from D - p to D + p - 2 b. With the
-// elastic force's part q, u = C q and A = C D, the damped force and what it loses are
-//
-//     b = q (1 + A)/(1 + u) = q + (D - q) u/(1 + u)        V1^2 = V0^2 + q (D - b - k(x) x/C)
-//     x = u (b - p)/b, from 0 to u                         artanh x = x + k(x) x^2
-//
-// This takes C q (D - b)^2 + q k x/C of the energy, which is positive whatever q and p: no rounding makes energy. It is
-// the law's own loss where the rate changes evenly over the step: x is half the fall of the rate over its mean, both
-// counted from -1/C. Without p it keeps the law's first integral F(w) = C w - ln(1 + C w), which stands in the place of
-// (C w)^2/2, at any step. q comes from cos^2 q + sin^2 b = W = sin^2 D + sin V0 with the sines of half the angle and of
-// the angle:
-//
-//     q = 2 W/(B + (B^2 + 4 C W cos^2)^(1/2))        B = 1 - C sin V0
-//     k = (x/3) (n0 + (1 - n0 - n1 x^2)/(1 - d1 x^2 + d2 x^4))
-//
-// k is right within 0.36 % up to x = 0.99, and x is held at 0.999. This costs the restitution less than 6e-4 at any
-// number of steps per contact, for restitutions from 0.05 to 1. 1 + A <= 0 says that the ball leaves faster than the
-// law can push it: no force, and d1 = d0 + D. That may still be inside, where a main mass that turns back is pushed
-// again.
-//
-// Leaving, V1 = 0. With Z = sqrt(2 F(w)), which has the sign of w, the first integral is an elastic contact's:
-//
-//     (Z1/2)^2 = (Z0/2)^2 + (C V0)^2        w1 = -Z1/(C g(Z1))
-//     Z0 = A sqrt((1 - a)(1 - (1 - a) k(a)))        a = A/(2 + A)
-//
-// where g(Z) = Z/(1 - y) of y - ln y = 1 + Z^2/2, y <= 1, is a polynomial within 4e-5 of it up to Z = 3.6, and Z
-// beyond. -w1 is at most the elastic one, so that none makes energy here either.
-//
-// In a field of acceleration a towards the stop the correction, from d0 + D - b to d1, gives the ball by the field, as
-// a square of rates, -g (d1 - d0 - D + b) with g = G m a. What it gains is taken out of b or V1, by two steps of
-// Newton's method on
-//
-//     V1^2 - b (D - b) - g (d1 - d0 - D + b)        by b: 2 b - D - g, by V1: 2 V1 - (4/5) g d1/V1
-//
-// where a step leaves less of it: by b where |2 b - D - g| > 2 V1, as at both ends of a contact, where the slope by V1
-// has no bound. A ball that enters and leaves in one step is put back to its stop from D - b inside, and has lost b (D
-// - b): with b no less than g, or D, it gains nothing by that. One that would end outside stays there in a field that
-// pulls it away: to put it nearer to its stop would lift it. The ledger counts what is taken as dissipated, with its
-// sign: it falls by that. tests/host/coupled_search_test.cpp has what a ball of many main masses gained otherwise.
+// Leaving, V1 = 0 and b = D/2 + Z1/(2 C g(Z1)). Whatever t, q and p are, neither makes energy. Bounds: the restitution
+// is within 6e-4 of the law's for e from 0.05 to 1 (energy_test); an elastic contact ends late by less than a step; a
+// ball at rest trembles by up to 2e-3 of d and on average within 1.5e-4, up to h omega = 3 (field_test). In a field
+// the ball gains g (d1 - d0 - D + b) less than nothing by the correction, g = G m a: two steps of Newton's method take
+// it out of b or V1, and the ledger counts that as dissipated, with its sign.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/numeric/constant_math.hpp>

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The moment-fitted contact for Hooke-Newton, f = d + C v in the units of law/terms.hpp (d: penetration, v: its
-// rate per step, C = c1/(k1 h)).
+// rate per step, C = c1/(k1 h)). Derivation: kernel/docs/moment.md. Without contact d runs through the step as a cubic
+// with the acceleration a and the jerk j at its start; G is the response of the rate to the force:
 //
-// Without contact d would run through the step as the cubic through its values and rates at both ends: from d0 and v0
-// with the acceleration a and the jerk j. The law gives each derivative of the force from those of d, and the masses
-// give each of d from the force's:
+//     f^(n) = d^(n) + C d^(n+1)        d^(n+2) = (a, j, 0, ..) - G f^(n)
 //
-//     f^(n) = d^(n) + C d^(n+1)        d^(n+2) = (a, j, 0, ..) - G f^(n)        G: response of the rate to the force
-//
-// a Taylor series that makes J0 and J1 linear in d0, v0, a and j: over a whole step inside, the plan sums it to the end
-// and the step has eight multiplications. A step in which the ball comes or goes finds that instant and sums the series
-// up to it:
-//
-//     entering  at the root of the free parabola of d, from d = 0
-//     leaving   at the root of d (tension allowed) or of f (clamped: what the spring still holds is lost, and
-//               the ball is free until it is out or a positive force pushes it in again)
+// The plan sums this Taylor series over a whole step; one in which the ball comes or goes finds that instant and sums
+// the series up to it.
 
 #include <impact/law/hooke_newton.hpp>
 #include <impact/stepper/contact.hpp>

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The moment-fitted contact for the power laws. With the roots r and s of the penetrations d0 and d1 at both ends of
-// the step, p = (s+r)/2, z = (s-r)/2, and the rates v0, v1 (their change without contact: g), the law
+// The moment-fitted contact for the power laws, f = K d^(3/2) (1 + C d'), C = c1/k1, 0 for Hertz. Derivation:
+// kernel/docs/moment.md. d0, d1 and v0, v1 are the penetrations and rates at both ends of the step, r and s the roots
+// of the penetrations, p = (s+r)/2, z = (s-r)/2, and g the change of the rate without contact. J0 counts as what it
+// does to the rate (K contains both masses), J1 as what it takes of the penetration:
 //
-//     f = K d^(3/2) (1 + C d')         C = c1/k1, 0 for Hertz
-//
-// counts as what it does to the rate: K contains both masses, so that J0 is the change of rate that contact causes in
-// the step, and J1, in the unit of penetrations (travel), what it takes of the penetration.
-//
-//     staying   n = p^3 + 2 p z^2 + z^4/(5p)           the mean of d^(3/2), so that n (d1 - d0) = (2/5) [d^(5/2)]
-//               w = (p + 2 z^2/(5p))/8                 E = K + K C (d1 - d0)
-//               J0 = n E - K w (v1 - v0)               J1 = J0/2 - w (d1 - d0) E - K C (v1 - v0) n/12
-//     entering  u = d1/(d1 - d0), the share of the step in contact; b = 1/2 - 2u/7; K' = (2/5) K; L = K' C s^5
-//               J0 = K' s^3 u - K' s u^2 b (v1 - v0) + L      J1 = J0/2 - b (K' s^3 u + L)
+//     staying   n = p^3 + 2 p z^2 + z^4/(5p)        w = (p + 2 z^2/(5p))/8        E = K + K C (d1 - d0)
+//               J0 = n E - K w (v1 - v0)            J1 = J0/2 - w (d1 - d0) E - K C (v1 - v0) n/12
+//     entering  u = d1/(d1 - d0)        b = 1/2 - 2u/7        K' = (2/5) K        L = K' C s^5
+//               J0 = K' s^3 u - K' s u^2 b (v1 - v0) + L        J1 = J0/2 - b (K' s^3 u + L)
 //     leaving   the mirror image of entering, with r, d0 and -L
+//     predicted J0 = f + f'/2        J1 = f/2 + f'/6        f' = (3/2) r K (1 + C v) v + K C d0^(3/2) (g - f)
 //
-// d1 and v1 - v0 follow from the trial values less J1 and J0. They are predicted by a Taylor step (staying, leaving),
-//
-//     J0 = f + f'/2             J1 = f/2 + f'/6             f' = (3/2) r K (1 + C v) v + K C d0^(3/2) (g - f)
-//
-// or d1 is the trial's (entering), and J0 and J1 are corrected once by their derivatives for what d1 missed. The law
-// has no force where 1 + C d' < 0: a step in which it has none on average has no impulse, and no impulse pulls
-// (of_push). The change of the rate without contact, g, is the mean of those at both ends; to the one at the start what
-// spring and damper answer to the moment of the step before is added. How a drive changes within a step is not in them:
-// samples that jump to and fro by dF in each step of an impact of 8 steps at the rate V make up to 0.5 % of dF h/(M V)
-// of its energy, in one of 16 steps 0.1 %.
+// One Newton step corrects what d1 missed. No impulse pulls (of_push).
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/contact.hpp>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The response of both masses to an impulse J0 and a moment J1 of the contact force within a step of length h, the main
-// mass on its spring and damper: v1 exactly for a force that is linear in time, and x1 for a constant one. With what
-// its flow makes of a force held linear, x1 = b0 F + b1 F' and h v1 = c0 F + c1 F' (motion/linear_flow.hpp):
+// mass on its spring and damper: v1 exactly for a force that is linear in time, and x1 for a constant one. Derivation:
+// kernel/docs/moment.md.
 //
-//     x1 += gx J1                 gx = 2 (b0 + b1)/h^2
-//     v1 += g0 J0 + g1 J1         g0 = (4 c1 - 2 c0)/h^2         h g1 = 6 (c0 - c1)/h^2
+//     x1 += gx J1        v1 += g0 J0 + g1 J1
 
 #include <impact/law/terms.hpp>
 #include <impact/motion/linear_flow.hpp>

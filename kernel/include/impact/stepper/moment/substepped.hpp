@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The moment-fitted step with n sub-steps while in contact, for a contact of few steps or of a part of one. Free flight
-// is that of Moment; within a step in contact the free relative motion is a cubic, of a contact that begins that of
-// touch.hpp, later that through the penetrations and rates at both ends. What the contact's impulses have done so far
-// is carried along apart for each mass,
+// The moment-fitted step with n sub-steps while in contact, for a contact of few steps or of a part of one. Derivation:
+// kernel/docs/moment.md. What the contact's impulses have done so far is carried along apart for each mass,
 //
 //     ball        displacement D += R                      R: rate, per sub-step
 //     main mass   (X, U) by its own exact flow over a sub-step, linear_flow.hpp
 //
-// so that a sub-step's trial is the cubic at its end less X + D. Both masses have the sums at the step's end; the
-// ball's D and R are its share of the impulses' own sums, so that however heavy it is they have places. Fourth order in
-// h/n, for a main mass that turns by less than a radian in h.
-//
-// The sub-steps before the touch are skipped, by where the cubic has it, and those after the ball has left, by the main
-// mass's flow over 1, 2, 4, .. of them: an impact takes as many as it lasts, and two or three. A ball that stays in
-// contact takes all n.
+// so that a sub-step's trial is the free cubic at its end less X + D. Sub-steps before the touch and after the ball has
+// left are skipped. Fourth order in h/n, for a main mass that turns by less than a radian in h.
 
 #include <stddef.h>
 

@@ -79,6 +79,13 @@ std::vector<std::string> Summary::lines() const {
   const Request& made = outcome_.made;
   const Scene& scene = made.scene;
   std::vector<std::string> lines;
+  // What a person measured, from what was stated: a wrong unit shows here.
+  const double w0 = std::sqrt(scene.main_stiffness / scene.main_mass);
+  std::string machine = "the ball weighs " + percent(scene.ball_mass / scene.main_mass) + " of the main mass";
+  if (w0 > 0)
+    machine += ", which vibrates at " + three_digits(w0 / (2 * std::acos(-1.0))) + " Hz with " +
+               percent(scene.main_damping / (2 * scene.main_mass * w0)) + " of critical damping";
+  lines.push_back(machine);
   if (last_.impacts == 0 && scene.stops != Stops::none)
     lines.push_back("NO IMPACT: the ball has not met a stop, each " + three_digits(scene.clearance / 2) +
                     " m from the middle (--clearance is the whole way, in m)");
@@ -106,7 +113,10 @@ std::vector<std::string> Summary::lines() const {
                       " m is so wide that fixed32 loses " + three_digits(bits) + " bits of a displacement");
   }
   if (last_.impacts > 0) {
-    std::string contact = "contact force up to " + three_digits(last_.peak_force) + " N";
+    const double depth =
+        std::pow(last_.peak_force / scene.contact_stiffness, made.law == Law::hooke_newton ? 1 : 2.0 / 3);
+    std::string contact = "contact force up to " + three_digits(last_.peak_force) +
+                          " N, which a press test has at a depth of " + three_digits(depth) + " m";
     if (outcome_.description.empty()) {  // which says so already
       contact += "; " + std::string(name_of(made.stepper)) +
                  " at N = " + three_digits(resolution(made).steps_per_contact(made.step));

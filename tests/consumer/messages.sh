@@ -222,8 +222,8 @@ absorber 1 'a converter reads its own quantity: pass the absorber or its snapsho
 absorber 1 'the drive takes no samples: name Sampled as the drive' 'Rig, HuntCrossley, Moment, Sine, Float32' \
   'FromCounts<decltype(absorber)> from({2048, 204.8, 0, 4095});'
 
-# A converter as its circuit cannot have it. Clang names the call in a note.
-converter() {
+# constant MESSAGE FORMAT DECLARATION: a converter as its circuit cannot have it, a sample beyond its bound. Clang names the call in a note.
+constant() {
   message=$1
   case $compiler in *clang*) message='must be initialized by a constant expression' ;; esac
   wrong any "$message" <<END
@@ -233,18 +233,19 @@ struct Rig {
   static constexpr impact::Bounds bounds{};
   static constexpr double step = 1e-4;
 };
-using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::${4:-Fixed32}>;
-constexpr impact::$3 convert({$2});
+using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::$2>;
+constexpr $3;
 END
   grep -q "$1" "$folder/errors" || { echo "nowhere named: $1" && failures=1; }
   echo "$1" >>"$folder/seen"
 }
 for way in 'ToCounts<Absorber, impact::Quantity::displacement>' 'FromCounts<Absorber>'; do
-  converter a_converters_least_count_is_above_its_most '2048, 40940, 4095, 0' "$way"
-  converter a_converter_has_no_counts_per_si_unit '2048, 0, 0, 4095' "$way"
+  constant a_converters_least_count_is_above_its_most Fixed32 "impact::$way convert({2048, 40940, 4095, 0})"
+  constant a_converter_has_no_counts_per_si_unit Fixed32 "impact::$way convert({2048, 0, 0, 4095})"
 done
 for format in Fixed32 Float32; do  # 200 N where Bounds::force is 10
-  converter a_converters_end_is_more_than_the_bound_of_its_quantity '2048, 2048 / 200.0, 0, 4095' 'FromCounts<Absorber>' $format
+  constant a_converters_end_is_more_than_the_bound_of_its_quantity $format 'impact::FromCounts<Absorber> convert({2048, 2048 / 200.0, 0, 4095})'
+  constant a_sample_is_more_than_its_bound $format 'auto push = Absorber::sample_of(11.0)'
 done
 
 # The compiler's own setting.

@@ -65,6 +65,20 @@ TEST_F(ImpactSim, AdvisesOfWhatMayBeMeantOtherwise) {
   EXPECT_THAT(run("--duration 2 --step 1e-4").err, Not(HasSubstr("nearly elastic")));
 }
 
+// The frequency, the damping ratio and the press test from which a scene was stated.
+TEST_F(ImpactSim, ShowsWhatWasMeasured) {
+  const std::string rig =
+      "--newmark impulsive --main-mass 12 --main-stiffness 136911 --main-damping 25.635 --ball-mass 0.9 --step 1e-3 "
+      "--clearance 0.012 --contact-stiffness 5.65685e9 --restitution 0.55 --drive-pulsation 106.8 --drive-amplitude "
+      "400";
+  const Result result = run(rig + " --duration 1 --summary summary.json");
+  EXPECT_THAT(result.err, HasSubstr("7.5 % of the main mass, which vibrates at 17 Hz with 1 % of critical damping"));
+  const double depth = std::pow(number_of(read(file("summary.json")), "peak_force_N") / 2000, 2.0 / 3) * 5e-5;
+  const size_t at = result.err.find("at a depth of ");
+  ASSERT_NE(at, std::string::npos) << result.err;
+  EXPECT_NEAR(std::stod(result.err.substr(at + 14)), depth, 0.005 * depth);
+}
+
 TEST_F(ImpactSim, SaysWhatAStepCostsWhereItIsKnown) {
   const std::string fixed = "--newmark moment --duration 0.1 --numeric fixed32 ";
   EXPECT_THAT(run(fixed + "--part cortex-m3").err, HasSubstr("a step on cortex-m3: up to "));

@@ -18,10 +18,16 @@
 
 namespace impact {
 
+namespace detail {
+// Not constexpr, so that the compiler names the mistake in a constant.
+inline void a_sample_is_more_than_its_bound() {}
+}  // namespace detail
+
 template <class Format, class ContactLaw, class Stepper, class Drive, class Field = NoField,
           class Friction = NoFriction>
 struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan<Format> {
   using FormatType = Format;
+  using Value = typename Format::Value;
   using LawType = ContactLaw;
   using StepperType = Stepper;
   using DriveType = Drive;
@@ -73,21 +79,21 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
 
   // A force in N as a sample. In Fixed32 it is clamped to Bounds::force.
   template <class Real>
-  constexpr Native<Quantity::force, typename Format::Value> sample_of(Real newtons) const {
+  constexpr Native<Quantity::force, Value> sample_of(Real newtons) const {
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
     static_assert(static_cast<Real>(0.5) > 0, "newtons are a double (a constant) or a float");
     if constexpr (Drive::is_sampled)
-      return {sample_in(newtons, drive.per_newton, drive_scale)};
+      return {sample_in(newtons, drive.per_newton, drive_scale, drive.largest)};
     else
       return {};
   }
   // The base's acceleration in m/s^2 as a sample. In Fixed32 it is clamped to Bounds::base_acceleration.
   template <class Real>
-  constexpr Native<Quantity::base_acceleration, typename Format::Value> base_sample_of(Real acceleration) const {
+  constexpr Native<Quantity::base_acceleration, Value> base_sample_of(Real acceleration) const {
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
     static_assert(static_cast<Real>(0.5) > 0, "an acceleration is a double (a constant) or a float");
     if constexpr (Field::is_sampled)
-      return {sample_in(acceleration, this->field.per_sample_unit, this->field.sample_unit)};
+      return {sample_in(acceleration, this->field.per_sample_unit, this->field.sample_unit, this->field.largest_base)};
     else
       return {};
   }
@@ -103,7 +109,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
                               Drive::is_sine,
                               Drive::is_sampled,
                               Format::kind,
-                              sizeof(typename Format::Value),
+                              sizeof(Value),
                               sizeof(Long),
                               sizeof(Gain),
                               sizeof(ContactType)};
@@ -118,10 +124,13 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
 
  private:
   // A float while running, without a division; a double as a constant.
-  static constexpr typename Format::Value sample_in(float quantity, float per_unit, double) {
+  static constexpr Value sample_in(float quantity, float per_unit, double, Value) {
     return Format::sample_of_float(quantity * per_unit);
   }
-  static constexpr typename Format::Value sample_in(double quantity, float, double unit) {
+  static constexpr Value sample_in(double quantity, float, double unit, Value largest) {
+    if (__builtin_is_constant_evaluated() && unit > 0 &&
+        !(constant::magnitude(quantity) <= 1.000001 * unit * Format::Units::fraction(largest)))
+      detail::a_sample_is_more_than_its_bound();
     return Format::sample(unit > 0 ? quantity / unit : 0);
   }
 };

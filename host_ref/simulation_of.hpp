@@ -144,7 +144,8 @@ class KernelSimulation final : public Simulation {
 
  private:
   // Whether a contact's force is known by its impulse only.
-  static constexpr bool has_impulse = detail::is_one_of<DryFriction, Parts...> || Kernel::Contact::traits.is_instantaneous;
+  static constexpr bool has_impulse =
+      detail::is_one_of<DryFriction, Parts...> || Kernel::Contact::traits.is_instantaneous;
 
   // By x2 - x1; of the stop that is touched, where one is.
   double penetration(double y) const {
@@ -182,7 +183,7 @@ class KernelSimulation final : public Simulation {
   }
   // reading().x1, without making its unit at every step.
   double displacement() const {
-    const auto x1 = Kernel::Field::place(kernel_.plan, kernel_.state(), kernel_.state().x1);
+    const auto x1 = Kernel::Field::position(kernel_.plan, kernel_.state(), kernel_.state().x1);
     if constexpr (std::is_same_v<Format, Fixed32>)
       return static_cast<double>(x1.raw - Format::Units::half_lsb) * position_unit_;
     else

@@ -77,14 +77,14 @@ struct Case {
 };
 // What Fixed32 may do to the energy of a step in contact, J: of the products that make an impulse, each rounded down,
 // two LSBs in each sub-step at the rate at which the masses come together. An impulse counts coarser than a
-// penetration beside a stiff main spring whose displacement has a wide bound (travel_places).
+// penetration beside a stiff main spring whose displacement has a wide bound (travel_bits).
 template <class Kernel>
 double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step) {
   if constexpr (std::is_same_v<typename Kernel::Format, Fixed32> &&
                 !std::is_same_v<typename Kernel::Stepper, EnergyConsistent>) {
     constexpr int sub_steps = std::is_same_v<typename Kernel::Stepper, Moment> ? 1 : 4;
     const auto now = kernel.reading();
-    const double lsb = std::ldexp(kernel.plan.units.si_penetration_unit(), -31 - kernel.plan.contact.travel_places),
+    const double lsb = std::ldexp(kernel.plan.units.si_penetration_unit(), -31 - kernel.plan.contact.travel_bits),
                  mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
     return 2 * sub_steps * mu * lsb / step * std::abs(now.v2 - now.v1);
   } else {

@@ -480,7 +480,7 @@ TEST(Exponents, EndForEveryNumber) {
 // leaves Fixed32's range and is clamped there, where it still opposes the motion.
 TEST(DampingPerImpact, IsClampedInFixedPoint) {
   const Fixed32::Gain damping = Fixed32::gain_over(Fixed32::gain(1.5 * 0.3, 0, 2), {1 << 20});
-  const Fixed32::HeldGain gain = {damping};
+  const Fixed32::ClampedGain gain = {damping};
   int32_t before = INT32_MIN;
   for (int64_t rate = -INT32_MAX; rate <= INT32_MAX; rate += 65537) {
     const int32_t product = (gain * Fixed32::Value{static_cast<int32_t>(rate)}).raw;

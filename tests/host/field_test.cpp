@@ -628,7 +628,7 @@ TYPED_TEST(FieldIn, ChangeOfPlanKeepsTheMotion) {
 }
 
 // A ball that falls past its bounds is clamped, with a fault.
-TYPED_TEST(FieldIn, BallThatFallsTooFastIsHeld) {
+TYPED_TEST(FieldIn, BallThatFallsTooFastIsClamped) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
   scene.gravity = weight;

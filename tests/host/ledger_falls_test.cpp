@@ -52,11 +52,11 @@ struct Allowance : SilentFeature {
     using Format = typename Plan::FormatType;
     constexpr bool is_fixed = std::is_same_v<Format, Fixed32>, is_double = std::is_same_v<Format, Float64>;
     constexpr double relative = is_fixed ? 0x1p-23 : is_double ? 0x1p-49 : 0x1p-20, sum = rounded_by_sum<Format>;
-    const double lsb = is_fixed ? std::ldexp(1, -31 + larger(0, -plan.contact.response.travel_places)) : 0;
+    const double lsb = is_fixed ? std::ldexp(1, -31 + larger(0, -plan.contact.response.travel_bits)) : 0;
     const double force = plan.units.fraction(step.force.j0), way = plan.units.fraction(step.way),
                  stored = plan.units.fraction(step.stored),
                  response =
-                     std::ldexp(0.5 / factor_of(plan.contact.response.force), -plan.contact.response.travel_places),
+                     std::ldexp(0.5 / factor_of(plan.contact.response.force), -plan.contact.response.travel_bits),
                  back = response * force, free = way + back, press = free - plan.units.fraction(step.rate_at_start),
                  length = std::abs(free) + std::abs(press);
     state.allowed += sum * std::abs(state.dissipated.total());

@@ -30,7 +30,7 @@
 //           State::start(plan)         before the first step
 //           State::force(plan)         what a ledger counts, in force_unit
 //           State::hand_over(plan, handover, next, next_handover)    DriveShares, for a change of plan
-//           and if sine: State::advance(plan), rate(plan), oscillator; if sampled: accepts, held, at_once,
+//           and if sine: State::advance(plan), rate(plan), oscillator; if sampled: accepts, clamped, at_once,
 //                                      advance(plan, next), rate, sample, as motion/sampled.hpp has them
 //           State::before()            what change() asks of a step's start
 //           State::change(plan, before)    the step's DriveChange, for a contact that sees_change
@@ -39,12 +39,11 @@
 //                                      what a sample may add to x1 as it comes
 //
 // Format    Value, Long                a number of a step, of 32 bits for 32-bit cores; a state, of twice the digits
-//           Gain, HeldGain, Weight     a constant that multiplies a Value; the same where it may carry it out of range
-//           Root, Oscillator           a square root; the sine drive's recurrence
-//           Energy, Tally              a product of Values with all its bits; a sum without end of them
-//           Units                      the powers of two that Values count in
-//           kind                       uint32_t, another one for each way to compute the same
-//           and the functions of numeric/fixed32.hpp's Fixed32, which has them all
+//           Gain, ClampedGain, Weight     a constant that multiplies a Value; the same where it may carry it out of
+//           range Root, Oscillator           a square root; the sine drive's recurrence Energy, Tally              a
+//           product of Values with all its bits; a sum without end of them Units                      the powers of two
+//           that Values count in kind                       uint32_t, another one for each way to compute the same and
+//           the functions of numeric/fixed32.hpp's Fixed32, which has them all
 //
 // Feature   kind                       uint32_t, not 0, another one for each
 //           is_bound                   what it records depends on the plan's forces
@@ -62,7 +61,7 @@
 //           make_plan<Format>(scene, bounds, main, ball, exponents, units)    the two flows before the exponents
 //           largest(scene, bounds)     m/s^2, of either sign
 //           at_once<Units>(scene, bounds, main, ball, exponents)    s^2: what a sample adds to what stands for x1
-//           place(plan, state, x)      Long: a position, of what the state keeps in its stead
+//           position(plan, state, x)   Long: a position, from what the state keeps in its stead
 //           main_rate(plan, state)     rate: the field's share in the displacement of the coming step; ball_rate too,
 //           rate_apart                 and how much that is more
 //           main_increment(plan, state, next)    increment: what the step adds to dx1
@@ -72,7 +71,7 @@
 //           ahead, behind              increments, for a change of plan: motion/handover.hpp
 //           ball_start                 the same of the ball, if not sampled
 //           and if sampled
-//           accepts(plan, sample)      bool; held(plan, sample) is a sample in place of a bad one
+//           accepts(plan, sample)      bool; clamped(plan, sample) is a sample in place of a bad one
 //           at_end(plan, sample)       `next`
 //           acts_at_once(plan)         bool: whether it adds at_once(plan, next), an increment, to x1 in the step that
 //                                      the sample ends
@@ -170,9 +169,10 @@ inline constexpr bool is_format = false;
 template <class Type>
 inline constexpr bool is_format<
     Type,
-    Void<typename Type::Value, typename Type::Long, typename Type::Gain, typename Type::HeldGain, typename Type::Weight,
-         typename Type::Root, typename Type::Energy, typename Type::Tally, typename Type::Oscillator,
-         typename Type::Units, decltype(Type::kind), decltype(Type::gain(1.0, 0, 0))>> = true;
+    Void<typename Type::Value, typename Type::Long, typename Type::Gain, typename Type::ClampedGain,
+         typename Type::Weight, typename Type::Root, typename Type::Energy, typename Type::Tally,
+         typename Type::Oscillator, typename Type::Units, decltype(Type::kind), decltype(Type::gain(1.0, 0, 0))>> =
+    true;
 template <class Type>
 using KeptFormat = typename detail::Either<is_format<Type>, Type, Fixed32>::Type;
 

@@ -15,8 +15,8 @@
 // its own quantity only. With a plan AtRunTime the units are the plan's: to_dac(dac, plan). A ToCounts of the absorber
 // belongs to the context that steps, one of a snapshot to any.
 //
-// Out, the result is the nearest count, clamped to the converter's ends. In, it is within 2^-29 of the unit (Fixed32) or
-// 2^-22 of itself, and in Fixed32 counts are clamped 2^-28 of the unit below it. Ends and counts lie less than 2^31
+// Out, the result is the nearest count, clamped to the converter's ends. In, it is within 2^-29 of the unit (Fixed32)
+// or 2^-22 of itself, and in Fixed32 counts are clamped 2^-28 of the unit below it. Ends and counts lie less than 2^31
 // counts from zero. A `constexpr` converter in whose end is more than its quantity's bound does not compile.
 
 #include <stdint.h>
@@ -67,7 +67,7 @@ class CountsOut {
   constexpr int32_t of(Value x) const { return zero_ + Format::counts(gain_, x, least_, most_); }
 
  private:
-  typename Format::HeldGain gain_;
+  typename Format::ClampedGain gain_;
   int32_t zero_, least_, most_;  // the ends from zero
 };
 

@@ -64,7 +64,7 @@ struct EnergyLedger {
   template <class Plan, class State>
   static constexpr void start(const Plan& plan, State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
-    own.x1_before = Plan::FieldType::place(plan, state, state.x1);
+    own.x1_before = Plan::FieldType::position(plan, state, state.x1);
     own.drive_force = state.drive.force(plan.drive);
     own.stored = stored_now(plan, state);  // which no contact has taken up
   }
@@ -83,7 +83,7 @@ struct EnergyLedger {
   static constexpr void after_step(const Plan& plan, State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
     const auto force = state.drive.force(plan.drive);
-    const auto x1 = Plan::FieldType::place(plan, state, state.x1);
+    const auto x1 = Plan::FieldType::position(plan, state, state.x1);
     const auto moved = plan.units.relative(x1 - own.x1_before);
     own.drive_work.add(work(half(force), moved) + work(half(own.drive_force), moved));
     own.drive_force = force;
@@ -92,7 +92,7 @@ struct EnergyLedger {
   template <class Plan, class State>
   static constexpr void after_correction(const Plan& plan, State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
-    own.x1_before = Plan::FieldType::place(plan, state, state.x1);
+    own.x1_before = Plan::FieldType::position(plan, state, state.x1);
     const auto before = own.stored;
     own.stored = stored_now(plan, state);
     own.dissipated.add(before - own.stored);
@@ -111,7 +111,7 @@ struct EnergyLedger {
   static constexpr bool is_sound(const Plan& plan, const State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
     using Format = typename Plan::FormatType;
-    const auto moved = Plan::FieldType::place(plan, state, state.x1) - own.x1_before;
+    const auto moved = Plan::FieldType::position(plan, state, state.x1) - own.x1_before;
     return plan.units.is_within(moved, plan.units.limits.main) && plan.units.is_sound(own.x1_before) &&
            Format::is_sound(own.dissipated) && Format::is_sound(own.drive_work) && Format::is_sound(own.stored) &&
            Format::is_sound(own.contact_rate) && Format::is_sound(own.drive_force);
@@ -173,7 +173,7 @@ struct ContactForce : SilentFeature {
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     auto& own = record_in<ContactForce, Plan>(state);
-    own.force_of_step = own.force_of_step + mirrored(step.force.j0, state.at_left & 1);
+    own.force_of_step = own.force_of_step + mirrored(step.force.j0, state.is_left());
     if constexpr (Plan::ContactType::traits.is_instantaneous) own.impact_rate = impact_rate_of(state.contact, step);
   }
   template <class Plan, class State>

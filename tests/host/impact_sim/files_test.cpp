@@ -51,7 +51,7 @@ TEST_F(ImpactSim, NoFileIsGivenTwoTasks) {
   EXPECT_EQ(run("--duration 0.01 --output /dev/null --plot /dev/null").code, 0) << "a device keeps nothing";
 }
 
-// Nor a step: the start alone, in every format and in a sweep. A duration asks for more than it has.
+// Nor a step: the start alone, in every format and in a sweep. A duration requests more than it has.
 TEST_F(ImpactSim, AnEmptyRecordIsARunOfNoSteps) {
   write(file("empty"), "");
   for (const char* option : {"--drive-file", "--base-file", "--base-acceleration-file"}) {

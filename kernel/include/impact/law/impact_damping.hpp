@@ -34,7 +34,7 @@ struct DampingLimit {
 template <class Format>
 struct DampingLimit<Format, true> {
   // Of the impact whose z is `largest`, and of one that a correction has put there, over d^(3/2).
-  typename Format::HeldGain rate, corrected_rate;
+  typename Format::ClampedGain rate, corrected_rate;
 
   static constexpr DampingLimit make(const ContactTerms& terms, const UnitExponents& unit, double largest) {
     const double by_shape = terms.damping_ratio * terms.step * terms.step * terms.stiffness / terms.reduced_mass(),
@@ -47,7 +47,7 @@ struct DampingLimit<Format, true> {
 template <bool is_per_impact, class Units, class Value>
 constexpr Value strength(Value elastic, Value damped) {
   if constexpr (is_per_impact)
-    return Units::held_sum(elastic, damped);
+    return Units::clamped_sum(elastic, damped);
   else
     return elastic + damped;
 }
@@ -66,7 +66,7 @@ struct ImpactDamping {
 
 template <class Format>
 struct ImpactDamping<Format, true> {
-  using Damping = typename Format::HeldGain;
+  using Damping = typename Format::ClampedGain;
 
   Damping own_damping;  // of the contact under way
 

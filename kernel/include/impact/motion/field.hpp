@@ -36,7 +36,7 @@ struct UnsampledField {
     return 0;
   }
   template <class Plan, class State, class Long>
-  static constexpr Long place(const Plan&, const State&, Long x) {
+  static constexpr Long position(const Plan&, const State&, Long x) {
     return x;
   }
 };
@@ -185,10 +185,10 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
       Value gravity, largest_base;
       Gain at_once, before, now;  // what samples add to the main mass: x1 as they come, then dx1
       Gain main_rate, ball_rate, rate_apart, ahead, behind;
-      Gain offset;                         // x - X
-      int state_places, increment_places;  // to the units of states and increments
-      float per_sample_unit;               // native numbers
-      double sample_unit;                  // m/s^2
+      Gain offset;                     // x - X
+      int state_bits, increment_bits;  // to the units of states and increments
+      float per_sample_unit;           // native numbers
+      double sample_unit;              // m/s^2
     } field;
   };
   template <class Format, class Units>
@@ -220,8 +220,8 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     field.ahead = gain(main_rate, unit.increment);
     field.behind = gain(in_displacement, unit.increment);
     field.offset = gain(ball_mass * ball.b1, unit.increment);
-    field.state_places = units.places_of(own);
-    field.increment_places = unit.increment - own;
+    field.state_bits = units.bits_of(own);
+    field.increment_bits = unit.increment - own;
     field.per_sample_unit = static_cast<float>(base > 0 ? 1 / base : 0);
     field.sample_unit = base;
     return plan;
@@ -258,8 +258,8 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   }
   // What stands for a sample that is not accepted: the bound, or 0 for no number.
   template <class Plan, class Value>
-  static constexpr Value held(const Plan& plan, Value sample) {
-    return Plan::FormatType::held_within(sample, plan.field.largest_base, Value{});
+  static constexpr Value clamped(const Plan& plan, Value sample) {
+    return Plan::FormatType::clamped_to(sample, plan.field.largest_base, Value{});
   }
   template <class Plan, class Value>
   [[gnu::always_inline]] static constexpr Value at_end(const Plan& plan, Value sample) {
@@ -269,7 +269,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
 
   // A position, of what is kept in its stead.
   template <class Plan, class State, class Long>
-  static constexpr Long place(const Plan& plan, const State& state, Long x) {
+  static constexpr Long position(const Plan& plan, const State& state, Long x) {
     plan.units.add(x, plan.field.offset * state.by_field);
     return x;
   }
@@ -294,17 +294,17 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
     state.x2.advance(state.dx2);
     state.by_field = next;
-    plan.units.add(state.dx2, next, plan.field.state_places);
+    plan.units.add(state.dx2, next, plan.field.state_bits);
   }
   template <class Plan, class State>
   static constexpr auto ball_travel(const Plan& plan, const State& state) {
     auto travel = state.dx2;
-    plan.units.add(travel, -state.by_field, plan.field.state_places);
+    plan.units.add(travel, -state.by_field, plan.field.state_bits);
     return travel;
   }
   template <class Plan, class State>
   static constexpr auto ball_increment(const Plan& plan, const State& state) {
-    return Plan::FormatType::moved(state.by_field, plan.field.increment_places);
+    return Plan::FormatType::moved(state.by_field, plan.field.increment_bits);
   }
 };
 

@@ -56,7 +56,7 @@ struct DryFriction : ScenePart {
       Gain main_rate_ahead;             // the same in h v1
       Gain half_by_full;                // 1/(2 r)
       Gain excess;                      // of the main mass's momentum by an impulse over the ball's
-      int spare_places;                 // of an impulse that is no more than r
+      int spare_bits;                   // of an impulse that is no more than r
       Long main_sliding, ball_sliding;  // of a ball that slides forward
       double force;                     // R, N
     } friction;
@@ -229,7 +229,7 @@ struct DryFriction : ScenePart {
   // No way at all.
   template <class Plan, class State, class Value, class Long>
   [[gnu::always_inline]] static constexpr void stick(const Plan& plan, State& state, Value way, Long ahead) {
-    const Long main = plan.units.part(plan.friction.main_share, ahead, plan.friction.spare_places);
+    const Long main = plan.units.part(plan.friction.main_share, ahead, plan.friction.spare_bits);
     push(state, main, main - ahead);
     state.impulse = way;
     state.lasting = never<Plan>();

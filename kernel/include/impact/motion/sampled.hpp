@@ -61,8 +61,8 @@ struct Sampled {
       return Format::is_within(next, plan.largest);
     }
     // What stands for a sample that is not accepted: the bound, or for no number the sample before.
-    constexpr typename Format::Value held(const Plan<Format>& plan, typename Format::Value next) const {
-      return Format::held_within(next, plan.largest, sample);
+    constexpr typename Format::Value clamped(const Plan<Format>& plan, typename Format::Value next) const {
+      return Format::clamped_to(next, plan.largest, sample);
     }
     // What the sample at the end of the step adds at once to the displacement.
     constexpr typename Format::Value at_once(const Plan<Format>& plan, typename Format::Value next) const {

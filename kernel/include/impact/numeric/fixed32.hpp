@@ -91,15 +91,15 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Value counted(int32_t counts) { return {counts}; }
   // The counts of 1, beyond which there is no Value, less what a gain and its product round: four LSBs.
   static constexpr double most_counts(double per_one) { return constant::magnitude(per_one) * (1 - 0x1p-28); }
-  static constexpr HeldGain count_gain(double per_one) { return {gain(per_one, 0, count_exponent)}; }
-  static constexpr int32_t counts(HeldGain gain, Value x, int32_t least, int32_t most) {
+  static constexpr ClampedGain count_gain(double per_one) { return {gain(per_one, 0, count_exponent)}; }
+  static constexpr int32_t counts(ClampedGain gain, Value x, int32_t least, int32_t most) {
     const int32_t found = (gain * x).raw;
     return found < least ? least : found > most ? most : found;
   }
   static constexpr double sample_unit(double largest) { return largest; }
   static constexpr Value largest_sample(double) { return {INT32_MAX}; }
   static constexpr bool is_within(Value, Value) { return true; }
-  static constexpr Value held_within(Value x, Value, Value) { return x; }
+  static constexpr Value clamped_to(Value x, Value, Value) { return x; }
   // For a state from elsewhere. A sum has room for 2^31 more of the largest Values.
   static constexpr bool is_sound(Gain gain) { return gain.shift >= -32 && gain.shift < 31; }
   static constexpr bool is_sound(Value) { return true; }
@@ -207,7 +207,7 @@ struct Fixed32 : Fixed32Numbers {
   }
   // By how many bits the numbers may move to the left and stay below a quarter.
   template <class... Values>
-  static constexpr int spare_places(Values... x) {
+  static constexpr int spare_bits(Values... x) {
     const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };
     return leading_zeros((size(x) | ...)) - 3;
   }

@@ -74,8 +74,8 @@ struct Fixed32Numbers {
   };
 
   // A gain of numbers that it may carry out of range: what would leave it is clamped at its end.
-  struct HeldGain : Gain {
-    friend constexpr Value operator*(HeldGain gain, Value x) {
+  struct ClampedGain : Gain {
+    friend constexpr Value operator*(ClampedGain gain, Value x) {
       if (gain.shift >= -1) return static_cast<const Gain&>(gain) * x;
       const int32_t most = gain.most(), ahead = x.raw > most ? most : x.raw < -most ? -most : x.raw;
       const int32_t product = gain.product(ahead);
@@ -83,7 +83,7 @@ struct Fixed32Numbers {
       return {to_left(clamped, 2)};
     }
     // Of a number that is known not to be negative.
-    friend constexpr Value operator*(HeldGain gain, Unsigned<31> x) {
+    friend constexpr Value operator*(ClampedGain gain, Unsigned<31> x) {
       const auto known = static_cast<int32_t>(x.raw);
       if (gain.shift >= -1) return static_cast<const Gain&>(gain) * Value{known};
       const int32_t most = gain.most(), product = gain.product(known > most ? most : known);
@@ -139,7 +139,7 @@ struct Fixed32Numbers {
     return {bits > 0 ? x.raw >> bits : to_left(x.raw, -bits)};
   }
 
-  static constexpr Value last_place() { return {1}; }
+  static constexpr Value lsb() { return {1}; }
   // A small difference: none where it is no more than what its terms are rounded by.
   static constexpr Value beyond_rounding(Value x) { return {static_cast<uint32_t>(x.raw) + 4 > 8 ? x.raw : 0}; }
   // Numbers in a unit 2^bits times as fine for a while, where bits < 0 as coarse.

@@ -152,7 +152,7 @@ struct Fixed32Units {
   constexpr void add(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
   // What counts in another unit, 2^bits as coarse.
   static constexpr void add(Long& x, Value value, int bits) { add_shifted(x.raw, value.raw, bits); }
-  constexpr int places_of(int exponent) const { return 32 - (position_exponent - exponent); }
+  constexpr int bits_of(int exponent) const { return 32 - (position_exponent - exponent); }
   // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
   constexpr void displace(Long& x, Value penetration) const {
     const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
@@ -165,9 +165,9 @@ struct Fixed32Units {
     IMPACT_EXPECT(Wide{x.raw} + way.raw == x.raw + way.raw);
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way.raw));
   }
-  // gain x of an x that is a number in 2^-spare_places of the penetrations' unit.
-  constexpr Long part(Fixed32Numbers::Gain gain, Long x, int spare_places) const {
-    const int shift = spare_places < penetration_shift ? penetration_shift - spare_places : 1;
+  // gain x of an x that is a number in 2^-spare_bits of the penetrations' unit.
+  constexpr Long part(Fixed32Numbers::Gain gain, Long x, int spare_bits) const {
+    const int shift = spare_bits < penetration_shift ? penetration_shift - spare_bits : 1;
     return product(gain, narrowed((x.raw + (int64_t{1} << (shift - 1))) >> shift), shift);
   }
   // gain x with all the bits of a state; x counts in 2^shift of them.
@@ -221,9 +221,9 @@ struct Fixed32Units {
   constexpr bool is_too_deep(Value penetration) const { return penetration.raw > limits.penetration; }
   static constexpr bool is_sound(Long) { return true; }
   static constexpr bool is_sound(Value) { return true; }
-  static constexpr Value held(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
+  static constexpr Value clamped(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
   // x + y, clamped at the upper end of the range.
-  static constexpr Value held_sum(Value x, Value y) { return x + held(y, Value{INT32_MAX} - x); }
+  static constexpr Value clamped_sum(Value x, Value y) { return x + clamped(y, Value{INT32_MAX} - x); }
   constexpr Long stop(Long main, bool left) const { return {left ? main.raw - gap : main.raw + gap}; }
   static constexpr bool clamp(Long& x, int32_t limit) {
     if (is_within(x, limit)) return false;

@@ -89,7 +89,7 @@ struct RealFormat {
   using Energy = Real;
   using Root = Real;
   using Gain = Real;
-  using HeldGain = Real;
+  using ClampedGain = Real;
   using Long = State<Real>;
   using Tally = CompensatedState<Real>;
   using Oscillator = OscillatorType;
@@ -160,7 +160,7 @@ struct RealFormat {
     static constexpr Value damped(Long w) { return w.sum; }
     static constexpr void add(Long& x, Value increment) { x.add(increment); }
     static constexpr void add(Long& x, Value value, int) { x.add(value); }
-    static constexpr int places_of(int) { return 0; }
+    static constexpr int bits_of(int) { return 0; }
     static constexpr void displace(Long& x, Value penetration) { x.add(penetration); }
     static constexpr void displace(Long& x, Gain gain, Value penetration) { x.add(gain * penetration); }
     static constexpr Long part(Gain gain, Long x, int) {
@@ -181,8 +181,8 @@ struct RealFormat {
     }
     static constexpr bool fits(Long) { return true; }
     constexpr bool beyond_stops(Long x2, Long x1) const { return size(x2.sum - x1.sum) >= gap.sum; }
-    static constexpr Value held(Value x, Value) { return x; }
-    static constexpr Value held_sum(Value x, Value y) { return x + y; }
+    static constexpr Value clamped(Value x, Value) { return x; }
+    static constexpr Value clamped_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }
     static constexpr bool is_within(Long x, Real limit) { return is_within(x.sum, limit); }
     // False for what is no number, too.
@@ -230,7 +230,7 @@ struct RealFormat {
     return gain / (divisor > least ? divisor : least);
   }
   // Of a number of any size: none.
-  static constexpr Value last_place() { return 0; }
+  static constexpr Value lsb() { return 0; }
   static constexpr Value beyond_rounding(Value x) { return x; }
   static constexpr Value moved(Value x, int) { return x; }
   struct OwnUnit {
@@ -254,7 +254,7 @@ struct RealFormat {
   static constexpr double sample_unit(double) { return 1; }
   static constexpr Value largest_sample(double bound) { return static_cast<Real>(bound); }
   static constexpr bool is_within(Value x, Value bound) { return magnitude_bits(x) <= magnitude_bits(bound); }
-  static constexpr Value held_within(Value x, Value bound, Value if_no_number) {
+  static constexpr Value clamped_to(Value x, Value bound, Value if_no_number) {
     return x > bound ? bound : x < -bound ? -bound : if_no_number;
   }
   // For a state from elsewhere: far from infinity.
@@ -269,7 +269,7 @@ struct RealFormat {
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
   static constexpr Value value(Real x) { return x; }
   template <class... Values>
-  static constexpr int spare_places(Values...) {
+  static constexpr int spare_bits(Values...) {
     return 0;
   }
   // No number: -1/4.

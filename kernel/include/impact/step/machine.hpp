@@ -44,6 +44,7 @@ struct Machine : Source {
     Contact contact;
     uint16_t at_left;  // the stop of the contact under way or last
     Fault fault;
+    constexpr bool is_left() const { return at_left & 1; }
   };
   State state{};
 
@@ -56,7 +57,7 @@ struct Machine : Source {
   constexpr void record_correction() { (Features::after_correction(plan, state), ...); }
 
   // A position, of what the state keeps in its stead: in a sampled field less what the last sample gave at once.
-  constexpr Long position_of(Long x) const { return Field::place(plan, state, x); }
+  constexpr Long position_of(Long x) const { return Field::position(plan, state, x); }
 
   // h v1 less the displacement that the coming step will make, as penetrations count: what spring, damper, drive and
   // field take of h v1, on average over that step.
@@ -74,7 +75,7 @@ struct Machine : Source {
   }
 
   constexpr bool contact_is_left() const {
-    return plan.left_stop && plan.right_stop ? state.at_left & 1 : plan.left_stop;
+    return plan.left_stop && plan.right_stop ? state.is_left() : plan.left_stop;
   }
   constexpr bool is_beyond_stop() const {
     const auto &x1 = state.x1, &x2 = state.x2;

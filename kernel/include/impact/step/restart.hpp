@@ -19,7 +19,7 @@ struct Restart {
   static constexpr Standing<Value> standing(const Model& m, bool left) {
     const Value in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), left);
     const auto &x1 = m.state.x1, &x2 = m.state.x2;
-    // Exact on both sides: mirrored() of a state may be one last place off.
+    // Exact on both sides: mirrored() of a state may be one LSB off.
     return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1), m.relative_rate(left), in_half_a_step + in_half_a_step};
   }
 

@@ -59,14 +59,14 @@ struct Step {
       if (!m.state.drive.accepts(m.plan.drive, force)) clamp_force_sample(m, force);
     if constexpr (Field::is_sampled) {
       if (!Field::accepts(m.plan, acceleration)) {
-        acceleration = Field::held(m.plan, acceleration);
+        acceleration = Field::clamped(m.plan, acceleration);
         m.raise(Fault::sample);
       }
       acceleration = Field::at_end(m.plan, acceleration);
     }
   }
   [[gnu::noinline]] static constexpr void clamp_force_sample(Model& m, Value& force) {
-    force = m.state.drive.held(m.plan.drive, force);
+    force = m.state.drive.clamped(m.plan.drive, force);
     m.raise(Fault::sample);
   }
 
@@ -86,7 +86,7 @@ struct Step {
     if constexpr (Field::is_field) Field::fly(plan, state, acceleration);
     return increment;
   }
-  // The one call boundary of a step, in the formats that ask for it (compiler.hpp).
+  // The one call boundary of a step, in the formats that need it (compiler.hpp).
   [[gnu::always_inline]] static constexpr void contact(Model& m, Value increment, Long main_travel,
                                                        DriveChange<Value> change) {
     if constexpr (Format::calls_contact)

@@ -34,7 +34,7 @@ struct ContactTraits {
   bool is_instantaneous = false;  // impacts at an instant: forces are not judged by their size, and count in 2 mu
   bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step
   bool reads_rate = true;         // at the step's end, which costs the main mass's own to know
-  bool sees_change = false;       // asks for the increment of a drive as it is at the step's end
+  bool sees_change = false;       // needs the increment of a drive as it is at the step's end
   bool keeps_force = false;       // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
                                   // share in the displacements of the coming one, dx1_share and dx2_share
   bool puts_back = false;         // a ball found inside goes back to its stop before it is touched
@@ -148,7 +148,7 @@ struct ContactDefaults {
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double force = terms.is_linear ? k1 * (d + damping) : k1 * terms.to_the_power(d) * (1 + damping);
     largest.force_factor = terms.is_linear ? (d + damping) / unit : terms.is_damped ? 1.01 + damping : 1;
-    // A damping set per impact is held from half of the range on, impact_damping.hpp.
+    // A damping set per impact is clamped from half of the range on, impact_damping.hpp.
     largest.force_factor = larger(largest.force_factor, 2 * terms.damping_ratio);
     largest.push = h * h * force / constant::smaller(terms.ball_mass, terms.main_mass);
     if (terms.is_linear) return;

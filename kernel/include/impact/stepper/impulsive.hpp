@@ -69,13 +69,13 @@ struct Impulsive {
       Value largest_rate, largest_impulse;
       Gain weight;  // m a, over 2 mu
       struct {
-        typename Format::HeldGain by_penetration, by_rate;  // f h that takes d, and V
+        typename Format::ClampedGain by_penetration, by_rate;  // f h that takes d, and V
         Gain displacement, rate;      // what it does to the main mass, over what an impulse at the step's start does,
         Gain penetration, half_rate;  // and to penetration and half its rate
       } rest;
     };
     // No impact within the bounds changes a speed by more than twice the bound, and no rest by more than what presses.
-    // What would is held at the push's unit, which takes the speed beyond its bound.
+    // What would is clamped at the push's unit, which takes the speed beyond its bound.
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       const double rate = terms.largest_rate * terms.step;
       largest.force_factor = 1;
@@ -124,7 +124,7 @@ struct Impulsive {
     }();
 
     Phase phase;
-    uint32_t rests;  // held by the last step
+    uint32_t rests;  // at rest on its stop after the last step
     Value lies;      // and how far inside the stop
 
     constexpr void start(const Plan&, const Units&, const Standing<Value>& at) {
@@ -185,9 +185,9 @@ struct Impulsive {
       Value speed = rate_at_touch<Format>(way, way.share(without_sign(trial)), travel, rate, acceleration, 0) -
                     Format::value(acceleration * Format::value(way.ratio(from)));
       if (!is_positive(travel) || !is_positive(speed)) speed = pace;
-      const auto bounce = plan.rebound.at(units.held(speed, plan.largest_rate));
+      const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
       // Products of what may all be small beside the unit, which has room for what presses at the bounds.
-      const auto unit = Format::own_unit(Format::spare_places(acceleration, bounce.depth, rate, travel));
+      const auto unit = Format::own_unit(Format::spare_bits(acceleration, bounce.depth, rate, travel));
       const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(acceleration) * unit.own(bounce.depth));
       const Value half_rate = Format::value(half(rate));
       if (!is_positive(pressed - Format::value(half(own_rate * own_rate)))) {
@@ -204,7 +204,8 @@ struct Impulsive {
         const Instant at(plan, t, rate, acceleration, main_part, plan.acceleration * step.half_change, step.main_rate);
         const Value touch_rate = at.rate - hastened;
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
-        const Value impulse = held(plan, units, plan.fades ? asked : no_more(asked, at.undamped(plan, t, step.damped)));
+        const Value impulse =
+            clamped(plan, units, plan.fades ? asked : no_more(asked, at.undamped(plan, t, step.damped)));
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - half_rate)) {
           if (!is_inside) phase = Phase::apart;
@@ -215,7 +216,8 @@ struct Impulsive {
       const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(half(quarter(half_rate))));
       if (!sends_back) return rest(plan, trial, from, from - before, weight, on_the_stop);
       rests = 1;
-      const Value force = held(plan, units, plan.rest.by_rate * rate), inside = trial - plan.rest.penetration * force;
+      const Value force = clamped(plan, units, plan.rest.by_rate * rate),
+                  inside = trial - plan.rest.penetration * force;
       lies = left_inside(inside, weight, force, inside - before);
       return given(plan, force, {}, inside - before);
     }
@@ -226,7 +228,7 @@ struct Impulsive {
     };
     [[gnu::always_inline]] static constexpr Support support(const Plan& plan, const Units& units, Value way,
                                                             Value rate) {
-      const Value force = held(plan, units, plan.rest.by_penetration * way);
+      const Value force = clamped(plan, units, plan.rest.by_penetration * way);
       return {force, Format::value(half(rate)) - plan.rest.half_rate * force};
     }
     [[gnu::always_inline]] constexpr SplitImpulse rest(const Plan& plan, Value trial, Value from, Value way,
@@ -249,7 +251,7 @@ struct Impulsive {
     // which pays for lifting it.
     [[gnu::always_inline]] static constexpr Value left_inside(Value depth, Value weight, Value impulse, Value more) {
       if (!is_positive(depth) || !is_positive(weight)) return Value{};
-      const auto unit = Format::own_unit(Format::spare_places(weight, depth, impulse, more));
+      const auto unit = Format::own_unit(Format::spare_bits(weight, depth, impulse, more));
       const Value price = Format::value(unit.own(weight) * unit.own(depth)),
                   paid = Format::value(unit.own(impulse) * unit.own(more));
       if (!is_positive(price - paid)) return Value{};
@@ -263,8 +265,8 @@ struct Impulsive {
                       is_negative);
     }
     static constexpr Value no_more(Value x, Value most) { return is_positive(x - most) ? most : x; }
-    static constexpr Value held(const Plan& plan, const Units& units, Value impulse) {
-      return Format::value(positive_part(units.held(impulse, plan.largest_impulse)));
+    static constexpr Value clamped(const Plan& plan, const Units& units, Value impulse) {
+      return Format::value(positive_part(units.clamped(impulse, plan.largest_impulse)));
     }
 
     // t h before the end of the step.

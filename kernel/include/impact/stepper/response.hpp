@@ -45,7 +45,7 @@ struct Response : Answer<Gain> {
   Gain penetration, rate, rate_by_moment;
 };
 
-// A mass's share of an impulse that both answer to, in Fixed32's last place below 1, which would ask for a shift to the
+// A mass's share of an impulse that both answer to, in Fixed32's LSB below 1, which would need a shift to the
 // left before the product.
 inline constexpr double largest_share = 1 - 0x1p-31;
 

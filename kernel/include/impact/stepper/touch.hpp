@@ -21,16 +21,16 @@ template <class Format, class Way, class Share, class Value>
   return Format::within_a_quarter(Format::value(way.ratio(above_chord<Format>(u, bend, half_acceleration))));
 }
 
-// The acceleration counts `places` finer than penetrations.
+// The acceleration counts in a unit 2^bits as fine as that of penetrations.
 template <class Format, class Way, class Share, class Value>
 [[gnu::always_inline]] constexpr Value rate_at_touch(const Way& way, Share u, Value travel, Value rate,
-                                                     Value acceleration, int places) {
-  const Value half_acceleration = Format::moved(Format::value(half(acceleration)), places),
+                                                     Value acceleration, int bits) {
+  const Value half_acceleration = Format::moved(Format::value(half(acceleration)), bits),
               bend = Format::beyond_rounding(travel - rate + half_acceleration), bent = Format::value(u * bend);
   const Value later = Format::value(Format::constant(0.5)) - Format::value(u) -
                       earlier_than_chord<Format>(way, u, bend, half_acceleration);
   return travel - bend + Format::value(u * (bent + bent + bent)) +
-         Format::moved(Format::value(acceleration * later), places);
+         Format::moved(Format::value(acceleration * later), bits);
 }
 
 }  // namespace impact

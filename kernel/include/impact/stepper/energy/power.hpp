@@ -46,13 +46,13 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Factor stiffness;   // K
     Factor correction;  // C G^2/3
     typename Stiff::Plan stiff;
-    typename Format::HeldGain field;  // g over the increment that the field gives the ball
+    typename Format::ClampedGain field;  // g over the increment that the field gives the ball
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
 
   // Whether a contact lasts 20 steps and u = h c/(2 mu) stays below 1/2, at the deepest penetration and at the peak of
   // an elastic impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d). And a
-  // contact that lasts has u of at most 1/10: where it bears what presses, with a damping set per impact anywhere.
+  // contact that lasts has u of at most 1/10: where it carries what presses, with a damping set per impact anywhere.
   static constexpr bool is_resolved(const ContactTerms& terms) {
     const double mu = terms.reduced_mass(), h = terms.step, v = terms.largest_rate;
     const double peak = constant::power(1.25 * mu * v * v / terms.stiffness, 0.4);
@@ -63,8 +63,8 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return slope <= 0.02 && damping <= largest_damping_of_energy &&
            lasting_damping <= largest_lasting_damping_of_energy;
   }
-  // A ball whose stored energy has no place is put out of a stiff contact, in a field a against its weight. From the
-  // depth d at which V is a place that gains up to this share of the fastest impact's energy: with g of stiff.hpp,
+  // A ball whose stored energy is below an LSB is put out of a stiff contact, in a field a against its weight. From the
+  // depth d at which V is an LSB that gains up to this share of the fastest impact's energy: with g of stiff.hpp,
   // g d = share (h v/2)^2.
   static constexpr double largest_lift = 1e-4;
   static constexpr double finest_penetration(const ContactTerms& terms) {
@@ -74,7 +74,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const double d = lift / (compliance * terms.ball_mass * terms.field);
     return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
   }
-  // No force can do more in a step than to send the ball back at its own speed and to bear what presses meanwhile, nor
+  // No force can do more in a step than to send the ball back at its own speed and to carry what presses meanwhile, nor
   // more than the law does at the deepest; what is stored there, W, counts as V times V/G (stiff.hpp), V^2 = G W. No
   // penetration is more than an impact's or a few steps' way.
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
@@ -151,8 +151,8 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     // its memory says of it: with y' and y'' the change in a step and that one's change, y y'' - y'^2/2 is lost. So y''
     // is y'^2/(2 y), with y'/2 where that would be more.
     const auto y = [&](Value d, Value way) {
-      const auto held = positive_part(d);
-      return pushed(plan, Mean::of(Format::root(Format::value(held)) * held), way).j1;
+      const auto within = positive_part(d);
+      return pushed(plan, Mean::of(Format::root(Format::value(within)) * within), way).j1;
     };
     const Value now = plan.response.travel(y(at, rate)), half_way = Format::value(half(rate));
     taken(1) = y(at - half_way, rate + now);
@@ -255,7 +255,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     stored_rate() = end.rate;
     penetration = end.penetration;
     phase = end.is_inside ? Phase::touching : Phase::apart;
-    const Value j1 = Format::moved(end.recoil, -plan.response.travel_places);
+    const Value j1 = Format::moved(end.recoil, -plan.response.travel_bits);
     auto reaction = reaction_of<Format>(Impulse<Value>{j1 + j1, j1});
     reaction.shift = trial - end.recoil - end.penetration;
     return reaction;

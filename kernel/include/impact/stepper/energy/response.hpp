@@ -22,10 +22,10 @@ struct ConstantForceGains {
 
   typename Format::Weight ball, dx1;
   typename Format::Gain force;  // from twice the displacement to the force
-  int travel_places;            // from displacements to penetrations
+  int travel_bits;              // from displacements to penetrations
   bool is_sudden;               // a stiff contact
 
-  constexpr Value travel(Value displacement) const { return Format::moved(displacement, travel_places); }
+  constexpr Value travel(Value displacement) const { return Format::moved(displacement, travel_bits); }
 
   template <class Units, class State>
   [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
@@ -76,11 +76,11 @@ struct ConstantForceResponse {
   }
 };
 
-// x >= 0 with x^2 + 2 b x = y z, for y z >= 0, in a unit of its own, so that the squares keep their places.
+// x >= 0 with x^2 + 2 b x = y z, for y z >= 0, in a unit of its own, so that the squares keep their bits.
 template <class Format>
 constexpr typename Format::Value positive_root(typename Format::Value b, typename Format::Value y,
                                                typename Format::Value z) {
-  const auto unit = Format::own_unit(Format::spare_places(b, y, z));
+  const auto unit = Format::own_unit(Format::spare_bits(b, y, z));
   const auto squares = square(unit.own(b)) + without_sign(unit.own(y)) * without_sign(unit.own(z));
   return unit.common(Format::value(Format::root_of_product(squares)) - unit.own(b));
 }

@@ -33,11 +33,11 @@ struct StiffContact {
   using Gain = typename Format::Gain;
 
   struct Plan {
-    typename Format::Balance ease;    // (8/5)/G, t^2 being sqrt(d) over it
-    typename Format::HeldGain depth;  // K
-    typename Format::HeldGain rate;   // V over d^(5/4)
-    Gain force;                       // over b
-    int exponent;                     // C x of an x of the unit is below a quarter of 2^exponent
+    typename Format::Balance ease;       // (8/5)/G, t^2 being sqrt(d) over it
+    typename Format::ClampedGain depth;  // K
+    typename Format::ClampedGain rate;   // V over d^(5/4)
+    Gain force;                          // over b
+    int exponent;                        // C x of an x of the unit is below a quarter of 2^exponent
 
     // G in the unit of penetrations.
     static constexpr Plan make(double compliance, Gain force, int damping_exponent) {
@@ -74,19 +74,19 @@ struct StiffContact {
     // In a unit of the step's own, of which lengths are less than an eighth: the correction is at most 5.7 times the
     // longest of them.
     const int quarters =
-        is_in_field ? Format::spare_places(travel, rate, press, field) : Format::spare_places(travel, rate, press);
-    const int places = quarters - 1, least = plan.exponent - places,
+        is_in_field ? Format::spare_bits(travel, rate, press, field) : Format::spare_bits(travel, rate, press);
+    const int bits = quarters - 1, least = plan.exponent - bits,
               exponent = is_per_impact ? plan.exponent
                          : least > 2   ? least
                                        : 2;
-    const auto unit = Format::own_unit(places);
+    const auto unit = Format::own_unit(bits);
     return Scaled{*this,
                   unit,
                   unit.own(travel),
                   unit.own(rate),
                   unit.own(press),
                   factor(exponent - least),
-                  places,
+                  bits,
                   exponent,
                   Format::power_of_two(-exponent)}
         .template end<is_in_field>();
@@ -94,11 +94,11 @@ struct StiffContact {
 
  private:
   // Of a length in the step's own unit to a number in 2^exponent.
-  [[gnu::always_inline]] constexpr auto factor(int places) const {
+  [[gnu::always_inline]] constexpr auto factor(int bits) const {
     if constexpr (is_per_impact)
       return damping;
     else
-      return Format::fraction(damping, 2 + places);
+      return Format::fraction(damping, 2 + bits);
   }
 
   struct Scaled {
@@ -106,7 +106,7 @@ struct StiffContact {
     typename Format::OwnUnit unit;
     Value d, v, press;  // D, V0, p
     decltype(step.factor(0)) damping;
-    int places, exponent;
+    int bits, exponent;
     Value one;
 
     // C x, in 2^exponent. The gain of a damping that is set per impact holds what would not fit as it is.
@@ -173,7 +173,7 @@ struct StiffContact {
         // must not sink by what x^(4/5) rounds.
         // A correction that has no room in the step's own unit was not paid for at all.
         const Value unmoved = step.trial - unpaid.recoil;
-        const bool has_room = Format::spare_places(moved_to(end)) >= places;
+        const bool has_room = Format::spare_bits(moved_to(end)) >= bits;
         if (is_positive(unmoved - end.penetration - Format::value(end.penetration * Format::short_constant(0x1p-10))) &&
             is_positive(has_room ? gained_by_field(end) - taken : step.field)) {
           end = unpaid;
@@ -184,13 +184,13 @@ struct StiffContact {
       return true;
     }
 
-    // So shallow that the force is below a place: none. In a field the stored energy stays that of the penetration, or
-    // the next correction would lift the ball; a force of a place does no less work than it gains by that.
+    // So shallow that the force is below an LSB: none. In a field the stored energy stays that of the penetration, or
+    // the next correction would lift the ball; a force of an LSB does no less work than it gains by that.
     template <bool is_in_field>
     constexpr bool flies_on(End& end) const {
       end = {Value{}, step.rate, step.trial, true};
       if constexpr (is_in_field) {
-        const Value v1 = step.plan.rate_at(step.trial), most = Format::value(d * scaled(Format::last_place()));
+        const Value v1 = step.plan.rate_at(step.trial), most = Format::value(d * scaled(Format::lsb()));
         if (!is_positive(square_of(scaled(v1)) - square_of(v) - most)) end.rate = v1;
       }
       return true;
@@ -199,7 +199,7 @@ struct StiffContact {
     // What the correction has gained by the field and `taken` has not yet, out of b or V1.
     [[gnu::always_inline]] constexpr void pay_for_correction(End& end, Value& taken) const {
       const Value moved = moved_to(end);
-      if (Format::spare_places(moved) < places || !is_positive(end.rate)) return;
+      if (Format::spare_bits(moved) < bits || !is_positive(end.rate)) return;
       const Value own_field = scaled(step.field), v1 = scaled(end.rate), back = scaled(end.recoil),
                   gained = -Format::value(own_field * scaled(moved)) - taken, half_v1 = Format::value(half(v1));
       const Value by_back = Format::value(quarter(d + own_field)) - Format::value(half(back));
@@ -225,7 +225,7 @@ struct StiffContact {
         by_both = by_both + Format::value(change * (v1 + v1 - change));
       }
       const Value moved_now = moved_to(paid);
-      if (Format::spare_places(moved_now) < places) return;
+      if (Format::spare_bits(moved_now) < bits) return;
       const Value left = -by_both - Format::value(own_field * scaled(moved_now));
       if (is_positive(mirrored(left, is_negative(left)) - gained)) return;
       end = paid;
@@ -236,7 +236,7 @@ struct StiffContact {
     [[gnu::always_inline]] constexpr Value moved_to(const End& end) const {
       return end.penetration - (step.trial - end.recoil);
     }
-    // x / y, y > 0, held at 1.
+    // x / y, y > 0, clamped at 1.
     static constexpr Value ratio(Value x, Value y) {
       const bool is_negative = !is_positive(x);
       return mirrored(Format::value(Format::quotient(without_sign(mirrored(x, is_negative)), without_sign(y))),
@@ -252,7 +252,7 @@ struct StiffContact {
     [[gnu::always_inline]] constexpr Value phase_at(Value depth) const {
       if (step.is_inside)
         return Format::value(Format::root(Format::value(half(step.before)) + Format::value(half(depth))));
-      if (!is_positive(depth)) return Value{};  // a stop so stiff that none of its penetrations has a place
+      if (!is_positive(depth)) return Value{};  // a stop so stiff that all of its penetrations are below an LSB
       const auto share = Format::rough_quotient(without_sign(depth), without_sign(depth - step.before));
       return Format::value(Format::root(depth) * (square(share) * Format::short_constant(0.64)));
     }
@@ -313,7 +313,7 @@ struct StiffContact {
         const Value least = is_positive(step.travel - step.field) ? step.field : step.travel;
         if (is_positive(least - recoil)) recoil = least;
         if (step.is_inside && is_positive(step.field) && is_positive(step.trial - recoil) &&
-            Format::spare_places(step.trial) >= places) {
+            Format::spare_bits(step.trial) >= bits) {
           const Value own_field = scaled(step.field), middle = Format::value(half(d)) + Format::value(half(own_field));
           const Value squares =
               square_of(middle) + square_of(v) - Format::value(afresh(own_field) * scaled(step.trial));

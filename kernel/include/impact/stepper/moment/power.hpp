@@ -21,7 +21,7 @@
 
 namespace impact {
 
-// h c/mu that the step bears, see moment.hpp.
+// h c/mu that the step tolerates, see moment.hpp.
 inline constexpr double largest_damping_of_moment = 2.5;
 
 template <class Format, class ContactLaw>
@@ -40,8 +40,8 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Weight sixth_damping;              // K C/6, by what an impulse does to a rate
     Gain back;                         // from a moment to what spring and damper answer to it in the next step
     Gain force;                        // 1/K: from an impulse to the force's own impulse
-    int travel_places, change_places;  // from impulses to penetrations, from increments to impulses
-    int ahead_places;  // by which K goes to the left before an impulse that counts coarser multiplies it
+    int travel_bits, change_bits;      // from impulses to penetrations, from increments to impulses
+    int ahead_bits;  // by which K goes to the left before an impulse that counts coarser multiplies it
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -77,7 +77,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
 
   constexpr void start(const Plan& plan, const Units&, const Standing<Value>& at) {
     stand_at(at.penetration);
-    change = Format::moved(at.load, -plan.travel_places);
+    change = Format::moved(at.load, -plan.travel_bits);
     phase = Phase::touching;
   }
   constexpr Value resume(const Plan& plan, const Units&, const Standing<Value>& at) {
@@ -103,7 +103,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   [[gnu::always_inline]] constexpr Impulse<Value> impulse_of(const Plan& plan, const Units&,
                                                              const Approach<Value>& step) {
     const Value trial = step.penetration, before = step.before;
-    const Value after = Format::moved(step.increment, plan.change_places);
+    const Value after = Format::moved(step.increment, plan.change_bits);
     const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
     change = after;
     return respond(plan, trial, before, step.rate, g);
@@ -177,7 +177,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     if constexpr (ContactLaw::is_damped_per_impact) {
       const auto way = Format::divisor(without_sign(trial - before));
       u = way.share(d);
-      this->begin(plan.damping, rate_at_touch<Format>(way, u, trial - before, trial_rate, g, plan.travel_places));
+      this->begin(plan.damping, rate_at_touch<Format>(way, u, trial - before, trial_rate, g, plan.travel_bits));
       this->limit(plan.limit, plan.damping, s * d);
     } else {
       u = Format::quotient(d, without_sign(trial - before));
@@ -241,12 +241,12 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   };
 
   // What an impulse does to the penetration, in its unit.
-  static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_places); }
-  // K times an impulse: K goes to the left by ahead_places first, and the product to the right by these and travel's,
-  // so that no places are lost.
-  static constexpr Value ahead(const Plan& plan, Value factor) { return Format::moved(factor, -plan.ahead_places); }
+  static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_bits); }
+  // K times an impulse: K goes to the left by ahead_bits first, and the product to the right by these and travel's,
+  // so that no bits are lost.
+  static constexpr Value ahead(const Plan& plan, Value factor) { return Format::moved(factor, -plan.ahead_bits); }
   static constexpr Value behind(const Plan& plan, Value product) {
-    return Format::moved(product, plan.travel_places + plan.ahead_places);
+    return Format::moved(product, plan.travel_bits + plan.ahead_bits);
   }
   // (steepness + K C d^(3/2)) missed, what J0 misses with the penetration at the end.
   template <class Steepness, class Shape>

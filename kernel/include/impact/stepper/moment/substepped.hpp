@@ -19,7 +19,7 @@
 
 namespace impact {
 
-// As many sub-steps as are named, or by default as the shortest contact asks for (parts_for).
+// As many sub-steps as are named, or by default as the shortest contact needs (parts_for).
 template <int named = 0>
 struct SubsteppedMoment {
   static constexpr int most = named == 0 ? 512 : named;
@@ -52,7 +52,7 @@ struct SubsteppedMoment {
     using Units = typename Format::Units;
 
     // As Answer, but that the ball's part of an impulse that counts as what it does to both masses keeps all its
-    // places: a heavy ball's may have none in a push.
+    // bits: a heavy ball's may have none in a push.
     struct StepAnswer : Answer<Gain> {
       template <class State>
       [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
@@ -66,7 +66,7 @@ struct SubsteppedMoment {
     // Power laws' impulses are changes of the relative rate, Hooke-Newton's count in forces and become the ball's at
     // once.
     static constexpr bool is_linear = ContactLaw::is_linear;
-    static constexpr int places_of(int n) { return constant::exponent_above(n + 0.5) - 1; }
+    static constexpr int exponent_of(int n) { return constant::exponent_above(n + 0.5) - 1; }
     // The main mass's flow over k sub-steps, less (1 k; 0 1).
     struct Stride {
       Gain by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;
@@ -74,14 +74,14 @@ struct SubsteppedMoment {
     struct Plan {
       StepAnswer response;
       typename Inner::Plan inner;
-      int places;                                            // n = 2^places
-      Gain part, square;                                     // 1/n, 1/n^2
-      Stride strides[static_cast<size_t>(places_of(most))];  // over 1, 2, 4, .. sub-steps
-      Gain main_x, main_u, main_u_by_moment, ball;           // of a sub-step's impulse
-      Gain to_penetration;                                   // n, from impulses to penetrations
-      int increment_places;                                  // from increments to penetrations
-      Gain force;                                            // from the ball's impulse to the force's impulse
-      int travel_places;
+      int exponent;                                            // n = 2^exponent
+      Gain part, square;                                       // 1/n, 1/n^2
+      Stride strides[static_cast<size_t>(exponent_of(most))];  // over 1, 2, 4, .. sub-steps
+      Gain main_x, main_u, main_u_by_moment, ball;             // of a sub-step's impulse
+      Gain to_penetration;                                     // n, from impulses to penetrations
+      int increment_bits;                                      // from increments to penetrations
+      Gain force;                                              // from the ball's impulse to the force's impulse
+      int travel_bits;
     };
     // An impulse counts by what it does in a sub-step. A step's n impulses change the displacement per step by no more
     // than n^2 of them, and a speed by no more than twice the largest rate.
@@ -111,8 +111,8 @@ struct SubsteppedMoment {
       const double of_ball = scale / terms.ball_mass, share = is_linear ? 1 : of_ball;  // of what the sums count
       const double per_ball = n * terms.ball_mass / (terms.force_unit * terms.step * terms.step) * share;
       Plan plan{};
-      plan.places = places_of(static_cast<int>(n + 0.5));
-      for (int i = 0; i < plan.places; ++i) {
+      plan.exponent = exponent_of(static_cast<int>(n + 0.5));
+      for (int i = 0; i < plan.exponent; ++i) {
         const double k = constant::power_of_two(i);
         const LinearFlow over = exact_flow(main, k * sub.step);
         plan.strides[i] = {Format::gain(over.e11, 0, 0), Format::gain((over.e12 - 1) * k, 0, 0),
@@ -123,7 +123,7 @@ struct SubsteppedMoment {
                         Format::gain(share, unit.recoil, unit.penetration),
                         Format::gain(n * share, unit.recoil, unit.penetration)}};
       plan.inner = Inner::make_plan(sub, part, unit);
-      if constexpr (!is_linear) plan.inner.change_places = unit.recoil - unit.penetration;
+      if constexpr (!is_linear) plan.inner.change_bits = unit.recoil - unit.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);
       plan.square = Format::gain(1.0 / (n * n), 0, 0);
       plan.main_x = Format::gain(scale * answer.gx, from, unit.recoil);
@@ -131,9 +131,9 @@ struct SubsteppedMoment {
       plan.main_u_by_moment = Format::gain(scale * answer.hg1, from, unit.recoil);
       plan.ball = Format::gain(of_ball, from, unit.recoil);
       plan.to_penetration = Format::gain(n, unit.recoil, unit.penetration);
-      plan.increment_places = unit.penetration - unit.increment;
+      plan.increment_bits = unit.penetration - unit.increment;
       plan.force = Format::gain(per_ball, unit.recoil, 0);
-      plan.travel_places = unit.penetration - unit.recoil;
+      plan.travel_bits = unit.penetration - unit.recoil;
       return plan;
     }
 
@@ -171,7 +171,7 @@ struct SubsteppedMoment {
       Cubic free{trial, step.rate, {}, {}};
       int i = 0;
       if (begins) {
-        free.half_acceleration = Format::moved(Format::value(half(step.increment)), plan.increment_places);
+        free.half_acceleration = Format::moved(Format::value(half(step.increment)), plan.increment_bits);
         free.bend = trial - at - free.rate + free.half_acceleration;
         skip_flight(plan, free, i, at);
       } else {
@@ -180,13 +180,13 @@ struct SubsteppedMoment {
         free.half_acceleration = rate_change + rate_change - curving - curving - curving;
       }
       Sums sums{};  // what the impulses have done
-      const int n = 1 << plan.places;
+      const int n = 1 << plan.exponent;
       while (i < n) {
         ++i;
         sums.advance(plan, 0);
-        const auto s = Format::parts(n - i, plan.places, plan.part);
+        const auto s = Format::parts(n - i, plan.exponent, plan.part);
         const Value part_trial =
-            (i == n ? trial : free.at(s)) - Format::moved(sums.x + of_ball(plan, sums.y), plan.travel_places);
+            (i == n ? trial : free.at(s)) - Format::moved(sums.x + of_ball(plan, sums.y), plan.travel_bits);
         if (this->phase == Phase::apart) {
           if (!is_positive(part_trial)) {
             at = part_trial;
@@ -197,7 +197,7 @@ struct SubsteppedMoment {
         Approach<Value> part{};
         part.penetration = part_trial;
         part.rate = plan.part * (i == n ? free.rate : free.rate_at(s)) -
-                    Format::moved(sums.u + of_ball(plan, sums.w), plan.travel_places);
+                    Format::moved(sums.u + of_ball(plan, sums.w), plan.travel_bits);
         part.travel = part_trial - at;
         part.before = at;
         part.increment = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
@@ -209,9 +209,9 @@ struct SubsteppedMoment {
         at = this->penetration;
         if (this->phase == Phase::apart) {
           Sums end = sums;
-          for (int stride = 0; stride < plan.places; ++stride)
+          for (int stride = 0; stride < plan.exponent; ++stride)
             if ((((n - i) >> stride) & 1) != 0) end.advance(plan, stride);
-          if (is_positive(trial - Format::moved(end.x + of_ball(plan, end.y), plan.travel_places))) continue;
+          if (is_positive(trial - Format::moved(end.x + of_ball(plan, end.y), plan.travel_bits))) continue;
           sums = end;
           break;
         }
@@ -269,10 +269,10 @@ struct SubsteppedMoment {
       const auto way = Format::divisor(without_sign(travel));
       const auto u = way.share(without_sign(free.end));
       const Value earlier = earlier_than_chord<Format>(way, u, free.bend, free.half_acceleration);
-      const int n = 1 << plan.places, left = Format::parts_of(Format::value(u), plan.places, plan.part) +
-                                             Format::parts_of(earlier, plan.places, plan.part) + 3;
+      const int n = 1 << plan.exponent, left = Format::parts_of(Format::value(u), plan.exponent, plan.part) +
+                                               Format::parts_of(earlier, plan.exponent, plan.part) + 3;
       if (left < 1 || left >= n) return;
-      const Value there = free.at(Format::parts(left, plan.places, plan.part));
+      const Value there = free.at(Format::parts(left, plan.exponent, plan.part));
       if (is_positive(there)) return;
       i = n - left;
       at = there;

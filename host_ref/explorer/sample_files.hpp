@@ -1,5 +1,5 @@
 #pragma once
-// The files of samples that a page holds, by name, as impact-sim would find them in its folder.
+// The named files of samples of a page, as impact-sim would find them in its folder.
 
 #include <host_ref/tool/samples.hpp>
 #include <map>

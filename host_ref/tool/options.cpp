@@ -165,8 +165,9 @@ const std::vector<Option>& options() {
              field(&Request::numeric), "number format (float32: with compensated state)"),
       number("step", "s", step_range, field(&Request::step), "length of a step")
           .by_default(
-              "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 with a "
-              "restitution within about 1e-05 of the law's, 30 steps a period and 100 in all (said on standard error)"),
+              "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 (said on "
+              "standard error). It has a restitution within about 1e-05 of the law's, 30 steps a period and 100 in "
+              "all"),
       number("duration", "s", {0, 1e7}, field(&Request::duration),
              "simulated time, rounded to whole steps, at most 1e9 of them")
           .by_default("1, or as long as the samples of a file last"),

@@ -1,7 +1,7 @@
 // What the report says, on tables that are made here: report_facts_test.mjs FOLDER_OF_PAGE
 import { pathToFileURL } from 'node:url';
 
-const { advantage, atAGlance, budgetOf, chooserOf, coupledRows, duel, frontiers, paperSentences, partsRows, pointsOf, restitutionError, stabilityRows } =
+const { advantage, atAGlance, budgetOf, chooserOf, coupledRows, duel, findings, frontiers, paperSentences, partsRows, pointsOf, restitutionError, stabilityRows } =
   await import(pathToFileURL(`${process.argv[2]}/facts.mjs`));
 let failures = 0;
 function equal(found, expected, what) {
@@ -70,6 +70,15 @@ equal(glance([]).map(([value]) => value), ['not reached', 'not measured', 'not m
 const m4f = (method, cost) => ({ ...point('cortex-m4f', method, 'float32', '9e-7', cost), law: 'hunt-crossley' });
 const top = glance([], costs('2571'), pointsFrom(m4f('moment', '10'), m4f('tuned-rk4', '25')));
 equal([top[0][0], /baseline \(tuned-rk4\)/.test(top[0][1]), top[1][0], /about 50 % of a 10 kHz period at 72 MHz\.$/.test(top[1][1])], ['2.5×', true, '2571', true], 'cost and budget');
+
+// Headings.
+const rebound = (damping, restitution_max) => ({ damping, stated: '0.5', restitution_min: '0.5', restitution_max });
+const swing = (rig, ball_friction_N, attenuation) => ({ rig, ball_friction_N, attenuation });
+const headings = findings({ stability: [...safe, impact('average', 'float64', '1', '1')], coupled: [{ newmark: 'auto', energy_gain_max: '1e-4' }, { newmark: 'auto', energy_gain_max: '2e-3' }, { newmark: 'average', energy_gain_max: '9' }],
+  restitution: [rebound('flores', '0.6'), rebound('exact', '0.5001'), rebound('exact', '0.502'), rebound('hu-guo', '0.53')],
+  attenuation: [swing('level', '0', '0.5'), swing('level', '0.5', '0.9'), swing('upright', '0', '0.25'), swing('upright', '0', '0.2')] },
+  { rows: [[{ isStrong: true }], [{ isStrong: false }], [{ isStrong: false }]] }, { rows: [[0, 0, 0, 0, 0, 0, { isOver: true }], [0, 0, 0, 0, 0, 0, { isOver: false }]] }, { 2: 'It shows here', 4: '**It does not show here**' });
+equal(Object.values(headings).map((text) => text.match(/[0-9.]+%? of [0-9]+|[0-9.]+(?= of the energy)|[0-9.]+ %|within [0-9.]+/g)), [['2 of 3'], ['0 of 2', '1 of 1'], ['0.002'], ['within 0.002', 'within 0.03'], ['50 %', '25 %'], ['1 of 2'], ['1 of 2']], 'a heading says what its section found');
 
 // Orders.
 const errors = ['0.001', '0.0005', '0.00025', '0.000125', '6.25e-05'].map((step_s, i) => ({ part: 'weight', newmark: 'energy', numeric: 'float64', step_s, error_m: String(0.25 ** i), order: '', ledger_open_J: '0.125' }));

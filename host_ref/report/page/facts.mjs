@@ -166,6 +166,30 @@ export function choiceRows(budget, stability, parts) {
   })));
 }
 
+const gainsOf = (stability, method) => {
+  const cells = stability.filter((row) => row.newmark === method && row.numeric === 'float64' && row.accepted === '1');
+  return `${cells.filter(gainsEnergy).length} of ${cells.length}`;
+};
+
+// What a section found, as its heading: by the heading's id. `ways` of advantage(), `budget` of budgetOf().
+export function findings({ stability, coupled, restitution, attenuation }, ways, budget, sentences) {
+  const missed = (rows) => largest(rows, (row) => largest([row.restitution_min, row.restitution_max], (text) => Math.abs(number(text) - number(row.stated))), 0);
+  const [exact, formulas] = [true, false].map((isExact) =>
+    Math.min(...groupsOf(restitution, 'damping').filter(([{ damping }]) => (damping === 'exact') === isExact).map(missed)));
+  const taken = (rig) => `${short(100 * largest(attenuation.filter((row) => row.rig === rig && !(number(row.ball_friction_N) > 0)), (row) => number(row.attenuation)), 2)} %`;
+  const won = ways.rows.filter((row) => !row.at(-1).isStrong).length, inTime = budget.rows.filter((row) => !row[6].isOver).length;
+  const claims = Object.values(sentences), shown = claims.filter((text) => !text.includes('**')).length;
+  return {
+    time: `The kernel costs less than every baseline in ${won} of ${ways.rows.length} comparisons`,
+    stability: `The kernel's choice gains energy in ${gainsOf(stability, 'auto')} cells, the paper's scheme in ${gainsOf(stability, 'average')}`,
+    coupled: `In coupled scenes the kernel's choice gains at most ${short(largest(coupled.filter(({ newmark }) => newmark === 'auto'), (row) => number(row.energy_gain_max), 0), 2)} of the energy`,
+    restitution: `A stated restitution comes out within ${short(exact, 2)} with exact, within ${short(formulas, 2)} with the best formula`,
+    parts: `The ball takes up to ${taken('level')} of the swing on a level rig, ${taken('upright')} on an upright one`,
+    budget: `${inTime} of ${budget.rows.length} worst steps fit into a period at 10 kHz`,
+    paper: `The paper's claims show here in ${shown} of ${claims.length} figures`,
+  };
+}
+
 // The top of the page: numbers, each with its claim.
 export function atAGlance(points, budget, stability, parts) {
   const times = ({ kernel, ratio }) => (!kernel ? 'not reached' : ratio === Infinity ? '∞' : `${short(ratio, 2)}×`);
@@ -175,16 +199,13 @@ export function atAGlance(points, budget, stability, parts) {
     return found && { worst: found.worst, share: `about ${short(1e6 * timeOf(found, part), 2)} % of a 10 kHz period` };
   });
   const precise = at(points, 'host', 'hunt-crossley').find((row) => row.method === 'moment' && row.numeric === 'fixed32' && row.step === 1e-4);
-  const [own, paper, rk4] = ['auto', 'average', 'textbook-rk4'].map((method) => {
-    const cells = stability.filter((row) => row.newmark === method && row.numeric === 'float64' && row.accepted === '1');
-    return `${cells.filter(gainsEnergy).length} of ${cells.length}`;
-  });
+  const [own, paper, rk4] = ['auto', 'average', 'textbook-rk4'].map((method) => gainsOf(stability, method));
   return [
-    [times(fpu), `fewer instructions than the cheapest baseline (${fpu.baseline?.method ?? 'none'}) for an error of 1 µm over a second of the paper's scene on a Cortex-M4F, and ${times(integer)} fewer on a Cortex-M3, which has no FPU.`],
+    [times(fpu), `fewer instructions than the cheapest baseline (${fpu.baseline?.method ?? 'none'}) for an error of 1 µm over a second of the paper's scene on a Cortex-M4F. On a Cortex-M3, which has no FPU, it is ${times(integer)}.`],
     [m3 ? String(m3.worst) : 'not measured', (m3 ? `instructions is the longest step in the paper's scene on a Cortex-M3, ${m3.share} at 72 MHz` : 'The longest step on a Cortex-M3')
       + (m0 ? `; on a Cortex-M0, the smallest core, ${m0.worst}, ${m0.share}.` : '.')],
     [precise ? `${short(1e9 * precise.error, 2)} nm` : 'not measured', "is the largest error of the main mass's position over a second of the paper's scene at 10 kHz, in 32-bit fixed point."],
-    [own, `combinations of step, stop and law, over 3 decades of step and 9 of stiffness, let the impact of two free masses create more than a thousandth of its energy with the stepper that the kernel picks; with the paper's scheme ${paper}, with the classical Runge-Kutta method ${rk4}.`],
+    [own, `combinations of step, stop and law create more than a thousandth of the energy of a free impact with the kernel's choice. With the paper's scheme it is ${paper}, with the classical Runge-Kutta method ${rk4}. They span 3 decades of step and 9 of stiffness.`],
   ];
 }
 

@@ -2,7 +2,7 @@
 
 import { short, tableFrom } from '../../explorer/numbers.mjs';
 import { chart } from './chart.mjs';
-import { advantage, atAGlance, budgetOf, choiceRows, chooserOf, coupledRows, frontiers, gainsEnergy, laws, number, paperSentences, partSteps, partsRows, pointText, pointsOf, restitutionError, stabilityRows } from './facts.mjs';
+import { advantage, atAGlance, budgetOf, choiceRows, chooserOf, coupledRows, findings, frontiers, gainsEnergy, laws, number, paperSentences, partSteps, partsRows, pointText, pointsOf, restitutionError, stabilityRows } from './facts.mjs';
 
 const find = (selector) => document.querySelector(selector), json = (id) => JSON.parse(find(`#${id}`).textContent);
 const tables = Object.fromEntries([...document.querySelectorAll('script[type="text/csv"]')].map(({ dataset, textContent }) => [dataset.name, tableFrom(textContent)]));
@@ -12,6 +12,7 @@ const rich = (text) => text.replace(/\*\*(.*?)\*\*/g, '<strong>$1</strong>');
 
 find('#explorer').hidden = !hasExplorer;
 find('#paper-machine').textContent = paperMachine;
+for (const [id, text] of Object.entries(findings(tables, ways, budget, sentences))) find(`#${id}`).textContent = text;
 find('#glance').innerHTML = atAGlance(points, tables.step_budget, tables.stability, parts).map(([value, claim]) => `<div><strong>${value}</strong><p>${claim}</p></div>`).join('');
 find('#advantage').innerHTML = rich(ways.text);
 

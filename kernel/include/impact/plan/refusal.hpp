@@ -14,17 +14,17 @@ namespace impact::refusal {
 
 template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct Step {
-  static_assert(is_in_range,
-                "Rig::step: from 1e-9 s to the longest_step_in_nanoseconds named here, which is 0.1 s, 3 rad of the "
-                "drive, or what the stepper allows of the main mass's own vibration and damping");
+  static_assert(
+      is_in_range,
+      "Rig::step: from 1e-9 s to the longest_step_in_nanoseconds named here. That is the least of 0.1 s, 3 rad of "
+      "the drive, and what the stepper allows of the main mass's own vibration and damping");
 };
 template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct StepsPerContact {
   static_assert(is_in_range,
-                "Rig::step: too few steps per contact for this stepper, which takes steps up to the "
-                "longest_step_in_nanoseconds named here, in angle brackets, for impacts at twice Bounds::speed and as "
-                "deep as Bounds allow; "
-                "impact::Chosen<> is the stepper of the rule");
+                "Rig::step: too few steps per contact for this stepper. It takes steps up to the "
+                "longest_step_in_nanoseconds named here, in angle brackets: for impacts at twice Bounds::speed and as "
+                "deep as Bounds allow. impact::Chosen<> is the stepper of the rule");
 };
 
 template <int64_t largest_clearance_in_micrometres, bool is_in_range>
@@ -82,8 +82,8 @@ constexpr bool accepts() {
                 "Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large beside the other Bounds that "
                 "its unit no longer resolves a displacement per step");
   static_assert(status != PlanStatus::ball_friction,
-                "Rig::scene.ball_friction: 0 to 1e9 N, and a step of it takes the ball no more than twice "
-                "Bounds::speed and, in Fixed32, no less than 64 LSBs of the rate of sliding");
+                "Rig::scene.ball_friction: 0 to 1e9 N. A step of it changes the sliding by no more than twice "
+                "Bounds::speed and, in Fixed32, by no less than 64 LSBs of its rate");
   static_assert(status != PlanStatus::gravity_not_named,
                 "Rig::scene.gravity is stated: append Gravity (or BaseAcceleration) to the absorber's type");
   static_assert(status != PlanStatus::base_acceleration_not_named,

@@ -3,20 +3,21 @@
 // The words that the step's formulas use besides + - and *, for real numbers. fraction.hpp has the same words for fixed
 // point, where most of them only move the point.
 
-#include <stddef.h>
 #include <stdint.h>
+
+#include <impact/types.hpp>
 
 namespace impact {
 
-// Of a number of so many bytes.
-template <size_t>
-struct BitsOf {
-  using Type = int64_t;
-};
-template <>
-struct BitsOf<4> {
-  using Type = int32_t;
-};
+// The same bits as another type.
+template <class To, class From>
+[[gnu::always_inline]] inline To bits_as(From x) {
+  To result;
+  __builtin_memcpy(&result, &x, sizeof result);
+  return result;
+}
+template <class Real>
+using BitsOf = typename detail::Either<sizeof(Real) == 4, int32_t, int64_t>::Type;
 
 template <class Real>
 constexpr Real without_sign(Real x) {
@@ -70,11 +71,8 @@ constexpr bool is_negative(Real x) {
 template <class Real>
 constexpr Real positive_part(Real x) {
   if (__builtin_is_constant_evaluated()) return x > 0 ? x : 0;
-  typename BitsOf<sizeof(Real)>::Type bits{};
-  __builtin_memcpy(&bits, &x, sizeof bits);
-  bits = bits > 0 ? bits : 0;
-  __builtin_memcpy(&x, &bits, sizeof bits);
-  return x;
+  const auto bits = bits_as<BitsOf<Real>>(x);
+  return bits_as<Real>(bits > 0 ? bits : 0);
 }
 // x, or `least` where it is less. No number stays none.
 template <class Real>

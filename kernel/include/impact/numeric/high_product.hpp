@@ -177,69 +177,45 @@ namespace composed {
 
 // With 16-bit halves a = ah 2^16 + al: a b / 2^32 = ah bh + (ah bl + al bh + al bl / 2^16) / 2^16. The carries are
 // collected from the right; no partial sum leaves 32 bits.
-struct SignedProduct {
-  int32_t high, middle;  // a b = high 2^32 + middle 2^16 + (less than 2^16)
-};
-struct UnsignedProduct {
-  uint32_t high, middle;
+template <class Word>
+struct Product {
+  Word high, middle;  // a b = high 2^32 + middle 2^16 + (less than 2^16)
 };
 
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
-// The high word, 18 instructions in four of the eight registers: what a compiler makes of the formula spills.
-inline int32_t assembled_product(int32_t a, int32_t b) {
-  int32_t al, bl, kept;
-  __asm__(
-      ".syntax unified\n\t"
-      "uxth %2, %0\n\t"
-      "mov %4, %2\n\t"
-      "asrs %0, %0, #16\n\t"
-      "uxth %3, %1\n\t"
-      "asrs %1, %1, #16\n\t"
-      "muls %2, %3, %2\n\t"
-      "lsrs %2, %2, #16\n\t"
-      "muls %3, %0, %3\n\t"
-      "adds %3, %3, %2\n\t"
-      "mov %2, %4\n\t"
-      "muls %2, %1, %2\n\t"
-      "muls %0, %1, %0\n\t"
-      "asrs %1, %3, #16\n\t"
-      "adds %0, %0, %1\n\t"
-      "uxth %3, %3\n\t"
-      "adds %2, %2, %3\n\t"
-      "asrs %2, %2, #16\n\t"
-      "adds %0, %0, %2"
-      : "+l"(a), "+l"(b), "=&l"(al), "=&l"(bl), "=&h"(kept)
-      :
-      : "cc");
-  return a;
-}
-inline uint32_t assembled_product(uint32_t a, uint32_t b) {
-  uint32_t al, bl, kept;
-  __asm__(
-      ".syntax unified\n\t"
-      "uxth %2, %0\n\t"
-      "mov %4, %2\n\t"
-      "lsrs %0, %0, #16\n\t"
-      "uxth %3, %1\n\t"
-      "lsrs %1, %1, #16\n\t"
-      "muls %2, %3, %2\n\t"
-      "lsrs %2, %2, #16\n\t"
-      "muls %3, %0, %3\n\t"
-      "adds %3, %3, %2\n\t"
-      "mov %2, %4\n\t"
-      "muls %2, %1, %2\n\t"
-      "muls %0, %1, %0\n\t"
-      "lsrs %1, %3, #16\n\t"
-      "adds %0, %0, %1\n\t"
-      "uxth %3, %3\n\t"
-      "adds %2, %2, %3\n\t"
-      "lsrs %2, %2, #16\n\t"
-      "adds %0, %0, %2"
-      : "+l"(a), "+l"(b), "=&l"(al), "=&l"(bl), "=&h"(kept)
-      :
-      : "cc");
-  return a;
-}
+// The high word, 18 instructions in four of the eight registers: what a compiler makes of the formula spills. An upper
+// half is shifted down with its sign (asrs) or without one (lsrs).
+#define IMPACT_ASSEMBLED_PRODUCT(Word, shift)                 \
+  inline Word assembled_product(Word a, Word b) {             \
+    Word al, bl, kept;                                        \
+    __asm__(                                                  \
+        ".syntax unified\n\t"                                 \
+        "uxth %2, %0\n\t"                                     \
+        "mov %4, %2\n\t" shift                                \
+        " %0, %0, #16\n\t"                                    \
+        "uxth %3, %1\n\t" shift                               \
+        " %1, %1, #16\n\t"                                    \
+        "muls %2, %3, %2\n\t"                                 \
+        "lsrs %2, %2, #16\n\t"                                \
+        "muls %3, %0, %3\n\t"                                 \
+        "adds %3, %3, %2\n\t"                                 \
+        "mov %2, %4\n\t"                                      \
+        "muls %2, %1, %2\n\t"                                 \
+        "muls %0, %1, %0\n\t" shift                           \
+        " %1, %3, #16\n\t"                                    \
+        "adds %0, %0, %1\n\t"                                 \
+        "uxth %3, %3\n\t"                                     \
+        "adds %2, %2, %3\n\t" shift                           \
+        " %2, %2, #16\n\t"                                    \
+        "adds %0, %0, %2"                                     \
+        : "+l"(a), "+l"(b), "=&l"(al), "=&l"(bl), "=&h"(kept) \
+        :                                                     \
+        : "cc");                                              \
+    return a;                                                 \
+  }
+IMPACT_ASSEMBLED_PRODUCT(int32_t, "asrs")
+IMPACT_ASSEMBLED_PRODUCT(uint32_t, "lsrs")
+#undef IMPACT_ASSEMBLED_PRODUCT
 #endif
 
 // What is known comes first: while GCC tries whether an initialisation is a constant one it does not know that it
@@ -269,7 +245,7 @@ inline int32_t assembled_short_product(int32_t a, int32_t b) {
 
 // By a constant in halves that both have a sign, as those of a have here too: the middle terms then make one sum of 32
 // bits, and the high word takes 14 instructions.
-[[gnu::always_inline]] inline SignedProduct product_with_constant(int32_t a, int32_t b) {
+[[gnu::always_inline]] inline Product<int32_t> product_with_constant(int32_t a, int32_t b) {
   const auto low = static_cast<int16_t>(b);
   int32_t bl = low, bh = (b >> 16) + (low < 0), al, other;
   __asm__(
@@ -293,14 +269,14 @@ inline int32_t assembled_short_product(int32_t a, int32_t b) {
 }
 #endif
 
-constexpr SignedProduct product(int32_t a, int32_t b) {
+constexpr Product<int32_t> product(int32_t a, int32_t b) {
   const auto al = static_cast<int32_t>(a & 0xffff), bl = static_cast<int32_t>(b & 0xffff);
   const int32_t ah = a >> 16, bh = b >> 16;
   const auto low = static_cast<int32_t>((static_cast<uint32_t>(al) * static_cast<uint32_t>(bl)) >> 16);
   const int32_t left = ah * bl + low;
   return {ah * bh + (left >> 16), al * bh + (left & 0xffff)};
 }
-constexpr UnsignedProduct product(uint32_t a, uint32_t b) {
+constexpr Product<uint32_t> product(uint32_t a, uint32_t b) {
   const uint32_t al = a & 0xffff, bl = b & 0xffff, ah = a >> 16, bh = b >> 16;
   const uint32_t left = ah * bl + ((al * bl) >> 16);
   return {ah * bh + (left >> 16), al * bh + (left & 0xffff)};
@@ -311,25 +287,25 @@ constexpr UnsignedProduct product(uint32_t a, uint32_t b) {
   if (!is_constant(a, b)) {
     if (!__builtin_constant_p(b)) return assembled_product(a, b);
     if ((b & 0xffff) == 0) return assembled_short_product(a, b >> 16);
-    const SignedProduct ab = product_with_constant(a, b);
+    const Product<int32_t> ab = product_with_constant(a, b);
     return ab.high + (ab.middle >> 16);
   }
 #endif
-  const SignedProduct ab = product(a, b);
+  const Product<int32_t> ab = product(a, b);
   return ab.high + (ab.middle >> 16);
 }
 constexpr uint32_t high_product(uint32_t a, uint32_t b) {
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
   if (!is_constant(a, b)) return assembled_product(a, b);
 #endif
-  const UnsignedProduct ab = product(a, b);
+  const Product<uint32_t> ab = product(a, b);
   return ab.high + (ab.middle >> 16);
 }
 constexpr int64_t full_product(int32_t a, int32_t b) {
   const uint32_t low = static_cast<uint32_t>(a) * static_cast<uint32_t>(b);
   return static_cast<int64_t>(uint64_t{static_cast<uint32_t>(high_product(a, b))} << 32 | low);
 }
-constexpr int32_t rounded(SignedProduct ab) { return ab.high + (((ab.middle >> 15) + 1) >> 1); }
+constexpr int32_t rounded(Product<int32_t> ab) { return ab.high + (((ab.middle >> 15) + 1) >> 1); }
 constexpr int32_t rounded_product(int32_t a, int32_t b) { return rounded(product(a, b)); }
 [[gnu::always_inline]] constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
@@ -339,9 +315,10 @@ constexpr int32_t rounded_product(int32_t a, int32_t b) { return rounded(product
 }
 [[gnu::always_inline]] constexpr int32_t shifted_product(int32_t a, int32_t b, int bits) {
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
-  const SignedProduct ab = !is_constant(a, b) && __builtin_constant_p(b) ? product_with_constant(a, b) : product(a, b);
+  const Product<int32_t> ab =
+      !is_constant(a, b) && __builtin_constant_p(b) ? product_with_constant(a, b) : product(a, b);
 #else
-  const SignedProduct ab = product(a, b);
+  const Product<int32_t> ab = product(a, b);
 #endif
   return static_cast<int32_t>((static_cast<uint32_t>(ab.high) << bits) +
                               static_cast<uint32_t>(ab.middle >> (16 - bits)));

@@ -26,9 +26,7 @@ constexpr double size(double x) { return __builtin_fabs(x); }
 template <class Real>
 constexpr bool has_sign(Real x) {
   if (__builtin_is_constant_evaluated()) return x < 0;
-  typename BitsOf<sizeof(Real)>::Type bits{};
-  __builtin_memcpy(&bits, &x, sizeof bits);
-  return bits < 0;
+  return bits_as<BitsOf<Real>>(x) < 0;
 }
 
 // A state in one machine number.

@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/formula.hpp>
 #include <impact/numeric/high_product.hpp>
 
 namespace impact {
@@ -123,26 +124,10 @@ struct KnownSquareRoot {
   }
 };
 
-inline uint32_t bits_of(float y) {
-  uint32_t bits;
-  __builtin_memcpy(&bits, &y, sizeof bits);
-  return bits;
-}
-inline float float_of(uint32_t bits) {
-  float y;
-  __builtin_memcpy(&y, &bits, sizeof y);
-  return y;
-}
-inline uint64_t bits_of(double y) {
-  uint64_t bits;
-  __builtin_memcpy(&bits, &y, sizeof bits);
-  return bits;
-}
-inline double double_of(uint64_t bits) {
-  double y;
-  __builtin_memcpy(&y, &bits, sizeof y);
-  return y;
-}
+inline uint32_t bits_of(float y) { return bits_as<uint32_t>(y); }
+inline float float_of(uint32_t bits) { return bits_as<float>(bits); }
+inline uint64_t bits_of(double y) { return bits_as<uint64_t>(y); }
+inline double double_of(uint64_t bits) { return bits_as<double>(bits); }
 
 #if (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__aarch64__) || defined(__SSE2__) || \
     defined(__riscv_flen)

@@ -22,14 +22,7 @@
 // contact. Where Moment would be right but for a Hooke-Newton contact that loses less than it may create, the choice is
 // EnergyConsistent, and no line below is asked; SubsteppedMoment is passed over there. Where nothing fits it is
 // EnergyConsistent too, and the plan refuses it.
-//
-// A driven motion is missed, in half a second and at 1 ms, by 1e-6 m at most where N or n N is 20 or more (Hertz, whose
-// impacts amplify, 1e-5 m), at any stiffness (stiff_test.cpp), and by up to 1e-4 m with Impulsive. A step costs n steps
-// of Moment where the ball stays pressed, and those of 20 to 60 sub-steps in an impact. Chosen allows none, for a core
-// whose period is short: where there is time, name SubsteppedMoment<>.
-//
-//     struct Rig { .. };
-//     using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Chosen<>, impact::Sine, impact::Fixed32>;
+// Chosen allows no sub-steps, for a core whose period is short: where there is time, name SubsteppedMoment<>.
 
 #include <impact/law/resolution.hpp>
 #include <impact/plan/source.hpp>

@@ -18,15 +18,9 @@ constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const Un
   return Format::gain(terms.damping_time / terms.step, unit.penetration, terms.damping_exponent);
 }
 
-// The largest damping that a step tolerates: an impact at the rate V is damped by a/V, and reaches the damping z = h
-// c/mu at the penetration d; one that is slow and is then pressed in far beyond its own speed would reach any. Wherever
-// z would pass what the contact tolerates (`largest`), the contact goes on as one whose z there is `largest`. An
-// impact that nothing presses stays below that, as the plan has judged: of slower ones z is less, as V^(1/5).
-//
-// A contact that a correction has put to the penetration d and the rate V is damped as an impact no slower than V, nor
-// than one whose damping at d is z = `largest`/4. From d on the damper alone stops it where z^(5/3) has grown by what
-// an impact at V from the stop's face would reach, which the plan has judged: by (1 + 4^(-5/3))^(3/5) = 1.06 times
-// `largest` at most.
+// The largest damping z = h c/mu that a step tolerates. An impact at the rate V is damped by a/V: a slow one that is
+// pressed in far beyond its own speed goes on as one whose z is `largest`, one that a correction has put to the
+// penetration d as one whose z there is at most a quarter of that. Derivation: kernel/docs/contact.md.
 template <class Format, bool is_per_impact>
 struct DampingLimit {
   static constexpr DampingLimit make(const ContactTerms&, const UnitExponents&, double) { return {}; }

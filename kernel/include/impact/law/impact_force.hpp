@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The force of an impact that a step takes at an instant, as its law has it (free_impact.hpp). With V the speed of
-// approach, e the restitution, T the contact time, mu = m M/(m + M) and a = c1 V/k1:
-//
-//     mean          mu (1 + e) V/T, over the contact
-//     peak, Hunt-Crossley and Hertz    k1^(2/5) mu^(3/5) V^(6/5) P(a),   P = (1.5 (exp(y) - 1)/a^2)^(3/5) exp(y),
-//                   where y solves 1.6 (exp(y) - 1) - y = a - ln(1 + a): the largest of delta^(3/2) (1 + c1 delta'/k1)
-//                   along psi (free_impact.hpp); P(0) = (5/4)^(3/5)
-//     peak, Hooke-Newton               mu omega V exp(-zeta (3 phi - pi)/sqrt(1 - zeta^2)), phi = arccos(zeta), where
-//                   zeta < 1/2; above it the force falls from the touch on, c1 V
-//
-// Both go as V^(6/5), or as V. Hunt-Crossley's factors follow a by straight lines between the exact values at even
-// steps of y = a/(2 + a), of 1/16. Bound: 5 % for e >= 0.05, of which V^(4/5) has 1 %.
+// The force of an impact that a step takes at an instant, as its law has it (free_impact.hpp). Formulas:
+// kernel/docs/impulsive.md. Peak and mean go with the speed of approach as V^(6/5), or Hooke-Newton's as V.
+// Hunt-Crossley's factors follow a = c1 V/k1 by straight lines between the exact values at even steps of y = a/(2 + a),
+// of 1/16. Bound: 5 % for e >= 0.05, of which V^(4/5) has 1 %.
 
 #include <impact/law/rebound.hpp>
 

@@ -1,28 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // How finely a step resolves a contact: what decides which steppers a scene allows, and which is right (choice.hpp). A
-// plan promises for every state within its bounds, so that each number is of the worst of them:
-//
-//     contact_time, shortest_part,         the fastest impact of two free masses, 2 Bounds::speed; a slower one lasts
-//     restitution                          longer, as V^(-1/5) (power laws; Hooke-Newton: as long)
-//     pulsation, damping                   the contact linearised at the deepest penetration (depth.hpp) in the
-//                                          coupled machine: omega^2 = (3/2) k1 d^(1/2)/mu and c/mu = c1 d^(3/2)/mu,
-//                                          or k1/mu and c1/mu
-//     lasting_damping                      c/mu at the penetration at which the stop alone carries what the main
-//     spring,
-//                                          its damper and the drive press: k1 d^(3/2) = mu A, or at the deepest. Of a
-//                                          damping set per impact the largest, which it may have anywhere
-//                                          (law/impact_damping.hpp)
-//     crossing                             the least time from one stop to the other
-//     field_share                          what weight and a base add to the fastest impact's rate while it lasts, of
-//                                          that rate: (1 + m/M) a tc/V
-//
-// Damping makes part of a contact shorter than the whole. With e the restitution and mu = m M/(m + M),
-//
-//     power laws      the ball is stopped in about e/(1 + e) of it    shortest part = contact time x min(1, 4 e/(1+e))
-//     Hooke-Newton    the damper alone relaxes with mu/c1             shortest part = min(contact time, 6 mu/c1)
-//
-// so that the moment-fitted step errs alike at alike steps per `shortest_part`, for e from 0.05 to 1 (choice_test.cpp).
+// plan promises for every state within its bounds, so that each number is of the worst of them. What each is, and why
+// damping makes part of a contact shorter than the whole: kernel/docs/contact.md.
 
 #include <impact/law/free_impact.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -35,13 +15,13 @@ struct Resolution {
   bool is_linear;
   double contact_time;        // s
   double restitution;         // the law's own, 0 to 1
-  double shortest_part;       // s
+  double shortest_part;       // s, of which the moment-fitted step errs alike at alike steps, for e from 0.05 to 1
   double main_phase;          // radians of the main mass's own vibration during the contact
   double main_pulsation;      // w0, rad/s
   double pulsation, damping;  // omega, rad/s, and c/mu, 1/s, at the deepest penetration
-  double lasting_damping;     // 1/s
+  double lasting_damping;     // c/mu, 1/s, where the stop alone carries what presses; per impact anywhere
   double crossing;            // s; for one stop never
-  double field_share;
+  double field_share;         // (1 + m/M) a tc/V of weight and base
 
   constexpr double steps_per_contact(double step) const { return contact_time / step; }
 };

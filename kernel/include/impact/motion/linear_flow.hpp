@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How the sprung, damped, driven main mass moves over one step while nothing touches it: two maps of the same shape,
+// How the sprung, damped, driven main mass moves over one step while nothing touches it: the exact flow of
+// M x'' + c x' + k x = F(t), and Newmark's (gamma = 1/2). Derivation: kernel/docs/flight.md. Two maps of one shape,
 //
 //     x'   = x + e11 x + e12 u + b0 F + b1 F'          u = h v, so that every term is a displacement in metres
 //     u'   = u + e21 x + e22 u + c0 F + c1 F'          F, F': the drive at the two ends of the step, N
 //
-// the exact flow of M x'' + c x' + k x = F(t), and Newmark's (gamma = 1/2). For a sine drive the drive's part is a
-// sinusoid itself, here with its own two coefficients, so that the exact flow is exact for it too.
-//
-// Eliminating the velocity leaves a recurrence in x and in the displacement w that the coming step will make:
-//
-//     x' = x + w        w' = w - damping w - stiffness x' + s        damping = 1 - det, stiffness = 1 + det - trace
-//
-// which is three multiplications a step for either map, with no step length and no mass left in it. And what every
-// drive says of itself besides: DriveShares and DriveChange.
+// step as x' = x + w, w' = w - damping w - stiffness x' + s. And what every drive says of itself besides.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/oscillator.hpp>
@@ -57,9 +50,7 @@ constexpr SampledForce sampled_force(const LinearFlow& flow) {
           flow.e12 * flow.c1 - (flow.e22 + flow.damping()) * flow.b1 + flow.b0};
 }
 
-// exp(A) - 1 of the oscillator augmented by its drive: x, u, F, F' - F, sin, cos. Scaling and squaring on E = exp(A) -
-// 1 by E(2A) = 2 E + E^2, from a Taylor series on a norm below 1/2: relative precision near 1e-15, at resonance and for
-// any damping.
+// exp(A) - 1 of the oscillator augmented by its drive: x, u, F, F' - F, sin, cos. Relative precision near 1e-15.
 constexpr LinearFlow exact_flow(const Scene& scene, double h) {
   constexpr int size = 6;
   struct Matrix {

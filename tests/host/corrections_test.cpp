@@ -229,7 +229,7 @@ TEST(Corrections, PutABallInContactOntoTheOtherStop) {
 // A Hooke-Newton stop has let go of the ball inside it, which is on its way out: put deeper by a correction it would be
 // pushed out with a spring's energy that no motion has stored.
 template <class Stepper, class Format>
-void leaves_no_deeper() {
+void is_not_put_deeper() {
   using Kernel = Absorber<AtRunTime, HookeNewton, Stepper, NoDrive, Format>;
   Scene scene;
   scene.drive_amplitude = scene.main_stiffness = scene.main_damping = 0;
@@ -258,9 +258,9 @@ void leaves_no_deeper() {
   EXPECT_NEAR(kinetic(), before, 1e-6 * before);
 }
 TEST(Corrections, PutABallThatWasLetGoNoDeeper) {
-  leaves_no_deeper<Moment, Float64>();
-  leaves_no_deeper<Moment, Fixed32>();
-  leaves_no_deeper<SubsteppedMoment<4>, Float64>();
+  is_not_put_deeper<Moment, Float64>();
+  is_not_put_deeper<Moment, Fixed32>();
+  is_not_put_deeper<SubsteppedMoment<4>, Float64>();
 }
 
 template <class ContactLaw, class Stepper>

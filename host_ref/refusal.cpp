@@ -1,43 +1,20 @@
 #include "host_ref/refusal.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <impact/explain.hpp>
 
 #include "host_ref/limits.hpp"
+#include "host_ref/scene_values.hpp"
 
 namespace impact::host {
 namespace {
 
-std::string option_named(Parameter parameter) {
-  switch (parameter) {
-    case Parameter::displacement_bound:
-      return "bound-displacement";
-    case Parameter::speed_bound:
-      return "bound-speed";
-    case Parameter::penetration_bound:
-      return "bound-penetration";
-    case Parameter::force_bound:
-      return "bound-force";
-    case Parameter::base_acceleration_bound:
-      return "bound-base-acceleration";
-    default:
-      break;
-  }
-  std::string name = name_of(parameter);
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
-
 // With which a range holds, where the command does not state them. A moved base's force depends on the step.
 std::string bounds_text(const Settled& settled) {
   std::string text;
-  for (const Parameter bound :
-       {Parameter::displacement_bound, Parameter::speed_bound, Parameter::penetration_bound, Parameter::force_bound}) {
-    if (bound == Parameter::force_bound && settled.request.drive != DriveKind::sampled) continue;
-    const double Bounds::*member = detail::entry(bound).in_bounds;
-    if (std::isnan(settled.stated.*member))
-      text += " --" + option_named(bound) + " " + shortest_text((*settled.request.bounds).*member);
+  for (const ParameterEntry& row : parameters) {
+    if (!row.in_bounds || row.is_of_part || !std::isnan(settled.stated.*row.in_bounds)) continue;
+    if (row.parameter == Parameter::force_bound && settled.request.drive != DriveKind::sampled) continue;
+    text += " --" + option_of(row) + " " + shortest_text((*settled.request.bounds).*row.in_bounds);
   }
   return text;
 }
@@ -97,7 +74,7 @@ Refusal refusal_of(const Settled& settled) {
     if (settled.is_automatic) other.stepper = chosen(other);
     return plan(other).status;
   });
-  const std::string option = option_named(found.parameter), value = shortest_text(found.value);
+  const std::string option = option_of(entry(found.parameter)), value = shortest_text(found.value);
   if (std::isnan(found.value)) return {option, value, "a number"};
   Request in_float = request;
   in_float.numeric = Numeric::float64;

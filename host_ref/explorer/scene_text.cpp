@@ -1,39 +1,11 @@
 #include "host_ref/explorer/scene_text.hpp"
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/scene_values.hpp"
 #include "host_ref/tool/text.hpp"
 
 namespace impact::host {
 namespace {
-
-struct SceneValue {
-  const char* option;
-  double Scene::*member;
-};
-constexpr SceneValue scene_values[] = {{"main-mass", &Scene::main_mass},
-                                       {"main-stiffness", &Scene::main_stiffness},
-                                       {"main-damping", &Scene::main_damping},
-                                       {"ball-mass", &Scene::ball_mass},
-                                       {"clearance", &Scene::clearance},
-                                       {"contact-stiffness", &Scene::contact_stiffness},
-                                       {"contact-damping", &Scene::contact_damping},
-                                       {"restitution", &Scene::restitution},
-                                       {"drive-amplitude", &Scene::drive_amplitude},
-                                       {"drive-pulsation", &Scene::drive_pulsation},
-                                       {"gravity", &Scene::gravity},
-                                       {"ball-friction", &Scene::ball_friction},
-                                       {"x1", &Scene::x1},
-                                       {"v1", &Scene::v1},
-                                       {"x2", &Scene::x2},
-                                       {"v2", &Scene::v2}};
-struct BoundValue {
-  const char* option;
-  double Bounds::*member;
-};
-constexpr BoundValue bound_values[] = {{"bound-displacement", &Bounds::displacement},
-                                       {"bound-speed", &Bounds::speed},
-                                       {"bound-penetration", &Bounds::penetration},
-                                       {"bound-force", &Bounds::force}};
 
 constexpr Damping dampings[] = {Damping::constant,
                                 Damping::hunt_crossley,
@@ -84,14 +56,8 @@ bool store(Request& request, Stated& stated, std::string_view option, std::strin
   if (!number) return false;
   const double value = *number;
   if (option == "restitution") stated.restitution = true;
-  for (const auto& [name, member] : scene_values)
-    if (option == name) return scene.*member = value, true;
-  for (const auto& [name, member] : bound_values) {
-    if (option != name) continue;
-    if (!request.bounds) request.bounds = open_bounds;
-    return (*request.bounds).*member = value, true;
-  }
-  if (option == "step") return request.step = value, true;
+  for (const ParameterEntry& row : parameters)
+    if (option == option_of(row)) return value_in(request, row) = value, true;
   if (option == "duration") return request.duration = value, true;
   if (option == "impact-speed") return stated.impact_speed = value, true;
   return false;
@@ -156,7 +122,7 @@ ScenePlan scene_from(std::string_view text, SampleFiles& files) {
 }
 
 std::string default_scene() {
-  const Request request;
+  Request request;
   std::string text;
   const auto add = [&text](const std::string& option, std::string_view value) {
     text.append(option).append(" ").append(value).append("\n");
@@ -164,8 +130,8 @@ std::string default_scene() {
   add("law", name_of(request.law));
   add("newmark", name_of(request.stepper));
   add("numeric", name_of(request.numeric));
-  add("step", shortest_text(request.step));
-  for (const auto& [name, member] : scene_values) add(name, shortest_text(request.scene.*member));
+  for (const ParameterEntry& row : parameters)
+    if (!row.in_bounds) add(option_of(row), shortest_text(value_in(request, row)));
   return text;
 }
 

@@ -2,10 +2,10 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <host_ref/scene_values.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/summary.hpp>
 #include <host_ref/tool/text.hpp>
-#include <impact/status.hpp>
 #include <sstream>
 #include <utility>
 
@@ -43,14 +43,6 @@ template <class Value>
 Field<Value> field(Value Settings::*member) {
   return [member](Settings& settings) -> Value& { return settings.*member; };
 }
-// Those that are not given are looked for.
-Field<double> field(double Bounds::*member) {
-  return [member](Settings& settings) -> double& {
-    auto& bounds = settings.request.bounds;
-    if (!bounds) bounds = open_bounds;
-    return (*bounds).*member;
-  };
-}
 
 template <class Value>
 Value initial_value(const Field<Value>& field) {
@@ -58,13 +50,15 @@ Value initial_value(const Field<Value>& field) {
   return field(settings);
 }
 
-Option number(const char* name, const char* unit, Range range, const Field<double>& field, const char* help) {
-  const std::string allowed = "a number from " + short_text(range.least) + " to " + short_text(range.most);
+Option number(const std::string& name, const std::string& unit, Range range, const Field<double>& field,
+              const char* help) {
+  std::string placeholder = unit.substr(0, 3) == "of " ? "E" : unit.substr(0, unit.find(" ("));
+  std::replace(placeholder.begin(), placeholder.end(), ' ', '.');
   return {name,
-          *unit ? unit : "E",
+          placeholder,
           help,
-          *unit ? allowed + " " + unit : allowed,
-          std::isnan(initial_value(field)) ? "what is found" : short_text(initial_value(field)),
+          "a number from " + short_text(range.least) + " to " + short_text(range.most) + " " + unit,
+          short_text(initial_value(field)),
           true,
           [=](Settings& settings, const std::string& text) {
             const auto value = number_from(text);
@@ -72,6 +66,22 @@ Option number(const char* name, const char* unit, Range range, const Field<doubl
             field(settings) = *value;
             return true;
           }};
+}
+// Of the kernel's table.
+Option number(const ParameterEntry& row) {
+  const Field<double> field = [&row](Settings& settings) -> double& { return value_in(settings.request, row); };
+  const std::string name = option_of(row);
+  Option option = number(name, row.unit, row.range, field, row.meaning);
+  if (row.in_bounds) option.initial = "half as much again as a float64 run reaches";
+  for (const auto& [of, initial] :
+       {std::pair("step",
+                  "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 (said on "
+                  "standard error). It has a restitution within about 1e-05 of the law's, 30 steps a period and 100 in "
+                  "all"),
+        {"contact-damping", "19560 for hunt-crossley, 20.81 for hooke-newton (the paper's)"},
+        {"restitution", "not used: --contact-damping; stated, it sets that, exactly for the law"}})
+    if (name == of) option.initial = initial;
+  return option;
 }
 
 template <class Value>
@@ -151,115 +161,84 @@ bool store_shard(Settings& settings, const std::string& text) {
 }
 
 const std::vector<Option>& options() {
-  static const std::vector<Option> table = {
-      choice("law", named({Law::hooke_newton, Law::hertz, Law::hunt_crossley}), field(&Request::law), "contact law"),
-      choice("newmark",
-             named({Stepper::automatic, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
-                    Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::moment_n, Stepper::energy,
-                    Stepper::impulsive}),
-             field(&Request::stepper),
-             "time stepper (auto: the plan's rule, said on standard error; the next four: classical Newmark with "
-             "pointwise contact; moment-4 and moment-8: with as many sub-steps in contact; moment-n: with as many as "
-             "it needs)"),
-      choice("numeric", named({Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}),
-             field(&Request::numeric), "number format (float32: with compensated state)"),
-      number("step", "s", step_range, field(&Request::step), "length of a step")
-          .by_default(
-              "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 (said on "
-              "standard error). It has a restitution within about 1e-05 of the law's, 30 steps a period and 100 in "
-              "all"),
-      number("duration", "s", {0, 1e7}, field(&Request::duration),
-             "simulated time, rounded to whole steps, at most 1e9 of them")
-          .by_default("1, or as long as the samples of a file last"),
+  static const std::vector<Option> table = [] {
+    std::vector<Option> all = {
+        choice("law", named({Law::hooke_newton, Law::hertz, Law::hunt_crossley}), field(&Request::law), "contact law"),
+        choice("newmark",
+               named({Stepper::automatic, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
+                      Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::moment_n, Stepper::energy,
+                      Stepper::impulsive}),
+               field(&Request::stepper),
+               "time stepper (auto: the plan's rule, said on standard error; the next four: classical Newmark with "
+               "pointwise contact; moment-4 and moment-8: with as many sub-steps in contact; moment-n: with as many as "
+               "it needs)"),
+        choice("numeric", named({Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}),
+               field(&Request::numeric), "number format (float32: with compensated state)"),
+        number("duration", "s", {0, 1e7}, field(&Request::duration),
+               "simulated time, rounded to whole steps, at most 1e9 of them")
+            .by_default("1, or as long as the samples of a file last")};
+    for (const ParameterEntry& row : parameters) all.push_back(number(row));
+    const std::vector<Option> others = {
 
-      number("main-mass", "kg", mass_range, field(&Scene::main_mass), "main mass"),
-      number("main-stiffness", "N/m", main_stiffness_range, field(&Scene::main_stiffness), "its spring"),
-      number("main-damping", "N.s/m", main_damping_range, field(&Scene::main_damping), "its damper"),
-      number("ball-mass", "kg", mass_range, field(&Scene::ball_mass), "the absorber's ball"),
-      number("clearance", "m", clearance_range, field(&Scene::clearance),
-             "the ball's whole free travel, from stop to stop"),
-      choice<Stops>("stops",
-                    {{"both", Stops::both}, {"left", Stops::left}, {"right", Stops::right}, {"none", Stops::none}},
-                    field(&Scene::stops), "stops that are there"),
+        choice<Stops>("stops",
+                      {{"both", Stops::both}, {"left", Stops::left}, {"right", Stops::right}, {"none", Stops::none}},
+                      field(&Scene::stops), "stops that are there"),
 
-      number("contact-stiffness", "N/m^p", contact_stiffness_range, field(&Scene::contact_stiffness),
-             "stiffness of a stop, p = 1 for hooke-newton and 3/2 otherwise"),
-      number("contact-damping", "N.s/m^q", contact_damping_range, field(&Scene::contact_damping),
-             "damping of a stop, q = 1 for hooke-newton and 5/2 for hunt-crossley; hertz has none")
-          .by_default("19560 for hunt-crossley, 20.81 for hooke-newton (the paper's)"),
-      number("restitution", "", restitution_range, field(&Scene::restitution),
-             "sets the contact damping, exactly for the law, instead of --contact-damping")
-          .by_default("not used"),
-      number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed),
-             "speed at which hunt-crossley is to show that restitution; the other laws do not read it"),
-      flag("paper-damping", field(&Settings::paper_damping), true,
-           "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
-      choice("damping", dampings(), field(&Request::damping),
-             "of hunt-crossley. All but constant set it at each impact from its own speed and --restitution E, by the "
-             "formula of that name (hunt-crossley, or per-impact: the paper's (2.9)); exact: E is what comes out"),
-      choice<Tension>("tension", {{"allow", Tension::allow}, {"clamp", Tension::clamp}}, field(&Scene::tension),
-                      "allow: a stop may pull until the penetration ends; clamp: it lets go at zero force"),
+        number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed),
+               "speed at which hunt-crossley is to show that restitution; the other laws do not read it"),
+        flag("paper-damping", field(&Settings::paper_damping), true,
+             "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
+        choice(
+            "damping", dampings(), field(&Request::damping),
+            "of hunt-crossley. All but constant set it at each impact from its own speed and --restitution E, by the "
+            "formula of that name (hunt-crossley, or per-impact: the paper's (2.9)); exact: E is what comes out"),
+        choice<Tension>("tension", {{"allow", Tension::allow}, {"clamp", Tension::clamp}}, field(&Scene::tension),
+                        "allow: a stop may pull until the penetration ends; clamp: it lets go at zero force"),
 
-      choice<DriveKind>(
-          "drive", {{"none", DriveKind::none}, {"sine", DriveKind::sine}, {"sampled", DriveKind::sampled}},
-          field(&Request::drive),
-          "force on the main mass; sampled: the sine as one sample a step, for a --rig that takes samples"),
-      number("drive-amplitude", "N", force_range, field(&Scene::drive_amplitude), "of the sine"),
-      number("drive-pulsation", "rad/s", drive_pulsation_range, field(&Scene::drive_pulsation), "of the sine"),
-      file("drive-file", field(&Settings::drive_file), true,
-           "force samples instead, one a line and step: line n holds the force in N at the end of step n; 0 at t = 0"),
-      file("base-file", field(&Settings::base_file), true,
-           "displacement samples of the base in m instead, line n at the end of step n; 0 at t = 0: the force k z + c "
-           "z' "
-           "of spring and damper on the main mass, in absolute coordinates"),
-      file("base-acceleration-file", field(&Settings::base_acceleration_file), true,
-           "acceleration samples of the base in m/s^2, line n at the end of step n; 0 at t = 0: displacements are then "
-           "relative to the base"),
-      number("gravity", "m/s^2", gravity_range, field(&Scene::gravity), "weight of both masses, along x"),
-      number("ball-friction", "N", force_range, field(&Scene::ball_friction),
-             "dry friction between ball and main mass, sticking included"),
-
-      number("x1", "m", initial_displacement_range, field(&Scene::x1), "initial displacement of the main mass"),
-      number("v1", "m/s", initial_velocity_range, field(&Scene::v1), "and its velocity"),
-      number("x2", "m", initial_displacement_range, field(&Scene::x2),
-             "initial displacement of the ball, in the same frame"),
-      number("v2", "m/s", initial_velocity_range, field(&Scene::v2), "and its velocity"),
-
-      number(
-          "bound-displacement", "m", bound_range, field(&Bounds::displacement),
-          "largest displacement that the plan is made for, beyond which the kernel raises a fault; not given, half as "
-          "much again as a float64 run reaches"),
-      number("bound-speed", "m/s", bound_range, field(&Bounds::speed), "and the largest speed"),
-      number("bound-penetration", "m", {0, bound_range.most}, field(&Bounds::penetration),
-             "and the largest penetration; 0: the deepest that the other bounds allow"),
-      number("bound-force", "N", force_range, field(&Bounds::force), "and the largest sample of a --drive-file"),
-      number("bound-base-acceleration", "m/s^2", base_acceleration_range, field(&Bounds::base_acceleration),
-             "and of a --base-acceleration-file; 0: the largest that is in it"),
-
-      count("every", field(&Settings::every), "write every N-th step, the initial state first"),
-      file("output", field(&Settings::output), false, "replaced as a whole when the run ends")
-          .by_default("standard output"),
-      file("plot", field(&Settings::plot), false,
-           "draw the main mass's displacement with and without absorber as SVG (with gnuplot)"),
-      file(
-          "rig", field(&Settings::rig), false,
-          "write the run as a header for firmware: scene, bounds, step, law, stepper, drive and format as the run used "
-          "them, and an absorber that makes the run's bits"),
-      file("summary", field(&Settings::summary), false,
-           "write one line of JSON with what the run has come to: impacts, peaks, shares of the bounds, errors, cost"),
-      {"part", "NAME", "say what a step costs on this part", known_parts(), "", false,
-       [](Settings& settings, const std::string& text) {
-         settings.part = text;
-         return !text.empty() && text.find(',') == text.npos && (known_parts() + ",").find(text + ",") != text.npos;
-       }},
-      flag("quiet", field(&Settings::is_quiet), false, "say nothing on standard error but refusals and faults"),
-      file("sweep", field(&Settings::sweep), false,
-           "one scene a line of a CSV whose header names options; the other options hold for all; a summary row a "
-           "scene, on all cores; goes on where an interrupted run with the same --output stopped"),
-      {"shard", "I/N", "with --sweep: every N-th scene, beginning with the I-th", "I/N, whole numbers, 1 <= I <= N",
-       "1/1", false, store_shard},
-      flag("benchmark", field(&Settings::benchmark), false,
-           "instead of a scene: nanoseconds a step on this machine for each law, stepper and number format")};
+        choice<DriveKind>(
+            "drive", {{"none", DriveKind::none}, {"sine", DriveKind::sine}, {"sampled", DriveKind::sampled}},
+            field(&Request::drive),
+            "force on the main mass; sampled: the sine as one sample a step, for a --rig that takes samples"),
+        file(
+            "drive-file", field(&Settings::drive_file), true,
+            "force samples instead, one a line and step: line n holds the force in N at the end of step n; 0 at t = 0"),
+        file(
+            "base-file", field(&Settings::base_file), true,
+            "displacement samples of the base in m instead, line n at the end of step n; 0 at t = 0: the force k z + c "
+            "z' "
+            "of spring and damper on the main mass, in absolute coordinates"),
+        file("base-acceleration-file", field(&Settings::base_acceleration_file), true,
+             "acceleration samples of the base in m/s^2, line n at the end of step n; 0 at t = 0: displacements are "
+             "then "
+             "relative to the base"),
+        count("every", field(&Settings::every), "write every N-th step, the initial state first"),
+        file("output", field(&Settings::output), false, "replaced as a whole when the run ends")
+            .by_default("standard output"),
+        file("plot", field(&Settings::plot), false,
+             "draw the main mass's displacement with and without absorber as SVG (with gnuplot)"),
+        file("rig", field(&Settings::rig), false,
+             "write the run as a header for firmware: scene, bounds, step, law, stepper, drive and format as the run "
+             "used "
+             "them, and an absorber that makes the run's bits"),
+        file(
+            "summary", field(&Settings::summary), false,
+            "write one line of JSON with what the run has come to: impacts, peaks, shares of the bounds, errors, cost"),
+        {"part", "NAME", "say what a step costs on this part", known_parts(), "", false,
+         [](Settings& settings, const std::string& text) {
+           settings.part = text;
+           return !text.empty() && text.find(',') == text.npos && (known_parts() + ",").find(text + ",") != text.npos;
+         }},
+        flag("quiet", field(&Settings::is_quiet), false, "say nothing on standard error but refusals and faults"),
+        file("sweep", field(&Settings::sweep), false,
+             "one scene a line of a CSV whose header names options; the other options hold for all; a summary row a "
+             "scene, on all cores; goes on where an interrupted run with the same --output stopped"),
+        {"shard", "I/N", "with --sweep: every N-th scene, beginning with the I-th", "I/N, whole numbers, 1 <= I <= N",
+         "1/1", false, store_shard},
+        flag("benchmark", field(&Settings::benchmark), false,
+             "instead of a scene: nanoseconds a step on this machine for each law, stepper and number format")};
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }();
   return table;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <host_ref/scene_values.hpp>
 #include <host_ref/tool/rig.hpp>
 #include <host_ref/tool/text.hpp>
 #include <impact/plan/identity.hpp>
@@ -115,32 +116,6 @@ std::string line(const std::string& name, const std::string& value, const std::s
 std::string rig_text(const Request& made, const std::vector<Argument>& arguments) {
   const Scene& scene = made.scene;
   const Bounds& bounds = *made.bounds;
-  const struct {
-    const char* name;
-    double value;
-    const char* unit;
-  } scene_numbers[] = {{"main_mass", scene.main_mass, "kg"},
-                       {"main_stiffness", scene.main_stiffness, "N/m"},
-                       {"main_damping", scene.main_damping, "N s/m"},
-                       {"ball_mass", scene.ball_mass, "kg"},
-                       {"clearance", scene.clearance, "m"},
-                       {"contact_stiffness", scene.contact_stiffness, "N/m or N/m^(3/2)"},
-                       {"contact_damping", scene.contact_damping, "N s/m or N s/m^(5/2)"},
-                       {"drive_amplitude", scene.drive_amplitude, "N"},
-                       {"drive_pulsation", scene.drive_pulsation, "rad/s"},
-                       {"x1", scene.x1, "m"},
-                       {"v1", scene.v1, "m/s"},
-                       {"x2", scene.x2, "m"},
-                       {"v2", scene.v2, "m/s"},
-                       {"restitution", scene.restitution, "of a damping that is set at each impact"},
-                       {"gravity", scene.gravity, "m/s^2, along x"},
-                       {"ball_friction", scene.ball_friction, "N"}},
-    bound_numbers[] = {
-        {"displacement", bounds.displacement, "m"},
-        {"speed", bounds.speed, "m/s"},
-        {"penetration", bounds.penetration, "m"},
-        {"force", bounds.force, "N, the largest sample of a drive: more is clipped"},
-        {"base_acceleration", bounds.base_acceleration, "m/s^2, the largest sample of a base: more is clipped"}};
   // No other rig in the same program has this name, whatever reads its members.
   char type[] = "Rig_12345678";
   std::snprintf(type, sizeof type, "Rig_%08x", static_cast<unsigned>(fingerprint_of_rig(scene, bounds, made.step)));
@@ -150,23 +125,24 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
       command(arguments) + "\n\n#include <impact/absorber.hpp>\n\nstruct " + type +
       " {\n  static constexpr impact::Scene scene = [] {\n    "
       "impact::Scene scene;\n";
-  // What is not stated is not written: a part's value requires the part.
-  const auto is_of_a_part = [](const std::string& name) {
-    return name == "gravity" || name == "ball_friction" || name == "base_acceleration";
+  Request run = made;
+  const auto lines_of = [&](const std::string& whole, bool is_in_scene) {
+    for (const ParameterEntry& row : parameters) {
+      if (is_in_scene ? !row.in_scene : !row.in_bounds) continue;
+      const double value = value_in(run, row);
+      // A part's value asks for the part.
+      const bool is_read = row.parameter == Parameter::restitution ? made.damping != Damping::constant
+                                                                   : !row.is_of_part || value < 0 || value > 0;
+      if (is_read) text += line(whole + row.member, shortest_text(value), std::string(row.unit) + ": " + row.meaning);
+    }
   };
-  const auto is_read = [&](const std::string& name) {
-    return name != "restitution" || made.damping != Damping::constant;
-  };
-  for (const auto& [name, value, unit] : scene_numbers)
-    if (is_read(name) && (!is_of_a_part(name) || value < 0 || value > 0))
-      text += line(std::string("scene.") + name, shortest_text(value), unit);
+  lines_of("scene.", true);
   text += line("scene.stops", std::string("impact::Stops::") + stops_name(scene.stops), "that are there");
   text +=
       line("scene.tension", std::string("impact::Tension::") + (scene.tension == Tension::allow ? "allow" : "clamp"),
            "whether a stop may pull");
   text += "    return scene;\n  }();\n  static constexpr impact::Bounds bounds = [] {\n    impact::Bounds bounds;\n";
-  for (const auto& [name, value, unit] : bound_numbers)
-    if (!is_of_a_part(name) || value > 0) text += line(std::string("bounds.") + name, shortest_text(value), unit);
+  lines_of("bounds.", false);
   text += "    return bounds;\n  }();\n  static constexpr double step = " + shortest_text(made.step) +
           ";  // s\n};\nusing Rig = " + type + ";\nusing Absorber = impact::Absorber<Rig, impact::" + law_type(made) +
           ", impact::" + stepper_type(made.stepper) + ", impact::" + drive_type(made.drive) +

@@ -24,25 +24,14 @@ template <class Kernel>
 Scene scene_from(Bytes& bytes) {
   Scene scene;
   const uint16_t changed = bytes.bits<uint16_t>();
-  const auto draw = [&](int bit, double& number, Range range) {
-    if (changed >> bit & 1) number = bytes.number(range);
-  };
-  draw(0, scene.main_mass, mass_range);
-  draw(1, scene.main_stiffness, main_stiffness_range);
-  draw(2, scene.main_damping, main_damping_range);
-  draw(3, scene.ball_mass, mass_range);
-  draw(4, scene.clearance, clearance_range);
-  draw(5, scene.contact_stiffness, contact_stiffness_range);
-  draw(6, scene.contact_damping, contact_damping_range);
-  draw(7, scene.drive_amplitude, force_range);
-  draw(8, scene.drive_pulsation, {0, 1e6});
-  draw(9, scene.x1, initial_displacement_range);
-  draw(10, scene.v1, initial_velocity_range);
-  draw(11, scene.x2, initial_displacement_range);
-  draw(12, scene.v2, initial_velocity_range);
-  draw(13, scene.restitution, restitution_range);
-  if constexpr (Kernel::Field::is_field) draw(14, scene.gravity, gravity_range);
-  if constexpr (Kernel::Friction::is_friction) draw(15, scene.ball_friction, force_range);
+  int bit = 0;
+#define IMPACT_DRAW(name, least, most, ...) \
+  if (changed >> bit++ & 1) scene.name = bytes.number({least, most});
+  IMPACT_MACHINE_VALUES(IMPACT_DRAW)
+#undef IMPACT_DRAW
+  if (changed >> 13 & 1) scene.restitution = bytes.number(restitution_range);
+  if (Kernel::Field::is_field && changed >> 14 & 1) scene.gravity = bytes.number(gravity_range);
+  if (Kernel::Friction::is_friction && changed >> 15 & 1) scene.ball_friction = bytes.number(ball_friction_range);
   const uint8_t kinds = bytes.byte();
   scene.stops = static_cast<Stops>(kinds % 3);
   scene.tension = kinds & 128 ? Tension::allow : Tension::clamp;
@@ -56,9 +45,9 @@ Bounds bounds_from(Bytes& bytes) {
   if (changed & 1) bounds.displacement = bytes.number(bound_range);
   if (changed & 2) bounds.speed = bytes.number(bound_range);
   if (changed & 4) bounds.penetration = bytes.number(bound_range);
-  if (changed & 8) bounds.force = bytes.number(force_range);
+  if (changed & 8) bounds.force = bytes.number(force_bound_range);
   if constexpr (Kernel::Field::is_sampled)
-    bounds.base_acceleration = changed & 16 ? bytes.number(base_acceleration_range) : 10;
+    bounds.base_acceleration = changed & 16 ? bytes.number(base_acceleration_bound_range) : 10;
   return bounds;
 }
 

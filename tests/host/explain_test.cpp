@@ -36,7 +36,7 @@ static_assert(!accepts<Fixed>(Parameter::step, 1.00001 * too_long.allowed.most))
 // A value out of its own range has that range.
 constexpr Explanation negative = changed<Fixed>(Parameter::main_mass, -1);
 static_assert(negative.parameter == Parameter::main_mass && negative.value == -1);
-static_assert(negative.allowed.least == mass_range.least && negative.allowed.most == mass_range.most);
+static_assert(negative.allowed.least == main_mass_range.least && negative.allowed.most == main_mass_range.most);
 
 // A c1 that nobody stated is the paper's with the paper's law and stiffness, and no other's.
 template <class Law>

@@ -21,28 +21,12 @@ namespace impact {
 
 // The values that a plan is made from.
 enum class Parameter : uint8_t {
-  main_mass,
-  main_stiffness,
-  main_damping,
-  ball_mass,
-  clearance,
-  contact_stiffness,
-  contact_damping,
-  restitution,
-  drive_amplitude,
-  drive_pulsation,
-  x1,
-  v1,
-  x2,
-  v2,
-  displacement_bound,
-  speed_bound,
-  penetration_bound,
-  force_bound,
-  gravity,
-  base_acceleration_bound,
-  ball_friction,
-  step,
+#define IMPACT_SCENE_NAME(name, ...) name,
+#define IMPACT_BOUND_NAME(name, ...) name##_bound,
+  IMPACT_SCENE_VALUES(IMPACT_SCENE_NAME) IMPACT_BOUND_VALUES(IMPACT_BOUND_NAME)
+#undef IMPACT_SCENE_NAME
+#undef IMPACT_BOUND_NAME
+      step,
 };
 
 struct Values {
@@ -53,47 +37,35 @@ struct Values {
   constexpr double* find(Parameter parameter);
 };
 
-namespace detail {
-
+// A row of the table, values.hpp.
 struct ParameterEntry {
-  const char* name;
+  Parameter parameter;
+  const char *name, *member;
   double Scene::*in_scene;
   double Bounds::*in_bounds;
   Range range;  // in any scene
+  PlanStatus status;
+  const char *unit, *meaning;
+  bool is_of_part;
 };
-// In the order of the enumerators.
-constexpr ParameterEntry parameters[] = {
-    {"main_mass", &Scene::main_mass, nullptr, mass_range},
-    {"main_stiffness", &Scene::main_stiffness, nullptr, main_stiffness_range},
-    {"main_damping", &Scene::main_damping, nullptr, main_damping_range},
-    {"ball_mass", &Scene::ball_mass, nullptr, mass_range},
-    {"clearance", &Scene::clearance, nullptr, clearance_range},
-    {"contact_stiffness", &Scene::contact_stiffness, nullptr, contact_stiffness_range},
-    {"contact_damping", &Scene::contact_damping, nullptr, contact_damping_range},
-    {"restitution", &Scene::restitution, nullptr, restitution_range},
-    {"drive_amplitude", &Scene::drive_amplitude, nullptr, force_range},
-    {"drive_pulsation", &Scene::drive_pulsation, nullptr, drive_pulsation_range},
-    {"x1", &Scene::x1, nullptr, initial_displacement_range},
-    {"v1", &Scene::v1, nullptr, initial_velocity_range},
-    {"x2", &Scene::x2, nullptr, initial_displacement_range},
-    {"v2", &Scene::v2, nullptr, initial_velocity_range},
-    {"displacement_bound", nullptr, &Bounds::displacement, bound_range},
-    {"speed_bound", nullptr, &Bounds::speed, bound_range},
-    {"penetration_bound", nullptr, &Bounds::penetration, bound_range},
-    {"force_bound", nullptr, &Bounds::force, force_range},
-    {"gravity", &Scene::gravity, nullptr, gravity_range},
-    {"base_acceleration_bound", nullptr, &Bounds::base_acceleration, base_acceleration_range},
-    {"ball_friction", &Scene::ball_friction, nullptr, force_range},
-    {"step", nullptr, nullptr, step_range}};
+inline constexpr ParameterEntry parameters[] = {
+#define IMPACT_IN_SCENE(name, least, most, unit, status, meaning, is_of_part) \
+  {Parameter::name, #name, #name, &Scene::name, nullptr, {least, most}, PlanStatus::status, unit, meaning, is_of_part},
+#define IMPACT_IN_BOUNDS(name, least, most, unit, status, meaning, is_of_part) \
+  {Parameter::name##_bound, #name "_bound",     #name, nullptr, &Bounds::name, \
+   {least, most},           PlanStatus::status, unit,  meaning, is_of_part},
+    IMPACT_SCENE_VALUES(IMPACT_IN_SCENE) IMPACT_BOUND_VALUES(IMPACT_IN_BOUNDS)
+#undef IMPACT_IN_SCENE
+#undef IMPACT_IN_BOUNDS
+        {Parameter::step, "step", "step", nullptr, nullptr, step_range, PlanStatus::step, "s", "length of a step",
+         false}};
 constexpr const ParameterEntry& entry(Parameter parameter) { return parameters[static_cast<int>(parameter)]; }
 
-}  // namespace detail
-
-constexpr const char* name_of(Parameter parameter) { return detail::entry(parameter).name; }
-constexpr Range range_of(Parameter parameter) { return detail::entry(parameter).range; }
+constexpr const char* name_of(Parameter parameter) { return entry(parameter).name; }
+constexpr Range range_of(Parameter parameter) { return entry(parameter).range; }
 constexpr double* Values::find(Parameter parameter) {
-  const auto& entry = detail::entry(parameter);
-  return entry.in_scene ? &(scene.*entry.in_scene) : entry.in_bounds ? &(bounds.*entry.in_bounds) : &step;
+  const ParameterEntry& row = entry(parameter);
+  return row.in_scene ? &(scene.*row.in_scene) : row.in_bounds ? &(bounds.*row.in_bounds) : &step;
 }
 
 // The value that a plan was refused for, and what it may be beside the others (drive_pulsation also 0). Where the first
@@ -113,85 +85,45 @@ constexpr Explanation explain(PlanStatus status, Values values) {
   const auto of = [&values](Parameter parameter) {
     return Explanation{parameter, *values.find(parameter), range_of(parameter)};
   };
-  const auto nothing_of = [&values](Parameter parameter) {
-    return Explanation{parameter, *values.find(parameter), {0, 0}};
-  };
-  const auto first_out_of_range = [&of](Parameter a, Parameter b) {
-    return of(a).allowed.holds(of(a).value) ? of(b) : of(a);
-  };
-  const auto above = [&of](Parameter bound, double a, double b) {
-    Explanation explanation = of(bound);
-    explanation.allowed.least = larger(explanation.allowed.least, larger(magnitude(a), magnitude(b)));
-    return explanation;
-  };
+  Explanation said = of(Parameter::step);
+  for (const ParameterEntry& row : parameters)  // the first of several that is out of its range
+    if (row.status == status && (said.parameter == Parameter::step || said.allowed.holds(said.value)))
+      said = of(row.parameter);
   switch (status) {
-    case PlanStatus::main_mass:
-      return of(Parameter::main_mass);
-    case PlanStatus::main_stiffness:
-      return of(Parameter::main_stiffness);
-    case PlanStatus::main_damping:
-      return of(Parameter::main_damping);
-    case PlanStatus::ball_mass:
-      return of(Parameter::ball_mass);
-    case PlanStatus::clearance:
-      return of(Parameter::clearance);
-    case PlanStatus::contact_stiffness:
     case PlanStatus::contact_time:
       return of(Parameter::contact_stiffness);
-    case PlanStatus::stop_out_of_reach: {
-      Explanation explanation = of(Parameter::clearance);
-      explanation.allowed.most = largest_clearance(values.bounds);
-      return explanation;
-    }
+    case PlanStatus::stop_out_of_reach:
+      said = of(Parameter::clearance);
+      said.allowed.most = largest_clearance(values.bounds);
+      break;
     case PlanStatus::contact_damping_unstated:
       return of(Parameter::contact_damping);
-    case PlanStatus::contact_damping: {
-      Explanation explanation = of(Parameter::contact_damping);
-      if (explanation.allowed.holds(explanation.value)) explanation.allowed.most = largest_linear_damping(scene);
-      return explanation;
-    }
-    case PlanStatus::restitution:
-      return of(Parameter::restitution);
-    case PlanStatus::drive_amplitude:
-      return of(Parameter::drive_amplitude);
-    case PlanStatus::drive_pulsation: {
-      Explanation explanation = of(Parameter::drive_pulsation);
-      explanation.allowed.least = slowest_drive(values.step);
-      return explanation;
-    }
-    case PlanStatus::initial_displacement: {
+    case PlanStatus::contact_damping:
+      if (said.allowed.holds(said.value)) said.allowed.most = largest_linear_damping(scene);
+      break;
+    case PlanStatus::drive_pulsation:
+      said.allowed.least = slowest_drive(values.step);
+      break;
+    case PlanStatus::initial_displacement:
       // Of two within their range, for a ball that is too deep in a stop, the larger.
-      const bool is_main = magnitude(scene.x1) > magnitude(scene.x2);
-      return first_out_of_range(is_main ? Parameter::x2 : Parameter::x1, is_main ? Parameter::x1 : Parameter::x2);
-    }
-    case PlanStatus::initial_velocity:
-      return first_out_of_range(Parameter::v1, Parameter::v2);
+      if (said.allowed.holds(said.value) && magnitude(scene.x1) > magnitude(scene.x2)) return of(Parameter::x1);
+      break;
     case PlanStatus::displacement_bound:
-      return above(Parameter::displacement_bound, scene.x1, scene.x2);
+      said.allowed.least = larger(said.allowed.least, larger(magnitude(scene.x1), magnitude(scene.x2)));
+      break;
     case PlanStatus::speed_bound:
-      return above(Parameter::speed_bound, scene.v1, scene.v2);
-    case PlanStatus::penetration_bound:
-      return of(Parameter::penetration_bound);
-    case PlanStatus::force_bound:
-      return of(Parameter::force_bound);
-    case PlanStatus::gravity:
-      return of(Parameter::gravity);
-    case PlanStatus::base_acceleration_bound:
-      return of(Parameter::base_acceleration_bound);
-    case PlanStatus::ball_friction:
-      return of(Parameter::ball_friction);
+      said.allowed.least = larger(said.allowed.least, larger(magnitude(scene.v1), magnitude(scene.v2)));
+      break;
     case PlanStatus::gravity_not_named:
-      return nothing_of(Parameter::gravity);
+      return {Parameter::gravity, scene.gravity, {0, 0}};
     case PlanStatus::base_acceleration_not_named:
-      return nothing_of(Parameter::base_acceleration_bound);
+      return {Parameter::base_acceleration_bound, values.bounds.base_acceleration, {0, 0}};
     case PlanStatus::ball_friction_not_named:
-      return nothing_of(Parameter::ball_friction);
-    case PlanStatus::ok:
-    case PlanStatus::step:
-    case PlanStatus::steps_per_contact:
+      return {Parameter::ball_friction, scene.ball_friction, {0, 0}};
+    default:
       break;
   }
-  return of(Parameter::step);
+  return said;
 }
 
 namespace detail {

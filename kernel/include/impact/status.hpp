@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Whether a scene can be planned, and if not, which of its values is at fault. A value is named by the first check that
-// it fails; its range is in the table of limits below.
+// it fails; its range is in the table of values.hpp.
 
 #include <stdint.h>
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
+#include <impact/values.hpp>
 
 namespace impact {
 
@@ -48,22 +49,16 @@ struct Range {
   constexpr bool holds(double x) const { return x >= least && x <= most; }  // false for a NaN
 };
 
-inline constexpr Range mass_range{1e-9, 1e9};                // kg
-inline constexpr Range main_stiffness_range{0, 1e12};        // N/m
-inline constexpr Range main_damping_range{0, 1e9};           // N s/m
-inline constexpr Range clearance_range{0, 1e12};             // m
-inline constexpr Range contact_stiffness_range{1e-3, 1e18};  // N/m or N/m^(3/2)
-inline constexpr Range contact_damping_range{0, 1e18};       // N s/m or N s/m^(5/2)
-inline constexpr Range restitution_range{0.01, 1};
-inline constexpr Range damping_ratio_range{0, 100};            // c1 v0/k1 of a damping set per impact
-inline constexpr Range force_range{0, 1e9};                    // N
-inline constexpr Range gravity_range{-1e6, 1e6};               // m/s^2
-inline constexpr Range base_acceleration_range{0, 1e6};        // m/s^2
-inline constexpr Range initial_displacement_range{-1e3, 1e3};  // m
-inline constexpr Range initial_velocity_range{-1e3, 1e3};      // m/s
-inline constexpr Range bound_range{1e-9, 1e6};                 // m and m/s
-inline constexpr Range step_range{1e-9, 0.1};                  // s
-inline constexpr Range drive_pulsation_range{0, 1e6};          // rad/s; 0, or from slowest_drive(step) on
+// main_mass_range, and so on; displacement_bound_range, and so on.
+#define IMPACT_RANGE(name, least, most, ...) inline constexpr Range name##_range{least, most};
+#define IMPACT_BOUND_RANGE(name, least, most, ...) inline constexpr Range name##_bound_range{least, most};
+IMPACT_SCENE_VALUES(IMPACT_RANGE)
+IMPACT_BOUND_VALUES(IMPACT_BOUND_RANGE)
+#undef IMPACT_RANGE
+#undef IMPACT_BOUND_RANGE
+inline constexpr Range damping_ratio_range{0, 100};             // c1 v0/k1 of a damping set per impact
+inline constexpr Range bound_range = displacement_bound_range;  // of a speed and a penetration as well
+inline constexpr Range step_range{1e-9, 0.1};                   // s
 
 // A slower drive turns by less than 2^-24 rad a step, of which an oscillator's curvature keeps fewer than 15 bits.
 constexpr double slowest_drive(double step) { return 0x1p-24 / step; }
@@ -86,23 +81,21 @@ constexpr double longest_step(const Scene& scene, double phase) {
   return h;
 }
 
+// The first value out of its own range.
+#define IMPACT_CHECK(name, least, most, unit, status, ...) \
+  if (!Range{least, most}.holds(values.name)) return PlanStatus::status;
+constexpr PlanStatus out_of_range(const Scene& values) {
+  IMPACT_SCENE_VALUES(IMPACT_CHECK)
+  return PlanStatus::ok;
+}
+constexpr PlanStatus out_of_range(const Bounds& values) {
+  IMPACT_BOUND_VALUES(IMPACT_CHECK)
+  return PlanStatus::ok;
+}
+#undef IMPACT_CHECK
+
 constexpr PlanStatus status_of(const Scene& scene, double step, double phase) {
-  if (!mass_range.holds(scene.main_mass)) return PlanStatus::main_mass;
-  if (!main_stiffness_range.holds(scene.main_stiffness)) return PlanStatus::main_stiffness;
-  if (!main_damping_range.holds(scene.main_damping)) return PlanStatus::main_damping;
-  if (!mass_range.holds(scene.ball_mass)) return PlanStatus::ball_mass;
-  if (!clearance_range.holds(scene.clearance)) return PlanStatus::clearance;
-  if (!contact_stiffness_range.holds(scene.contact_stiffness)) return PlanStatus::contact_stiffness;
-  if (!contact_damping_range.holds(scene.contact_damping)) return PlanStatus::contact_damping;
-  if (!restitution_range.holds(scene.restitution)) return PlanStatus::restitution;
-  if (!force_range.holds(scene.drive_amplitude)) return PlanStatus::drive_amplitude;
-  if (!drive_pulsation_range.holds(scene.drive_pulsation)) return PlanStatus::drive_pulsation;
-  if (!initial_displacement_range.holds(scene.x1) || !initial_displacement_range.holds(scene.x2))
-    return PlanStatus::initial_displacement;
-  if (!initial_velocity_range.holds(scene.v1) || !initial_velocity_range.holds(scene.v2))
-    return PlanStatus::initial_velocity;
-  if (!gravity_range.holds(scene.gravity)) return PlanStatus::gravity;
-  if (!force_range.holds(scene.ball_friction)) return PlanStatus::ball_friction;
+  if (const PlanStatus own = out_of_range(scene); own != PlanStatus::ok) return own;
   if (!(step >= step_range.least && step <= longest_step(scene, phase))) return PlanStatus::step;
   if (scene.drive_pulsation > 0 && scene.drive_pulsation < slowest_drive(step)) return PlanStatus::drive_pulsation;
   return PlanStatus::ok;
@@ -112,16 +105,13 @@ constexpr PlanStatus status_of(const Scene& scene, double step, double phase) {
 constexpr double largest_clearance(const Bounds& bounds) { return 4 * bounds.displacement; }
 
 constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
+  if (const PlanStatus own = out_of_range(bounds); own != PlanStatus::ok) return own;
   const auto within = [](double x, double bound) { return x >= -bound && x <= bound; };
-  if (!bound_range.holds(bounds.displacement)) return PlanStatus::displacement_bound;
   if (!within(scene.x1, bounds.displacement) || !within(scene.x2, bounds.displacement))
     return PlanStatus::displacement_bound;
   if (scene.stops != Stops::none && scene.clearance > largest_clearance(bounds)) return PlanStatus::stop_out_of_reach;
-  if (!bound_range.holds(bounds.speed)) return PlanStatus::speed_bound;
   if (!within(scene.v1, bounds.speed) || !within(scene.v2, bounds.speed)) return PlanStatus::speed_bound;
-  if (bounds.penetration != 0 && !bound_range.holds(bounds.penetration)) return PlanStatus::penetration_bound;
-  if (!force_range.holds(bounds.force)) return PlanStatus::force_bound;
-  if (!base_acceleration_range.holds(bounds.base_acceleration)) return PlanStatus::base_acceleration_bound;
+  if (bounds.penetration > 0 && bounds.penetration < bound_range.least) return PlanStatus::penetration_bound;
   return PlanStatus::ok;
 }
 

@@ -6,31 +6,16 @@
 #include <impact/numeric/fingerprint.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
+#include <impact/values.hpp>
 
 namespace impact {
 
+#define IMPACT_OF_SCENE(name, ...) scene.name,
+#define IMPACT_OF_BOUNDS(name, ...) bounds.name,
 constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, double step, double damping_ratio,
                                      double longest_phase) {
-  const double numbers[] = {scene.main_mass,
-                            scene.main_stiffness,
-                            scene.main_damping,
-                            scene.ball_mass,
-                            scene.clearance,
-                            scene.contact_stiffness,
-                            scene.contact_damping,
-                            scene.drive_amplitude,
-                            scene.drive_pulsation,
-                            scene.x1,
-                            scene.v1,
-                            scene.x2,
-                            scene.v2,
-                            damping_ratio,
-                            bounds.displacement,
-                            bounds.speed,
-                            bounds.penetration,
-                            bounds.force,
-                            step,
-                            longest_phase};
+  const double numbers[] = {IMPACT_MACHINE_VALUES(IMPACT_OF_SCENE) damping_ratio,
+                            IMPACT_MACHINE_BOUNDS(IMPACT_OF_BOUNDS) step, longest_phase};
   Fingerprint fingerprint{};
   for (double number : numbers) fingerprint.add_number(number);
   fingerprint.add(static_cast<uint32_t>(scene.stops));
@@ -39,11 +24,13 @@ constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, d
 }
 // All that a rig states, whether a plan reads it or not.
 constexpr uint32_t fingerprint_of_rig(const Scene& scene, const Bounds& bounds, double step) {
-  const double numbers[] = {scene.gravity, scene.ball_friction, bounds.base_acceleration};
-  Fingerprint fingerprint = fingerprint_of(scene, bounds, step, scene.restitution, 0);
+  const double numbers[] = {IMPACT_PART_VALUES(IMPACT_OF_SCENE) IMPACT_PART_BOUNDS(IMPACT_OF_BOUNDS)};
+  Fingerprint fingerprint = fingerprint_of(scene, bounds, step, 0, 0);
   for (double number : numbers) fingerprint.add_number(number);
   return fingerprint.value;
 }
+#undef IMPACT_OF_SCENE
+#undef IMPACT_OF_BOUNDS
 // What a state counts in. A base's samples count in their bound, and at once in what gravity counts in.
 template <class Field>
 constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bounds, double h,

@@ -36,52 +36,53 @@ struct StopInReach {
 
 template <class Rig, class PlanType, PlanStatus status>
 constexpr bool accepts() {
-  static_assert(status != PlanStatus::main_mass, "Rig::scene.main_mass: 1e-9 to 1e9 kg");
-  static_assert(status != PlanStatus::main_stiffness, "Rig::scene.main_stiffness: 0 to 1e12 N/m");
-  static_assert(status != PlanStatus::main_damping, "Rig::scene.main_damping: 0 to 1e9 N s/m");
-  static_assert(status != PlanStatus::ball_mass, "Rig::scene.ball_mass: 1e-9 to 1e9 kg");
-  static_assert(status != PlanStatus::clearance,
-                "Rig::scene.clearance: 0 to 1e12 m, with weight, a shaken base or friction more than "
-                "4 * Bounds::speed * step");
-  constexpr bool is_soft = contact_stiffness_range.holds(Rig::scene.contact_stiffness);
-  static_assert(status != PlanStatus::contact_stiffness || is_soft,
-                "Rig::scene.contact_stiffness: 1e-3 to 1e18, in N/m for HookeNewton and N/m^(3/2) for the other laws");
-  static_assert(status != PlanStatus::contact_stiffness || !is_soft,
-                "Rig::scene.contact_stiffness: in Fixed32 its force at the bounds is below the resolution: take a "
-                "longer step, tighter Bounds or Float32");
-  constexpr bool is_damping = contact_damping_range.holds(Rig::scene.contact_damping);
-  static_assert(status != PlanStatus::contact_damping || !is_damping,
-                "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m");
-  static_assert(status != PlanStatus::contact_damping || is_damping,
-                "Rig::scene.contact_damping: 0 to 1e18, in N s/m for HookeNewton and N s/m^(5/2) for HuntCrossley");
+#define IMPACT_SAY(name, least, most, unit, its_status, ...)                             \
+  static_assert(status != PlanStatus::its_status || name##_range.holds(Rig::scene.name), \
+                "Rig::scene." #name ": " #least " to " #most " " unit);
+#define IMPACT_SAY_BOUND(name, least, most, unit, its_status, ...)                              \
+  static_assert(status != PlanStatus::its_status || name##_bound_range.holds(Rig::bounds.name), \
+                "Bounds::" #name ": " #least " to " #most " " unit);
+  IMPACT_SCENE_VALUES(IMPACT_SAY)
+  IMPACT_BOUND_VALUES(IMPACT_SAY_BOUND)
+#undef IMPACT_SAY
+#undef IMPACT_SAY_BOUND
   static_assert(status != PlanStatus::contact_damping_unstated,
                 "Rig::scene.contact_damping is not stated, and its default is of HuntCrossley with the default "
                 "contact_stiffness: state c1, in N s/m for HookeNewton and N s/m^(5/2) for HuntCrossley, which "
                 "impact-sim --restitution finds");
-  static_assert(status != PlanStatus::restitution, "Rig::scene.restitution: 0.01 to 1, and within the law's own range");
-  static_assert(status != PlanStatus::drive_amplitude, "Rig::scene.drive_amplitude: 0 to 1e9 N");
-  static_assert(status != PlanStatus::drive_pulsation,
+  // Within their own ranges, it is the values together that leave no room.
+  constexpr PlanStatus together =
+      status == out_of_range(Rig::scene) || status == out_of_range(Rig::bounds) ? PlanStatus::ok : status;
+  static_assert(together != PlanStatus::clearance,
+                "Rig::scene.clearance: 0 to 1e12 m, with weight, a shaken base or friction more than "
+                "4 * Bounds::speed * step");
+  static_assert(together != PlanStatus::contact_stiffness,
+                "Rig::scene.contact_stiffness: in Fixed32 its force at the bounds is below the resolution: take a "
+                "longer step, tighter Bounds or Float32");
+  static_assert(together != PlanStatus::contact_damping,
+                "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m");
+  static_assert(together != PlanStatus::restitution,
+                "Rig::scene.restitution: 0.01 to 1, and within the law's own range");
+  static_assert(together != PlanStatus::drive_pulsation,
                 "Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s");
-  static_assert(status != PlanStatus::initial_displacement,
+  static_assert(together != PlanStatus::initial_displacement,
                 "Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop than motion within Bounds leads "
                 "to");
-  static_assert(status != PlanStatus::initial_velocity, "Rig::scene.v1 and v2: -1e3 to 1e3 m/s");
-  static_assert(status != PlanStatus::displacement_bound,
+  static_assert(together != PlanStatus::displacement_bound,
                 "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements, and in Fixed32 small "
                 "enough beside Bounds::speed that it resolves the spring's force and the penetrations");
-  static_assert(status != PlanStatus::speed_bound,
+  static_assert(together != PlanStatus::speed_bound,
                 "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, and in Fixed32 with c1/k1 times "
                 "it below 2^20");
-  static_assert(status != PlanStatus::penetration_bound,
+  static_assert(together != PlanStatus::penetration_bound,
                 "Bounds::penetration: 0, which leaves it to the others, or 1e-9 to 1e6 m");
-  static_assert(status != PlanStatus::force_bound, "Bounds::force: 0 to 1e9 N");
-  static_assert(status != PlanStatus::gravity,
+  static_assert(together != PlanStatus::gravity,
                 "Rig::scene.gravity: -1e6 to 1e6 m/s^2, and in Fixed32 not so large beside Bounds that its unit no "
                 "longer resolves a displacement per step");
-  static_assert(status != PlanStatus::base_acceleration_bound,
+  static_assert(together != PlanStatus::base_acceleration_bound,
                 "Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large beside the other Bounds that "
                 "its unit no longer resolves a displacement per step");
-  static_assert(status != PlanStatus::ball_friction,
+  static_assert(together != PlanStatus::ball_friction,
                 "Rig::scene.ball_friction: 0 to 1e9 N. A step of it changes the sliding by no more than twice "
                 "Bounds::speed and, in Fixed32, by no less than 64 LSBs of its rate");
   static_assert(status != PlanStatus::gravity_not_named,

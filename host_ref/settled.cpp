@@ -25,6 +25,25 @@ Resolution resolution(const Request& request) {
   return resolution_of<HuntCrossley>(scene, bounds);
 }
 
+int sub_steps(const Request& request) {
+  switch (request.stepper) {
+    case Stepper::moment:
+      return 1;
+    case Stepper::moment_4:
+      return 4;
+    case Stepper::moment_8:
+      return 8;
+    case Stepper::moment_n:
+      return SubsteppedMoment<>::parts_for(resolution(request), request.step);
+    default:
+      return 0;
+  }
+}
+double restitution_error(const Request& request) {
+  const int parts = sub_steps(request);
+  return parts > 0 ? Moment::restitution_error(resolution(request), request.step / parts) : std::nan("");
+}
+
 Stepper chosen(const Request& request, int most_sub_steps) {
   switch (choice_for(resolution(request), request.step, most_sub_steps)) {
     case Choice::moment:

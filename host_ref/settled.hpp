@@ -19,6 +19,10 @@ Settled settled(const Request& asked, bool may_run = true);
 
 // Of requests with bounds.
 Resolution resolution(const Request& request);
+// In a step in contact: 1 of Moment; 0 of a stepper for which no formula says the error.
+int sub_steps(const Request& request);
+// By how much the restitution of the fastest impact that the bounds allow misses the law's; NaN where no formula says.
+double restitution_error(const Request& request);
 // By the plan's rule.
 Stepper chosen(const Request& request, int most_sub_steps = 1);
 Planned plan(const Request& request);

@@ -12,11 +12,6 @@
 namespace impact::host {
 namespace {
 
-bool is_pointwise(Stepper stepper) {
-  return stepper == Stepper::average || stepper == Stepper::linear || stepper == Stepper::fox_goodwin ||
-         stepper == Stepper::central;
-}
-
 // Three digits, and no exponent of a large number.
 std::string rough_text(double value) {
   return value < 100 ? rounded_text(value, 3) : rounded_text(std::round(value), 15);
@@ -56,7 +51,7 @@ std::string passed_over(const Request& request, const Resolution& contact) {
 std::string description(const Request& request, bool is_automatic) {
   const Resolution contact = resolution(request);
   const double steps = contact.shortest_part / request.step;  // the rule's N
-  const bool is_coarse = is_pointwise(request.stepper) && steps < 10;
+  const bool is_coarse = is_classical(request.stepper) && steps < 10;
   const std::string resolved =
       rough_text(steps) + (contact.shortest_part < contact.contact_time ? " steps in the shortest part of a contact"
                                                                         : " steps per contact");
@@ -67,15 +62,9 @@ std::string description(const Request& request, bool is_automatic) {
   std::string line = std::string(name_of(request.stepper)) + ", " + resolved + " at " +
                      rough_text(2 * request.bounds->speed) + " m/s, " + rough_text(contact.main_phase) +
                      " rad of the main mass's vibration during it";
-  const int parts = request.stepper == Stepper::moment     ? 1
-                    : request.stepper == Stepper::moment_4 ? 4
-                    : request.stepper == Stepper::moment_8 ? 8
-                    : request.stepper == Stepper::moment_n ? SubsteppedMoment<>::parts_for(contact, request.step)
-                                                           : 0;
+  const int parts = sub_steps(request);
   if (parts > 1) line += ", " + std::to_string(parts) + " sub-steps";
-  if (parts > 0)
-    line += ", restitution within " + rough_text(Moment::restitution_error(contact, request.step / parts)) +
-            " of the law's";
+  if (parts > 0) line += ", restitution within " + rough_text(restitution_error(request)) + " of the law's";
   return line + passed_over(request, contact);
 }
 
@@ -101,7 +90,7 @@ Refusal refusal_of_restitution(const Request& request) {
 }
 
 Refusal refusal_of_parts(const Request& request) {
-  if (!has_parts(request) || !is_pointwise(request.stepper)) return {};
+  if (!has_parts(request) || !is_classical(request.stepper)) return {};
   const char* part = request.is_shaken                 ? "base-acceleration-file"
                      : request.scene.ball_friction > 0 ? "ball-friction"
                                                        : "gravity";

@@ -31,6 +31,8 @@ enum class Stepper {
   impulsive,
   automatic
 };
+// With pointwise contact.
+inline bool is_classical(Stepper stepper) { return stepper <= Stepper::central; }
 enum class Numeric { float32, float32_plain, fixed32, float64 };
 enum class DriveKind { none, sine, sampled };
 
@@ -157,10 +159,6 @@ Refusal refusal_before_a_run(const Request& request);
 constexpr double automatic_error = 1e-5;
 double automatic_step(const Request& request);
 
-std::optional<Law> law_named(std::string_view name);          // hooke-newton, hertz, hunt-crossley
-std::optional<Stepper> stepper_named(std::string_view name);  // auto, average, linear, fox-goodwin, central, moment,
-                                                              // moment-4, moment-8, moment-n, energy, impulsive
-std::optional<Numeric> numeric_named(std::string_view name);  // float32, float32-plain, fixed32, float64
 std::string_view name_of(Law law);
 std::string_view name_of(Damping damping);
 std::string_view name_of(Stepper stepper);

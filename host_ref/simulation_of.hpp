@@ -20,11 +20,9 @@ struct Planned {
 };
 
 // With any stepper and drive: simulation_instance.hpp.
-template <class Format, class ContactLaw>
+template <class Format, class ContactLaw, class... Parts>
 Planned plan_with_law(const Request& request, const Bounds& bounds);
-// The same for a request that has_parts: parts_instance.hpp.
-template <class Format, class ContactLaw>
-Planned plan_with_parts(const Request& request, const Bounds& bounds);
+struct AnyField;  // any_field.hpp
 
 // The law in double at a penetration and its rate, for what the tool prints beside the state.
 template <class ContactLaw>
@@ -229,25 +227,23 @@ Planned plan_with_drive(Request request, Bounds bounds) {
   return plan_for<Format, ContactLaw, Stepper, AnyDrive, Parts...>(request, bounds);
 }
 
-template <class Format, class ContactLaw>
-Planned plan_any(const Request& request, const Bounds& bounds) {
-  if (has_parts(request)) return plan_with_parts<Format, ContactLaw>(request, bounds);
-  return plan_with_law<Format, ContactLaw>(request, bounds);
-}
-
 template <class Format>
 Planned plan_simulation(const Request& request, const Bounds& bounds) {
+  const auto under = [&](auto law) {
+    using ContactLaw = decltype(law);
+    return has_parts(request) ? plan_with_law<Format, ContactLaw, AnyField, DryFriction>(request, bounds)
+                              : plan_with_law<Format, ContactLaw>(request, bounds);
+  };
   switch (request.law) {
     case Law::hooke_newton:
-      return plan_any<Format, HookeNewton>(request, bounds);
+      return under(HookeNewton{});
     case Law::hertz:
-      return plan_any<Format, Hertz>(request, bounds);
+      return under(Hertz{});
     case Law::hunt_crossley:
       break;
   }
   // By the restitution that comes out, `Exact` is every law that sets the damping at each impact: make_simulation.
-  if (request.damping != Damping::constant) return plan_any<Format, Exact>(request, bounds);
-  return plan_any<Format, HuntCrossley>(request, bounds);
+  return request.damping == Damping::constant ? under(HuntCrossley{}) : under(Exact{});
 }
 
 }  // namespace impact::host

@@ -7,16 +7,8 @@ namespace impact::host {
 Request without_absorber(const Request& request) {
   Request bare;
   bare.law = Law::hertz;
-  switch (request.stepper) {
-    case Stepper::average:
-    case Stepper::linear:
-    case Stepper::fox_goodwin:
-    case Stepper::central:
-      bare.stepper = request.stepper;
-      break;
-    default:  // they fly alike, exactly, and this one at every step that any of them takes
-      bare.stepper = Stepper::energy;
-  }
+  // The others fly alike, exactly, and this one at every step that any of them takes.
+  bare.stepper = is_classical(request.stepper) ? request.stepper : Stepper::energy;
   bare.drive = request.drive;
   bare.samples = request.samples;
   bare.is_shaken = request.is_shaken;

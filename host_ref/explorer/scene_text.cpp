@@ -1,20 +1,12 @@
 #include "host_ref/explorer/scene_text.hpp"
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/names.hpp"
 #include "host_ref/scene_values.hpp"
 #include "host_ref/tool/text.hpp"
 
 namespace impact::host {
 namespace {
-
-constexpr Damping dampings[] = {Damping::constant,
-                                Damping::hunt_crossley,
-                                Damping::herbert_mcwhannell,
-                                Damping::lee_wang,
-                                Damping::lankarani_nikravesh,
-                                Damping::flores,
-                                Damping::hu_guo,
-                                Damping::exact};
 
 // How the contact damping is stated, by c1 itself or by a restitution; and the files of samples.
 struct Stated {
@@ -26,27 +18,13 @@ struct Stated {
 // False where the value is none of the option's.
 bool store(Request& request, Stated& stated, std::string_view option, std::string_view text) {
   Scene& scene = request.scene;
-  if (option == "law") {
-    const auto law = law_named(text);
-    return law && (request.law = *law, true);
-  }
-  if (option == "newmark") {
-    const auto stepper = stepper_named(text);
-    return stepper && (request.stepper = *stepper, true);
-  }
-  if (option == "numeric") {
-    const auto numeric = numeric_named(text);
-    return numeric && (request.numeric = *numeric, true);
-  }
-  if (option == "drive") return request.drive = text == "none" ? DriveKind::none : DriveKind::sine, true;
-  if (option == "stops")
-    return scene.stops = text == "left" ? Stops::left : text == "right" ? Stops::right : Stops::both, true;
-  if (option == "tension") return scene.tension = text == "allow" ? Tension::allow : Tension::clamp, true;
-  if (option == "damping") {
-    for (const Damping damping : dampings)
-      if (name_of(damping) == text) return request.damping = damping, true;
-    return false;
-  }
+  if (option == "law") return store(laws, text, request.law);
+  if (option == "newmark") return store(steppers, text, request.stepper);
+  if (option == "numeric") return store(numerics, text, request.numeric);
+  if (option == "drive") return store(drives, text, request.drive);
+  if (option == "stops") return store(stops_kinds, text, scene.stops);
+  if (option == "tension") return store(tensions, text, scene.tension);
+  if (option == "damping") return store(dampings, text, request.damping);
   if (option == "paper-damping") return stated.by_paper = text == "yes", true;
   if (option == drive_samples.option) return stated.drive_file = text, true;
   if (option == base_displacements.option) return stated.base_file = text, true;

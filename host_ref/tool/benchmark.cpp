@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <host_ref/names.hpp>
 #include <host_ref/tool/benchmark.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/text.hpp>
@@ -41,20 +42,16 @@ double nanoseconds_per_step(Law law, Stepper stepper, Numeric numeric) {
 void write_benchmark(const Settings& settings) {
   Output output(settings.output);
   output.write("law,newmark,numeric,host_ns_per_step\n");
-  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
-    for (const Stepper stepper :
-         {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central, Stepper::moment, Stepper::moment_4,
-          Stepper::moment_8, Stepper::moment_n, Stepper::energy, Stepper::impulsive}) {
-      for (const Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}) {
-        const double time = nanoseconds_per_step(law, stepper, numeric);
+  for (const auto& law : laws)
+    for (const auto& stepper : steppers)
+      for (const auto& numeric : numerics) {
+        if (stepper.value == Stepper::automatic) continue;
+        const double time = nanoseconds_per_step(law.value, stepper.value, numeric.value);
         if (time < 0) continue;
-        std::string row =
-            std::string(name_of(law)) + "," + std::string(name_of(stepper)) + "," + std::string(name_of(numeric)) + ",";
+        std::string row = std::string(law.name).append(",").append(stepper.name).append(",").append(numeric.name) + ",";
         append_number(row, time, 4);
         output.write(row + "\n");
       }
-    }
-  }
   output.commit();
 }
 

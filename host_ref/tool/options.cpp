@@ -2,6 +2,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <host_ref/names.hpp>
 #include <host_ref/scene_values.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/summary.hpp>
@@ -84,43 +85,18 @@ Option number(const ParameterEntry& row) {
   return option;
 }
 
-template <class Value>
-Option choice(const char* name, const std::vector<std::pair<std::string, Value>>& values, const Field<Value>& field,
-              const char* help) {
-  std::string allowed, initial;
-  for (const auto& [text, value] : values) {
-    allowed += (allowed.empty() ? "" : ", ") + text;
-    if (value == initial_value(field)) initial = text;
-  }
+template <class Value, size_t size>
+Option choice(const char* name, const Named<Value> (&list)[size], const Field<Value>& field, const char* help) {
+  std::string allowed;
+  for (const auto& known : list) allowed += (allowed.empty() ? "" : ", ") + std::string(known.name);
   return {name,
           "NAME",
           help,
           allowed,
-          initial,
+          std::string(in(list, initial_value(field)).name),
           true,
-          [=](Settings& settings, const std::string& text) {
-            for (const auto& [name_of_value, value] : values) {
-              if (name_of_value != text) continue;
-              field(settings) = value;
-              return true;
-            }
-            return false;
-          },
+          [field, &list](Settings& settings, const std::string& text) { return store(list, text, field(settings)); },
           true};
-}
-
-template <class Value>
-std::vector<std::pair<std::string, Value>> named(std::initializer_list<Value> values) {
-  std::vector<std::pair<std::string, Value>> names;
-  for (const Value value : values) names.emplace_back(name_of(value), value);
-  return names;
-}
-
-std::vector<std::pair<std::string, Damping>> dampings() {
-  auto names = named({Damping::constant, Damping::hunt_crossley, Damping::herbert_mcwhannell, Damping::lee_wang,
-                      Damping::lankarani_nikravesh, Damping::flores, Damping::hu_guo, Damping::exact});
-  names.insert(names.begin() + 1, {"per-impact", Damping::hunt_crossley});
-  return names;
 }
 
 Option count(const char* name, const Field<long>& field, const char* help) {
@@ -163,42 +139,33 @@ bool store_shard(Settings& settings, const std::string& text) {
 const std::vector<Option>& options() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all = {
-        choice("law", named({Law::hooke_newton, Law::hertz, Law::hunt_crossley}), field(&Request::law), "contact law"),
-        choice("newmark",
-               named({Stepper::automatic, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central,
-                      Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::moment_n, Stepper::energy,
-                      Stepper::impulsive}),
-               field(&Request::stepper),
+        choice("law", laws, field(&Request::law), "contact law"),
+        choice("newmark", steppers, field(&Request::stepper),
                "time stepper (auto: the plan's rule, said on standard error; the next four: classical Newmark with "
                "pointwise contact; moment-4 and moment-8: with as many sub-steps in contact; moment-n: with as many as "
                "it needs)"),
-        choice("numeric", named({Numeric::float32, Numeric::float32_plain, Numeric::fixed32, Numeric::float64}),
-               field(&Request::numeric), "number format (float32: with compensated state)"),
+        choice("numeric", numerics, field(&Request::numeric), "number format (float32: with compensated state)"),
         number("duration", "s", {0, 1e7}, field(&Request::duration),
                "simulated time, rounded to whole steps, at most 1e9 of them")
             .by_default("1, or as long as the samples of a file last")};
     for (const ParameterEntry& row : parameters) all.push_back(number(row));
     const std::vector<Option> others = {
 
-        choice<Stops>("stops",
-                      {{"both", Stops::both}, {"left", Stops::left}, {"right", Stops::right}, {"none", Stops::none}},
-                      field(&Scene::stops), "stops that are there"),
+        choice("stops", stops_kinds, field(&Scene::stops), "stops that are there"),
 
         number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed),
                "speed at which hunt-crossley is to show that restitution; the other laws do not read it"),
         flag("paper-damping", field(&Settings::paper_damping), true,
              "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
         choice(
-            "damping", dampings(), field(&Request::damping),
+            "damping", dampings, field(&Request::damping),
             "of hunt-crossley. All but constant set it at each impact from its own speed and --restitution E, by the "
             "formula of that name (hunt-crossley, or per-impact: the paper's (2.9)); exact: E is what comes out"),
-        choice<Tension>("tension", {{"allow", Tension::allow}, {"clamp", Tension::clamp}}, field(&Scene::tension),
-                        "allow: a stop may pull until the penetration ends; clamp: it lets go at zero force"),
+        choice("tension", tensions, field(&Scene::tension),
+               "allow: a stop may pull until the penetration ends; clamp: it lets go at zero force"),
 
-        choice<DriveKind>(
-            "drive", {{"none", DriveKind::none}, {"sine", DriveKind::sine}, {"sampled", DriveKind::sampled}},
-            field(&Request::drive),
-            "force on the main mass; sampled: the sine as one sample a step, for a --rig that takes samples"),
+        choice("drive", drives, field(&Request::drive),
+               "force on the main mass; sampled: the sine as one sample a step, for a --rig that takes samples"),
         file(
             "drive-file", field(&Settings::drive_file), true,
             "force samples instead, one a line and step: line n holds the force in N at the end of step n; 0 at t = 0"),

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <host_ref/names.hpp>
 #include <host_ref/scene_values.hpp>
 #include <host_ref/tool/rig.hpp>
 #include <host_ref/tool/text.hpp>
@@ -26,71 +27,6 @@ std::string command(const std::vector<Argument>& arguments) {
   return text;
 }
 
-const char* law_type(const Request& request) {
-  switch (request.law) {
-    case Law::hooke_newton:
-      return "HookeNewton";
-    case Law::hertz:
-      return "Hertz";
-    case Law::hunt_crossley:
-      break;
-  }
-  return request.damping == Damping::constant ? "HuntCrossley" : "Exact";  // whose restitution is what comes out
-}
-
-const char* stepper_type(Stepper stepper) {
-  switch (stepper) {
-    case Stepper::average:
-      return "AverageAcceleration";
-    case Stepper::linear:
-      return "LinearAcceleration";
-    case Stepper::fox_goodwin:
-      return "FoxGoodwin";
-    case Stepper::central:
-      return "CentralDifference";
-    case Stepper::moment_4:
-      return "SubsteppedMoment<4>";
-    case Stepper::moment_8:
-      return "SubsteppedMoment<8>";
-    case Stepper::moment_n:
-      return "SubsteppedMoment<>";
-    case Stepper::energy:
-      return "EnergyConsistent";
-    case Stepper::impulsive:
-      return "Impulsive";
-    case Stepper::moment:
-    case Stepper::automatic:
-      break;
-  }
-  return "Moment";
-}
-
-const char* drive_type(DriveKind drive) {
-  switch (drive) {
-    case DriveKind::none:
-      return "NoDrive";
-    case DriveKind::sine:
-      return "Sine";
-    case DriveKind::sampled:
-      break;
-  }
-  return "Sampled";
-}
-
-const char* format_type(Numeric numeric) {
-  switch (numeric) {
-    case Numeric::float32:
-      return "Float32";
-    case Numeric::float32_plain:
-      return "Float32Plain";
-    case Numeric::fixed32:
-      return "Fixed32";
-    case Numeric::float64:
-      break;
-  }
-  return "Float64";
-}
-
 std::string parts(const Request& request) {
   const Scene& scene = request.scene;
   std::string text;
@@ -100,10 +36,6 @@ std::string parts(const Request& request) {
     text += ", impact::Gravity";
   if (scene.ball_friction > 0) text += ", impact::DryFriction";
   return text;
-}
-
-const char* stops_name(Stops stops) {
-  return stops == Stops::both ? "both" : stops == Stops::left ? "left" : stops == Stops::right ? "right" : "none";
 }
 
 std::string line(const std::string& name, const std::string& value, const std::string& unit) {
@@ -137,16 +69,15 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
     }
   };
   lines_of("scene.", true);
-  text += line("scene.stops", std::string("impact::Stops::") + stops_name(scene.stops), "that are there");
-  text +=
-      line("scene.tension", std::string("impact::Tension::") + (scene.tension == Tension::allow ? "allow" : "clamp"),
-           "whether a stop may pull");
+  text += line("scene.stops", std::string("impact::") + in(stops_kinds, scene.stops).type, "that are there");
+  text += line("scene.tension", std::string("impact::") + in(tensions, scene.tension).type, "whether a stop may pull");
   text += "    return scene;\n  }();\n  static constexpr impact::Bounds bounds = [] {\n    impact::Bounds bounds;\n";
   lines_of("bounds.", false);
   text += "    return bounds;\n  }();\n  static constexpr double step = " + shortest_text(made.step) +
-          ";  // s\n};\nusing Rig = " + type + ";\nusing Absorber = impact::Absorber<Rig, impact::" + law_type(made) +
-          ", impact::" + stepper_type(made.stepper) + ", impact::" + drive_type(made.drive) +
-          ", impact::" + format_type(made.numeric) + parts(made) + ">;\n";
+          ";  // s\n};\nusing Rig = " + type + ";\nusing Absorber = impact::Absorber<Rig, impact::" +
+          (made.law == Law::hunt_crossley ? in(dampings, made.damping).type : in(laws, made.law).type) +
+          ", impact::" + in(steppers, made.stepper).type + ", impact::" + in(drives, made.drive).type +
+          ", impact::" + in(numerics, made.numeric).type + parts(made) + ">;\n";
   return text;
 }
 

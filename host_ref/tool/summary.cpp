@@ -5,7 +5,6 @@
 #include <host_ref/settled.hpp>
 #include <host_ref/tool/summary.hpp>
 #include <host_ref/tool/text.hpp>
-#include <impact/stepper/moment/substepped.hpp>
 #include <sstream>
 
 namespace impact::host {
@@ -29,17 +28,6 @@ void for_each_budget(See see) {
 
 std::string three_digits(double value) { return rounded_text(value, 3); }
 std::string percent(double share) { return rounded_text(100 * share, 2) + " %"; }
-
-// By how much the restitution of the fastest impact that the bounds allow misses the law's; NaN where no formula says.
-double expected_error(const Request& made) {
-  const int parts = made.stepper == Stepper::moment     ? 1
-                    : made.stepper == Stepper::moment_4 ? 4
-                    : made.stepper == Stepper::moment_8 ? 8
-                    : made.stepper == Stepper::moment_n ? SubsteppedMoment<>::parts_for(resolution(made), made.step)
-                                                        : 0;
-  if (parts == 0) return std::nan("");
-  return Moment::restitution_error(resolution(made), made.step / parts);
-}
 
 }  // namespace
 
@@ -120,7 +108,7 @@ std::vector<std::string> Summary::lines() const {
     if (outcome_.description.empty()) {  // which says so already
       contact += "; " + std::string(name_of(made.stepper)) +
                  " at N = " + three_digits(resolution(made).steps_per_contact(made.step));
-      if (const double error = expected_error(made); error >= 0)
+      if (const double error = restitution_error(made); error >= 0)
         contact += ", the restitution within " + rounded_text(error, 2) + " of the law's";
     }
     lines.push_back(contact);
@@ -165,7 +153,7 @@ std::string Summary::json(const char* fault) const {
   word("numeric", name_of(made.numeric));
   number("step_s", made.step);
   number("steps_per_contact", resolution(made).steps_per_contact(made.step));
-  number("restitution_error", expected_error(made));
+  number("restitution_error", restitution_error(made));
   number("share_of_displacement_bound", larger(largest_x1_, largest_x2_) / made.bounds->displacement);
   number("share_of_speed_bound", larger(largest_v1_, largest_v2_) / made.bounds->speed);
   if (!settings_.part.empty()) {

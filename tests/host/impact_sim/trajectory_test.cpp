@@ -190,7 +190,7 @@ TEST_F(ImpactSim, HelpNamesEveryOptionWithItsRange) {
       {"impact-speed", "from 1e-06 to 10000 m/s;"},
       {"paper-damping", any},
       {"damping",
-       "constant, per-impact, hunt-crossley, herbert-mcwhannell, lee-wang, lankarani-nikravesh, flores, hu-guo, "
+       "constant, hunt-crossley, per-impact, herbert-mcwhannell, lee-wang, lankarani-nikravesh, flores, hu-guo, "
        "exact;"},
       {"tension", "allow, clamp;"},
       {"drive", "none, sine, sampled;"},

@@ -1,0 +1,67 @@
+#pragma once
+// The lists of laws, steppers, formats, drives and dampings: as the tool's options name them, and as C++ does.
+
+#include "host_ref/simulation.hpp"
+
+namespace impact::host {
+
+template <class Enumerator>
+struct Named {
+  Enumerator value;
+  std::string_view name;
+  const char* type;  // in namespace impact
+};
+
+inline constexpr Named<Law> laws[] = {{Law::hooke_newton, "hooke-newton", "HookeNewton"},
+                                      {Law::hertz, "hertz", "Hertz"},
+                                      {Law::hunt_crossley, "hunt-crossley", "HuntCrossley"}};
+inline constexpr Named<Stepper> steppers[] = {{Stepper::automatic, "auto", "Chosen<>"},
+                                              {Stepper::average, "average", "AverageAcceleration"},
+                                              {Stepper::linear, "linear", "LinearAcceleration"},
+                                              {Stepper::fox_goodwin, "fox-goodwin", "FoxGoodwin"},
+                                              {Stepper::central, "central", "CentralDifference"},
+                                              {Stepper::moment, "moment", "Moment"},
+                                              {Stepper::moment_4, "moment-4", "SubsteppedMoment<4>"},
+                                              {Stepper::moment_8, "moment-8", "SubsteppedMoment<8>"},
+                                              {Stepper::moment_n, "moment-n", "SubsteppedMoment<>"},
+                                              {Stepper::energy, "energy", "EnergyConsistent"},
+                                              {Stepper::impulsive, "impulsive", "Impulsive"}};
+inline constexpr Named<Numeric> numerics[] = {{Numeric::float32, "float32", "Float32"},
+                                              {Numeric::float32_plain, "float32-plain", "Float32Plain"},
+                                              {Numeric::fixed32, "fixed32", "Fixed32"},
+                                              {Numeric::float64, "float64", "Float64"}};
+inline constexpr Named<DriveKind> drives[] = {{DriveKind::none, "none", "NoDrive"},
+                                              {DriveKind::sine, "sine", "Sine"},
+                                              {DriveKind::sampled, "sampled", "Sampled"}};
+// By the restitution that comes out, Exact is all but the first.
+inline constexpr Named<Damping> dampings[] = {{Damping::constant, "constant", "HuntCrossley"},
+                                              {Damping::hunt_crossley, "hunt-crossley", "Exact"},
+                                              {Damping::hunt_crossley, "per-impact", "Exact"},
+                                              {Damping::herbert_mcwhannell, "herbert-mcwhannell", "Exact"},
+                                              {Damping::lee_wang, "lee-wang", "Exact"},
+                                              {Damping::lankarani_nikravesh, "lankarani-nikravesh", "Exact"},
+                                              {Damping::flores, "flores", "Exact"},
+                                              {Damping::hu_guo, "hu-guo", "Exact"},
+                                              {Damping::exact, "exact", "Exact"}};
+inline constexpr Named<Stops> stops_kinds[] = {{Stops::both, "both", "Stops::both"},
+                                               {Stops::left, "left", "Stops::left"},
+                                               {Stops::right, "right", "Stops::right"},
+                                               {Stops::none, "none", "Stops::none"}};
+inline constexpr Named<Tension> tensions[] = {{Tension::allow, "allow", "Tension::allow"},
+                                              {Tension::clamp, "clamp", "Tension::clamp"}};
+
+template <class Enumerator, size_t size>
+constexpr const Named<Enumerator>& in(const Named<Enumerator> (&list)[size], Enumerator value) {
+  for (const auto& known : list)
+    if (known.value == value) return known;
+  return list[0];
+}
+// Stores the value of that name; false where there is none.
+template <class Enumerator, size_t size>
+bool store(const Named<Enumerator> (&list)[size], std::string_view name, Enumerator& value) {
+  for (const auto& known : list)
+    if (known.name == name) return value = known.value, true;
+  return false;
+}
+
+}  // namespace impact::host

@@ -32,7 +32,8 @@ std::string passed_over(const Request& request, const Resolution& contact) {
     if (turn > longest_turn)
       return name + rough_text(turn) + " rad of the main mass's vibration in a step, at most " +
              rough_text(longest_turn);
-    if (parts > 1 && h > contact.crossing) return name + "the ball can cross the clearance in a step";
+    if (parts > 1 && h * SubsteppedMoment<>::fewest_steps_across > contact.crossing)
+      return name + "the ball can cross the clearance in a step and a half";
     if (phase > Moment::longest_contact_phase)
       return name + "the deepest contact turns by " + rough_text(phase) + " rad in a step, at most " +
              rough_text(Moment::longest_contact_phase);

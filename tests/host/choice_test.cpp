@@ -135,7 +135,7 @@ struct Rig {
   static constexpr double step = 1e-4;
 };
 struct SlowRig : Rig {
-  static constexpr double step = 5e-3;
+  static constexpr double step = 3.3e-3;
 };
 struct SlowestRig : Rig {
   static constexpr double step = 3e-2;

@@ -50,7 +50,7 @@ std::vector<Searched> all() {
   std::vector<Searched> result;
   for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
     for (const Stepper stepper : {Stepper::automatic, Stepper::moment, Stepper::moment_4, Stepper::moment_8,
-                                  Stepper::energy, Stepper::impulsive}) {
+                                  Stepper::moment_n, Stepper::energy, Stepper::impulsive}) {
       for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
         result.push_back({law, false, stepper, numeric});
       result.push_back({Law::hunt_crossley, true, stepper, numeric});

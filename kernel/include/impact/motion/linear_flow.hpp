@@ -21,10 +21,10 @@ struct DriveShares {
 };
 
 // How a drive's force changes within a step, as what it adds to the displacement per step: what it adds as it is at the
-// step's end beyond what it does add, and half of the change.
+// step's end beyond what it does add, half of the change by the slope at the end, and half of the change itself.
 template <class Value>
 struct DriveChange {
-  Value to_end, half;
+  Value to_end, half, half_chord;
 };
 
 // The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.

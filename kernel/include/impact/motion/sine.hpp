@@ -125,12 +125,14 @@ struct Sine {
     // What must be kept of the step's start for change().
     struct Before {};
     constexpr Before before() const { return {}; }
-    // Of the last step, by the slope at its end.
+    // Of the last step.
     [[gnu::always_inline]] constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan,
                                                                                 Before) const {
+      const auto heads = oscillator.heads_before(plan.oscillator);
       const auto next = plan.increment * Format::reading(oscillator.value_head()),
-                 last = plan.increment * Format::reading(oscillator.head_before_last(plan.oscillator));
-      return {{}, Format::value(quarter(next - last))};
+                 now = plan.increment * Format::reading(heads.last),
+                 last = plan.increment * Format::reading(heads.before_last);
+      return {{}, Format::value(quarter(next - last)), Format::value(half(now - last))};
     }
     // The force now, over twice the amplitude.
     constexpr typename Format::Value force(const Plan<Format>& plan) const {

@@ -87,12 +87,16 @@ struct IntegerOscillator {
   }
   static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }
   constexpr int32_t value_head() const { return upper_word(value); }
-  // Of the value two steps before this one. The map is its own reverse.
-  [[gnu::always_inline]] constexpr int32_t head_before_last(const Plan& plan) const {
+  // Of the values one and two steps before this one. The map is its own reverse.
+  struct Heads {
+    int32_t last, before_last;
+  };
+  [[gnu::always_inline]] constexpr Heads heads_before(const Plan& plan) const {
     const uint64_t last = static_cast<uint64_t>(value) - static_cast<uint64_t>(slope >> plan.fine_bits);
     IntegerOscillator back{static_cast<int64_t>(last), static_cast<int64_t>(0 - static_cast<uint64_t>(slope))};
+    const int32_t head = back.value_head();
     back.advance(plan);
-    return back.value_head();
+    return {head, back.value_head()};
   }
   constexpr int32_t slope_head(const Plan& plan) const {
     return static_cast<int32_t>(slope >> (32 - plan.slope_bits + plan.fine_bits));
@@ -132,10 +136,14 @@ struct RealOscillator {
   }
   static constexpr int slope_bits(const Plan&) { return 0; }
   constexpr Real value_head() const { return value; }
-  constexpr Real head_before_last(const Plan& plan) const {
+  struct Heads {
+    Real last, before_last;
+  };
+  constexpr Heads heads_before(const Plan& plan) const {
     RealOscillator back{value - slope, -slope};
+    const Real last = back.value_head();
     back.advance(plan);
-    return back.value_head();
+    return {last, back.value_head()};
   }
   constexpr Real slope_head(const Plan&) const { return slope; }
 };

@@ -111,7 +111,9 @@ struct Step {
 
   // The step as the stop sees it.
   using InField = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
-  using Unrecorded = typename detail::Either<traits.is_instantaneous, ApproachAtInstant<InField, Value>, InField>::Type;
+  using FromStart = typename detail::Either<traits.starts_from_rate, ApproachFromStart<InField, Value>, InField>::Type;
+  using Unrecorded =
+      typename detail::Either<traits.is_instantaneous, ApproachAtInstant<InField, Value>, FromStart>::Type;
   using StopApproach = typename detail::Either<Model::records, RecordedApproach<Unrecorded>, Unrecorded>::Type;
 
   [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Value increment, Long main_travel,
@@ -126,6 +128,12 @@ struct Step {
     if constexpr (traits.reads_rate || Model::records) approach.rate = m.relative_rate(left);
     approach.travel = mirrored(m.way_flown(main_travel), left);
     approach.before = approach.penetration - approach.travel;
+    if constexpr (traits.starts_from_rate)
+      if (state.contact.phase == Phase::apart)
+        approach.rate_before =
+            approach.rate_at_start() + mirrored(plan.contact.start_rate.bend(plan.units.displacement(main_travel),
+                                                                             main_rate(m), change.half_chord),
+                                                left);
     if constexpr (traits.sees_change) increment = increment + change.to_end;
     if constexpr (traits.is_instantaneous) {
       approach.half_change = -mirrored(change.half, left);
@@ -199,8 +207,7 @@ struct Step {
     } else {
       approach.increment = minus_mirrored(increment, left);
     }
-    if constexpr (traits.is_instantaneous)
-      approach.main_rate = mirrored(plan.units.relative(state.dx1) + m.rate_ahead(), left);
+    if constexpr (traits.is_instantaneous) approach.main_rate = mirrored(main_rate(m), left);
     // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
     [[maybe_unused]] const auto rate = approach.rate;
     if constexpr (Friction::is_friction && traits.keeps_force)
@@ -230,6 +237,10 @@ struct Step {
       m.record_contact(seen);
     }
     return true;
+  }
+  // Of the main mass at the step's end.
+  [[gnu::always_inline]] static constexpr Value main_rate(const Model& m) {
+    return m.plan.units.relative(m.state.dx1) + m.rate_ahead();
   }
   template <class Units>
   static constexpr Value touch_rate(const Units& units, const Approach<Value>& approach) {

@@ -35,6 +35,8 @@ struct ContactTraits {
   bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step
   bool reads_rate = true;         // at the step's end, which costs the main mass's own to know
   bool sees_change = false;       // needs the increment of a drive as it is at the step's end
+  bool starts_from_rate = false;  // of a contact that begins, needs the rate at the step's start, which the plan's
+                                  // start_rate finds
   bool keeps_force = false;       // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
                                   // share in the displacements of the coming one, dx1_share and dx2_share
   bool puts_back = false;         // a ball found inside goes back to its stop before it is touched
@@ -61,6 +63,11 @@ template <class Value>
 struct ApproachInField : Approach<Value> {
   static constexpr bool is_in_field = true;
   Value ball_increment;  // the ball's part of the increment
+};
+// Either, with the rate at the step's start, where a contact begins.
+template <class Seen, class Value>
+struct ApproachFromStart : Seen {
+  Value rate_before;
 };
 // Either, for an impact at an instant.
 template <class Seen, class Value>

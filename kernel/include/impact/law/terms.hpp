@@ -27,6 +27,7 @@ struct ContactTerms {
   double deepest = 0;                                // that the bounds allow, m: depth.hpp
   double deepest_start = 0;                          // and that they allow a ball which starts apart, m
   double pressing = 0;                               // the main mass's largest acceleration, m/s^2: set by the plan
+  double rubbing = 0;                                // dry friction's on both masses, m/s^2: set by the plan
   double field = 0;                                  // the largest acceleration of a field, m/s^2: set by the plan
   double force_unit = 0;                             // N
   int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent

@@ -44,6 +44,7 @@ struct UnitBounds {
   bool is_lightly_damped;
   bool is_as_deep_as_flight;  // a step may leave the ball as deep as its free flight comes
   double finest_penetration;  // the smallest change of a penetration that a contact must tell; 0: any
+  double finest_force;        // the smallest force that it must tell, N; 0: any
   StateLimits limits;
 };
 

@@ -104,6 +104,7 @@ class PlanMaking {
       basis.friction_way = scene.ball_friction * Friction::increment(basis.flow, basis.ball);
     basis.terms.step = h;
     basis.terms.field = Field::largest(scene, bounds);
+    basis.terms.rubbing = scene.ball_friction / basis.terms.reduced_mass();
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
     // Where the ball crosses the clearance in a step, a contact that waits for the next finds it beyond the stop by
     // the ways of both.
@@ -178,6 +179,7 @@ class PlanMaking {
     largest.increment = h * h * (2 * larger(scene.drive_amplitude, bounds.force) + spring + damper) / scene.main_mass +
                         2 * h * h * Field::largest(scene, bounds);
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
+    const double of_flight = largest.penetration;
     Contact::room(terms, largest);
     largest.penetration = larger(largest.penetration, largest_change);  // again: the contact may have set it lower
     // The others are refused such a start where it is deeper than what they bound.
@@ -185,9 +187,10 @@ class PlanMaking {
       largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
     // An impact at an instant goes nowhere. A force at the step's end does not see how deep the flight comes.
     const bool is_of_flight =
-        Contact::traits.is_instantaneous ||
-        ((Contact::traits.keeps_force || largest.is_as_deep_as_flight) && !(bounds.penetration > 0));
-    largest.limits.penetration = limit_of(is_of_flight ? largest.penetration : terms.largest_penetration);
+        (Contact::traits.keeps_force || largest.is_as_deep_as_flight) && !(bounds.penetration > 0);
+    largest.limits.penetration = limit_of(Contact::traits.is_instantaneous ? largest.penetration
+                                          : is_of_flight ? constant::smaller(of_flight, largest.penetration)
+                                                         : terms.largest_penetration);
     // Between two stops the ball is where they are.
     const bool is_between = scene.stops == Stops::both;
     largest.limits.ball =
@@ -209,6 +212,8 @@ class PlanMaking {
     if (!Units::resolves(terms.largest_rate * h / 2, exponents.penetration)) return PlanStatus::speed_bound;
     const double lighter = constant::smaller(scene.ball_mass, scene.main_mass);
     if (!Contact::traits.is_instantaneous && !Units::resolves(terms.force_unit * h * h / lighter, exponents.recoil))
+      return PlanStatus::contact_stiffness;
+    if (largest.finest_force > 0 && !Units::resolves(largest.finest_force / terms.force_unit, 0))
       return PlanStatus::contact_stiffness;
     if (largest.finest_penetration > 0 && !Units::resolves(largest.finest_penetration, exponents.penetration))
       return PlanStatus::contact_stiffness;

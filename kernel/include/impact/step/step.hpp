@@ -220,6 +220,8 @@ struct Step {
       is_too_deep = plan.units.is_too_deep(contact.penetration);
     else
       is_too_deep = plan.units.is_too_deep(reaction.penetration);
+    if constexpr (traits.keeps_force)
+      if (!is_too_deep && contact.is_beyond_reach(plan.contact, approach)) m.raise(Fault::speed);
     if ((is_too_deep || !m.contact_is_in_range()) && m.clamp()) return false;
     if constexpr (Model::records) {
       auto& seen = reaction.record;

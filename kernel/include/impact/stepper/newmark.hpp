@@ -12,6 +12,12 @@
 // which the plan has the number of passes that reaches the format's precision. In a stiff contact c is above 1, and
 // counts in a unit of its own.
 //
+// What a step within the bounds reaches, as lengths in a step: a flight ends within (D^2 + (5/4) (h V)^2)^(1/2) of a
+// stop, or in a contact of few steps within three ways h V, and comes no faster than V and what presses and rubs in a
+// step; and because h (v' - v) = h^2 (a + a')/2, a force changes the rate by no more than 4 h V and twice what presses
+// and rubs. A step that passes one of these is beyond the bound of speed. The units have room for them, and for a rate
+// that two such forces have lowered.
+//
 // A stop acts at the end of a step if the step without the new force ends inside it. Second order on smooth motion; a
 // contact that lasts a few steps only can gain energy, see the README's limits.
 
@@ -49,7 +55,10 @@ struct Pointwise {
       Gain dx1_next, dx2_next;    // what the force still does to the displacement per step after the next step
       Gain dx1_share, dx2_share;  // its share of the displacement that the next step will make
       Gain damping;               // c1 / (k1 h)
-      Gain solution;              // Hooke-Newton: 1 / (1 - d law / d force)
+      struct {
+        Value trial, rate, force;
+      } largest;      // Reach
+      Gain solution;  // Hooke-Newton: 1 / (1 - d law / d force)
       struct {
         Gain by_penetration, by_rate;  // the response, over the unit
         Value half_one;
@@ -57,6 +66,40 @@ struct Pointwise {
       int passes;
       bool clamped;
     };
+    struct Reach {
+      double trial, rate, push;  // m; `push` by both masses
+      double force;              // N
+    };
+    static constexpr Reach reach_of(const ContactTerms& terms) {
+      const double h = terms.step, way = terms.largest_rate * h, changed = h * h * (terms.pressing + terms.rubbing),
+                   mobility = h * h / terms.reduced_mass(), d = terms.largest_penetration,
+                   flight = (terms.crosses ? 2 : 1) * way;
+      Reach reach{1.01 * constant::larger(constant::square_root(d * d + 1.25 * flight * flight), 3 * flight + changed),
+                  1.01 * (way + changed), 1.01 * (4 * way + 2 * changed), 0};
+      const double damping = terms.damping_time * reach.rate / h,
+                   law = terms.stiffness *
+                         (terms.is_linear ? reach.trial + damping : terms.to_the_power(reach.trial) * (1 + damping));
+      reach.push = constant::smaller(reach.push, mobility * law);
+      reach.force = reach.push / mobility;
+      return reach;
+    }
+    static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
+      using constant::larger;
+      const Reach reach = reach_of(terms);
+      const double lowered = reach.rate + 2 * reach.push, damping = terms.damping_time / terms.step;
+      largest.penetration = larger(largest.penetration, larger(reach.trial, lowered));
+      const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
+      const double elastic = terms.is_linear   ? reach.trial / unit
+                             : terms.is_damped ? 1.01
+                                               : 1,
+                   per_rate = terms.is_linear ? damping / unit : damping;
+      // A damping set per impact is clamped from half of the range on, impact_damping.hpp.
+      largest.force_factor =
+          larger(larger(elastic + per_rate * reach.rate, per_rate * lowered), 2 * terms.damping_ratio);
+      largest.push = reach.force * terms.step * terms.step / constant::smaller(terms.ball_mass, terms.main_mass);
+      largest.finest_force = reach.force / 1024;
+    }
+
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const double force_unit = terms.force_unit, k1 = terms.stiffness, damping = terms.damping_time / terms.step;
       const double ball = terms.step * terms.step / terms.ball_mass;
@@ -74,6 +117,8 @@ struct Pointwise {
                    largest_slope = per_unit * constant::larger(1.5 * by_penetration + damping_in_unit * by_rate,
                                                                ContactLaw::is_damped ? by_rate : 0);
       const int asked = Format::exponent_of(largest_slope), slope_unit = asked < 0 ? 0 : asked < 29 ? asked : 29;
+      const Reach reach = reach_of(terms);
+      const double length = constant::power_of_two(-unit.penetration);
       int passes = 1;
       for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
       return {
@@ -89,6 +134,8 @@ struct Pointwise {
           Format::gain(force_unit * flow.b0 / flow.e12, 0, unit.penetration),
           Format::gain(force_unit * (0.5 - beta) * ball, 0, unit.penetration),
           damping_gain<Format, ContactLaw>(terms, unit),
+          {Format::sample(reach.trial * length), Format::sample(reach.rate * length),
+           Format::sample(reach.force / force_unit)},
           Format::gain(1 / (1 + slope), 0, 0),
           {Format::gain(force_unit * by_penetration, 0, unit.penetration + slope_unit),
            Format::gain(force_unit * by_rate, 0, unit.penetration + slope_unit), Format::power_of_two(-1 - slope_unit)},
@@ -102,6 +149,13 @@ struct Pointwise {
       own.keeps_penetration = false;
       return own;
     }();
+    constexpr bool is_beyond_reach(const Plan& plan, const Approach<Value>& step) const {
+      const auto is_within = [](Value x, Value largest) {
+        return is_positive(largest - Format::value(positive_part(x)));
+      };
+      return !is_within(force, plan.largest.force) || !is_within(step.penetration, plan.largest.trial) ||
+             !is_within(step.rate, plan.largest.rate);
+    }
 
     Value force;  // at the start of the step
     Phase phase;
@@ -109,7 +163,8 @@ struct Pointwise {
     // What a kept force has still to do is in the range of a displacement.
     constexpr bool valid(const Plan& plan, const Units& units) const {
       return this->has_sound_damping() && units.is_sound(plan.dx1_share * force) &&
-             units.is_sound(plan.dx2_share * force);
+             units.is_sound(plan.dx2_share * force) && !is_positive(force - plan.largest.force) &&
+             !(plan.clamped && is_negative(force));
     }
 
     template <class Seen>
@@ -127,7 +182,7 @@ struct Pointwise {
       if constexpr (Seen::is_recorded) {
         // Linear over the step between its values before and after.
         reaction.record.force = {
-            Format::value(half(force_before + force)),
+            Format::value(half(force_before)) + Format::value(half(force)),
             Format::value(Format::constant(0.5 - beta) * force_before) + Format::value(Format::constant(beta) * force)};
         if (touches) reaction.record.stored = ContactLaw::template stored<Format>(units, reaction.penetration);
         reaction.record.rate = rate_after(plan.response, trial_rate, impulse);
@@ -148,6 +203,7 @@ struct Pointwise {
       } else {
         force = Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate));
       }
+      force = Units::clamped(force, plan.largest.force);
     }
 
    private:
@@ -165,7 +221,7 @@ struct Pointwise {
                                                  Value trial_rate) const {
       if constexpr (ContactLaw::is_linear) {
         const Value f = plan.solution * (units.elastic(trial) + this->damping(plan) * trial_rate);
-        return plan.clamped ? Format::value(positive_part(f)) : f;
+        return Units::clamped(plan.clamped ? Format::value(positive_part(f)) : f, plan.largest.force);
       } else {
         Value f{};
         for (int pass = 0; pass < plan.passes; ++pass) {
@@ -178,8 +234,9 @@ struct Pointwise {
           const Value by_penetration = plan.slope.by_penetration * Format::value(damped(plan, units, root, rate));
           Value slope = by_penetration + Format::value(half(by_penetration));
           if constexpr (ContactLaw::is_damped)
-            slope = slope + this->damping(plan) * (plan.slope.by_rate * Format::value(shape));
-          f = f + Format::over_one_plus(law - f, slope, plan.slope.half_one);
+            slope = strength<ContactLaw::is_damped_per_impact, Units>(
+                slope, this->damping(plan) * (plan.slope.by_rate * Format::value(shape)));
+          f = Units::clamped(f + Format::over_one_plus(law - f, slope, plan.slope.half_one), plan.largest.force);
         }
         return f;
       }

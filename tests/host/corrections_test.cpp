@@ -299,13 +299,13 @@ TEST(Corrections, OfNothingLeaveTheMotion) {
                      7.1e-5);
 }
 
-// Far on the side without a stop the difference of both positions, less the stop's position, passes 2^63 in Fixed32.
 template <class Format>
-struct CorrectionsFarFromTheStop : testing::Test {};
+struct CorrectionsInEveryFormat : testing::Test {};
 using AllFormats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
-TYPED_TEST_SUITE(CorrectionsFarFromTheStop, AllFormats);
+TYPED_TEST_SUITE(CorrectionsInEveryFormat, AllFormats);
 
-TYPED_TEST(CorrectionsFarFromTheStop, OfNothingLeaveTheBall) {
+// Far on the side without a stop the difference of both positions, less the stop's position, passes 2^63 in Fixed32.
+TYPED_TEST(CorrectionsInEveryFormat, OfNothingLeaveABallFarFromItsStop) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double side : {1.0, -1.0}) {
     Scene scene;
@@ -327,6 +327,22 @@ TYPED_TEST(CorrectionsFarFromTheStop, OfNothingLeaveTheBall) {
     EXPECT_EQ(kernel.fault(), Fault::none);
     EXPECT_TRUE(kernel.restore(kernel.save()));
   }
+}
+
+// By the bound from the bound: where that is a power of two, the sum of what both may be passes Fixed32's unit.
+TYPED_TEST(CorrectionsInEveryFormat, ToTwiceTheBoundEndAtIt) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
+  for (const double bound : {0.9, 1.0, 1.1})
+    for (const double side : {1.0, -1.0}) {
+      Scene scene;
+      scene.x1 = scene.x2 = side * bound;
+      Bounds bounds;
+      bounds.displacement = bound;
+      Kernel kernel(Kernel::PlanType::make(scene, bounds, 1e-4));
+      kernel.correct(Kernel::Format::sample(side * 1.003 * bound / kernel.displacement_unit()), {});
+      EXPECT_EQ(kernel.fault(), Fault::displacement);
+      EXPECT_NEAR(kernel.reading().x1, side * bound, 0.01 * bound);
+    }
 }
 
 }  // namespace

@@ -147,7 +147,11 @@ struct Fixed32Units {
   }
   constexpr int32_t correction_limit() const { return limits.main; }
   constexpr int32_t rate_correction_limit() const { return displacement({(int64_t{limits.way} << 32) - 1}).raw; }
-  static constexpr void add_position(Long& x, Value by) { add_shifted(x.raw, by.raw, 32); }
+  // Held at the unit's end, which two limits of a bound that is a power of two pass by a hundredth.
+  static constexpr void add_position(Long& x, Value by) {
+    if (__builtin_add_overflow(x.raw, int64_t{by.raw} * (int64_t{1} << 32), &x.raw))
+      x.raw = by.raw > 0 ? INT64_MAX : -INT64_MAX;
+  }
   constexpr void add_displacement(Long& w, Value by) const { add_shifted(w.raw, by.raw, displacement_shift); }
   constexpr void add(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
   // What counts in another unit, 2^bits as coarse.
@@ -156,7 +160,8 @@ struct Fixed32Units {
   // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
   constexpr void displace(Long& x, Value penetration) const {
     const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
-    IMPACT_EXPECT(Wide{x.raw} + (Wide{penetration.raw} << penetration_shift) == x.raw + static_cast<int64_t>(change));
+    IMPACT_EXPECT(Wide{x.raw} + Wide{penetration.raw} * (Wide{1} << penetration_shift) ==
+                  x.raw + static_cast<int64_t>(change));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
   }
   // By gain times a penetration with all the bits of a state, so that what one mass gains the other loses.

@@ -193,9 +193,10 @@ class PlanMaking {
                                                          : terms.largest_penetration);
     // Between two stops the ball is where they are.
     const bool is_between = scene.stops == Stops::both;
-    largest.limits.ball =
-        is_between ? limit_of(bounds.displacement + offset + largest.gap + largest.penetration) + largest.limits.way
-                   : largest.limits.main;
+    largest.limits.ball = largest.limits.main;
+    if (is_between)
+      largest.limits.ball +=
+          largest.gap + larger(limit_of(largest.penetration), largest.limits.penetration) + largest.limits.way;
     largest.apart = (is_between ? largest.limits.ball : 2 * largest.limits.main) + 2 * largest.limits.way;
     return largest;
   }

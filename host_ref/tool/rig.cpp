@@ -62,7 +62,7 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
     for (const ParameterEntry& row : parameters) {
       if (is_in_scene ? !row.in_scene : !row.in_bounds) continue;
       const double value = value_in(run, row);
-      // A part's value asks for the part.
+      // A part's value requires the part.
       const bool is_read = row.parameter == Parameter::restitution ? made.damping != Damping::constant
                                                                    : !row.is_of_part || value < 0 || value > 0;
       if (is_read) text += line(whole + row.member, shortest_text(value), std::string(row.unit) + ": " + row.meaning);

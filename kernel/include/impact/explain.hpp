@@ -162,16 +162,16 @@ constexpr double first_accepted(double refused, double end, const StatusAt& stat
   constexpr int most_bisections = 20;
   PlanStatus reason = status_at(refused);
   for (double x = refused; end < refused ? x > end : x < end;) {
-    double near = x, far = x = end < x ? constant::larger(x / 2, end) : constant::smaller(2 * x, end);
+    double inner = x, outer = x = end < x ? constant::larger(x / 2, end) : constant::smaller(2 * x, end);
     const PlanStatus at_end = status_at(x);
     PlanStatus at_far = at_end;
     for (int pass = 0; pass < most_bisections && at_far != PlanStatus::ok && at_far != reason; ++pass) {
-      const double middle = (near + far) / 2;
+      const double middle = (inner + outer) / 2;
       const PlanStatus at_middle = status_at(middle);
-      (at_middle == reason ? near : far) = middle;
+      (at_middle == reason ? inner : outer) = middle;
       if (at_middle != reason) at_far = at_middle;
     }
-    if (at_far == PlanStatus::ok) return far;
+    if (at_far == PlanStatus::ok) return outer;
     reason = at_end;
   }
   return 0;

@@ -322,7 +322,7 @@ struct StiffContact {
           if (is_positive(recoil - unscaled(most))) recoil = unscaled(most);
         }
       }
-      if (is_negative(recoil)) recoil = Value{};  // a ball that leaves faster than the law pushes it is not held back
+      if (is_negative(recoil)) recoil = Value{};  // a ball that leaves faster than the law pushes it is not braked
       const Value free = step.trial - recoil, farthest = unscaled(-half_rate) + unscaled(-half_rate);
       Value end{};
       if (step.is_inside && !is_positive(free)) end = is_positive(free - farthest) ? free : farthest;

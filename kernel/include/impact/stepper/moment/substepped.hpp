@@ -112,7 +112,7 @@ struct SubsteppedMoment {
       largest.push = constant::larger(largest.push,
                                       2 * constant::smaller(2 * terms.largest_rate * terms.step, n * n * largest.push));
     }
-    // The way in a sub-step has 20 binary places: a penetration's bound far above what an impact reaches leaves fewer,
+    // The way in a sub-step has 20 bits: a penetration's bound far above what an impact reaches leaves fewer,
     // and then what its impulses round makes energy.
     static constexpr double finest_penetration(const ContactTerms& terms) {
       return 0x1p-20 * terms.largest_rate * in_a_part(terms).step;

@@ -13,7 +13,7 @@
 
 #include <stdint.h>
 
-#include <impact/numeric/power_three_halves.hpp>
+#include <host_ref/report/power_three_halves.hpp>
 #include <impact/scene.hpp>
 
 namespace impact::report {

@@ -8,11 +8,12 @@
 #include <cmath>
 #include <cstdint>
 #include <impact/numeric/fixed32.hpp>
-#include <impact/numeric/power_three_halves.hpp>
 #include <impact/numeric/reciprocal.hpp>
 #include <impact/numeric/square_root.hpp>
 #include <random>
 #include <vector>
+
+#include "host_ref/report/power_three_halves.hpp"
 
 namespace impact {
 namespace {

@@ -1,8 +1,5 @@
-// SPDX-License-Identifier: MIT
 #pragma once
-// y^(3/2) = y sqrt(y), with the square root's table, in one number: for a step of one's own that evaluates the force of
-// Hertz or Hunt-Crossley, as the report's textbook methods do. The kernel's steps take the root from the same table,
-// and multiply it by y where they need the power.
+// y^(3/2) = y sqrt(y) in one number, with the kernel's table of square roots: for the textbook methods.
 
 #include <impact/numeric/square_root.hpp>
 

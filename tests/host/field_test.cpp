@@ -210,7 +210,7 @@ TEST(Field, NothingRingsAtTheStartAndUnderCorrectionsOfNothing) {
 
 // A contact under weight that damping holds in hundreds of steps, at the longest one in which EnergyConsistent takes
 // its force once: put a hundredth deeper it settles, and does not answer each step by its opposite, which it would from
-// h c/mu = 1/4 on (stepper/energy/power.hpp).
+// h c/mu = 1/4 on (kernel/docs/energy.md).
 TEST(Field, StronglyDampedContactSettles) {
   using Absorber = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Float64, Gravity>;
   constexpr Bounds bounds{0.0145, 0.003};  // hardly more than the equilibrium

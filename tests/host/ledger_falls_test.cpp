@@ -33,8 +33,8 @@ constexpr double rounded_by_sum = std::is_same_v<Format, Fixed32>        ? 0
 //                 point sixteen operations
 //     sum         of what is dissipated, by the addition itself: none in Fixed32
 //     left over   f times what a resolved contact's equation leaves over, way - (d1 - d0), as far as
-//                 its sum has fallen: over a whole contact it is a loss (stepper/energy/power.hpp)
-//     lsb       of a length, 2^-31, or of what a force does to one, where that counts coarser: what the force is
+//                 its sum has fallen: over a whole contact it is a loss (kernel/docs/energy.md)
+//     lsb         of a length, 2^-31, or of what a force does to one, where that counts coarser: what the force is
 //                 computed from and what it does, four of them; Hooke-Newton's own equation is out by three of them,
 //                 (1 + G (1/2 + C)) f = .. (stepper/energy/linear.hpp)
 struct Allowance : SilentFeature {

@@ -36,14 +36,14 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
 // Float32 each is rounded by 2^-24 of itself.
 //
 // Neither has what the step itself takes of the energy: with Impulsive (w0 t h)^4/12 of the main mass's share in each
-// impact (stepper/impulsive.hpp), with EnergyConsistent in a field what a stiff contact's position correction does.
+// impact (docs/impulsive.md), with EnergyConsistent in a field what a stiff contact's position correction does.
 //
 // What is dissipated never falls
 //
 //     Impulsive           exactly, in every format: an entry is J (V - J), 0 <= J <= V. What lifts a ball out of its
 //                         stop against a field counts as dissipated
 //     EnergyConsistent    but for the motion's rounding: an entry is the damping's own work. In a resolved contact of a
-//                         power law (stepper/energy/power.hpp) also by f times what its equation leaves over: while an
+//                         power law (docs/energy.md) also by f times what its equation leaves over: while an
 //                         elastic one of 20 steps lasts, by 4e-4 of its energy
 //     the others          are not bound by that: between the ends of a step the rate is off the straight line by
 //                         (h omega)^2/8 of itself, so that up to as much of what the contact stores is seen early or

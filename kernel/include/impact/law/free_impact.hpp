@@ -2,7 +2,7 @@
 #pragma once
 // One impact of two free masses, no spring, damper or drive on either, in closed form: how fast they come apart, after
 // what time, and where in time the force's impulse has its centroid. In double, for the plan. Formulas and derivation:
-// kernel/docs/contact.md. Bound: relative 1e-5 for e >= 0.3, 2e-4 at most.
+// kernel/docs/contact.md, with psi(y) = exp(y) - 1 - y. Bound: relative 1e-5 for e >= 0.3, 2e-4 at most.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/constant_math.hpp>

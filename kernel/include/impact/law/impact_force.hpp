@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The force of an impact that a step takes at an instant, as its law has it (free_impact.hpp). Formulas:
+// The force of an impact that a step takes at an instant, as its law has it. Formulas:
 // kernel/docs/impulsive.md. Peak and mean go with the speed of approach as V^(6/5), or Hooke-Newton's as V.
 // Hunt-Crossley's factors follow a = c1 V/k1 by straight lines between the exact values at even steps of y = a/(2 + a),
 // of 1/16. Bound: 5 % for e >= 0.05, of which V^(4/5) has 1 %.

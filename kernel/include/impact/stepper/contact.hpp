@@ -14,9 +14,9 @@
 //     valid         (plan, units)               whether a contact from elsewhere fits together
 //     change_rate   (plan, by)                  friction has changed the rate at the step's end
 //
-// A new contact derives from ContactDefaults, which has the last three and room() for a law's forces, and states only
-// what differs. Approach and Reaction have room for a touch at any instant of the step: how the force runs within it is
-// the contact's own affair, and main mass and ball may feel it differently.
+// A new contact derives from ContactDefaults, which has the last two, traits, and room() for a law's forces, and states
+// only what differs. Approach and Reaction have room for a touch at any instant of the step: how the force runs within
+// it is the contact's own affair, and main mass and ball may feel it differently.
 
 #include <stdint.h>
 

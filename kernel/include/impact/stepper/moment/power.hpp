@@ -21,7 +21,7 @@
 
 namespace impact {
 
-// h c/mu that the step tolerates, see moment.hpp.
+// h c/mu that the step tolerates: kernel/docs/moment.md.
 inline constexpr double largest_damping_of_moment = 2.5;
 
 template <class Format, class ContactLaw>

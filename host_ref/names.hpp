@@ -15,21 +15,11 @@ struct Named {
 inline constexpr Named<Law> laws[] = {{Law::hooke_newton, "hooke-newton", "HookeNewton"},
                                       {Law::hertz, "hertz", "Hertz"},
                                       {Law::hunt_crossley, "hunt-crossley", "HuntCrossley"}};
+#define IMPACT_NAMED_STEPPER(value, name, Type) {Stepper::value, name, #Type},
+#define IMPACT_NAMED_FORMAT(value, name, Type) {Numeric::value, name, #Type},
 inline constexpr Named<Stepper> steppers[] = {{Stepper::automatic, "auto", "Chosen<>"},
-                                              {Stepper::average, "average", "AverageAcceleration"},
-                                              {Stepper::linear, "linear", "LinearAcceleration"},
-                                              {Stepper::fox_goodwin, "fox-goodwin", "FoxGoodwin"},
-                                              {Stepper::central, "central", "CentralDifference"},
-                                              {Stepper::moment, "moment", "Moment"},
-                                              {Stepper::moment_4, "moment-4", "SubsteppedMoment<4>"},
-                                              {Stepper::moment_8, "moment-8", "SubsteppedMoment<8>"},
-                                              {Stepper::moment_n, "moment-n", "SubsteppedMoment<>"},
-                                              {Stepper::energy, "energy", "EnergyConsistent"},
-                                              {Stepper::impulsive, "impulsive", "Impulsive"}};
-inline constexpr Named<Numeric> numerics[] = {{Numeric::float32, "float32", "Float32"},
-                                              {Numeric::float32_plain, "float32-plain", "Float32Plain"},
-                                              {Numeric::fixed32, "fixed32", "Fixed32"},
-                                              {Numeric::float64, "float64", "Float64"}};
+                                              IMPACT_STEPPERS(IMPACT_NAMED_STEPPER)};
+inline constexpr Named<Numeric> numerics[] = {IMPACT_FORMATS(IMPACT_NAMED_FORMAT)};
 inline constexpr Named<DriveKind> drives[] = {{DriveKind::none, "none", "NoDrive"},
                                               {DriveKind::sine, "sine", "Sine"},
                                               {DriveKind::sampled, "sampled", "Sampled"}};

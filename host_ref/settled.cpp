@@ -11,18 +11,7 @@
 namespace impact::host {
 
 Resolution resolution(const Request& request) {
-  const Scene& scene = request.scene;
-  const Bounds& bounds = *request.bounds;
-  switch (request.law) {
-    case Law::hooke_newton:
-      return resolution_of<HookeNewton>(scene, bounds);
-    case Law::hertz:
-      return resolution_of<Hertz>(scene, bounds);
-    case Law::hunt_crossley:
-      break;
-  }
-  if (request.damping != Damping::constant) return resolution_of<Exact>(scene, bounds);
-  return resolution_of<HuntCrossley>(scene, bounds);
+  return by_law(request, [&](auto law) { return resolution_of<decltype(law)>(request.scene, *request.bounds); });
 }
 
 int sub_steps(const Request& request) {
@@ -60,16 +49,12 @@ Stepper chosen(const Request& request, int most_sub_steps) {
 
 Planned plan(const Request& request) {
   switch (request.numeric) {
-    case Numeric::float32:
-      return plan_simulation<Float32>(request, *request.bounds);
-    case Numeric::float32_plain:
-      return plan_simulation<Float32Plain>(request, *request.bounds);
-    case Numeric::fixed32:
-      return plan_simulation<Fixed32>(request, *request.bounds);
-    case Numeric::float64:
-      break;
+#define IMPACT_PLAN_IN(value, name, Format) \
+  case Numeric::value:                      \
+    return plan_simulation<Format>(request, *request.bounds);
+    IMPACT_FORMATS(IMPACT_PLAN_IN)
   }
-  return plan_simulation<Float64>(request, *request.bounds);
+  std::abort();  // no such format
 }
 
 double natural_pulsation(const Scene& scene) { return std::sqrt(scene.main_stiffness / scene.main_mass); }

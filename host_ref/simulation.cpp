@@ -6,6 +6,7 @@
 
 #include "host_ref/extremes.hpp"
 #include "host_ref/limits.hpp"
+#include "host_ref/names.hpp"
 #include "host_ref/refusal.hpp"
 #include "host_ref/settled.hpp"
 
@@ -95,10 +96,10 @@ Refusal refusal_of_parts(const Request& request) {
   const char* part = request.is_shaken                 ? "base-acceleration-file"
                      : request.scene.ball_friction > 0 ? "ball-friction"
                                                        : "gravity";
-  return {
-      "newmark", std::string(name_of(request.stepper)),
-      std::string("auto, moment, moment-4, moment-8, moment-n, energy, impulsive: the classical schemes take no --") +
-          part};
+  std::string allowed;
+  for (const auto& stepper : steppers)
+    if (!is_classical(stepper.value)) allowed += (allowed.empty() ? "" : ", ") + std::string(stepper.name);
+  return {"newmark", std::string(name_of(request.stepper)), allowed + ": the classical schemes take no --" + part};
 }
 
 }  // namespace

@@ -18,22 +18,29 @@
 
 namespace impact::host {
 
-enum class Stepper {
-  average,
-  linear,
-  fox_goodwin,
-  central,
-  moment,
-  moment_4,
-  moment_8,
-  moment_n,
-  energy,
-  impulsive,
-  automatic
-};
-// With pointwise contact.
-inline bool is_classical(Stepper stepper) { return stepper <= Stepper::central; }
-enum class Numeric { float32, float32_plain, fixed32, float64 };
+// The steppers and the formats, each in one list: enumerator, the tool's name, the kernel's type. The classical
+// steppers, with pointwise contact, come first.
+#define IMPACT_STEPPERS(X)                     \
+  X(average, "average", AverageAcceleration)   \
+  X(linear, "linear", LinearAcceleration)      \
+  X(fox_goodwin, "fox-goodwin", FoxGoodwin)    \
+  X(central, "central", CentralDifference)     \
+  X(moment, "moment", Moment)                  \
+  X(moment_4, "moment-4", SubsteppedMoment<4>) \
+  X(moment_8, "moment-8", SubsteppedMoment<8>) \
+  X(moment_n, "moment-n", SubsteppedMoment<>)  \
+  X(energy, "energy", EnergyConsistent)        \
+  X(impulsive, "impulsive", Impulsive)
+#define IMPACT_FORMATS(X)                         \
+  X(float32, "float32", Float32)                  \
+  X(float32_plain, "float32-plain", Float32Plain) \
+  X(fixed32, "fixed32", Fixed32)                  \
+  X(float64, "float64", Float64)
+#define IMPACT_ENUMERATOR(value, name, Type) value,
+
+enum class Stepper { IMPACT_STEPPERS(IMPACT_ENUMERATOR) automatic };
+constexpr bool is_classical(Stepper stepper) { return stepper <= Stepper::central; }
+enum class Numeric { IMPACT_FORMATS(IMPACT_ENUMERATOR) };
 enum class DriveKind { none, sine, sampled };
 
 inline constexpr double open_bound = std::numeric_limits<double>::quiet_NaN();

@@ -10,37 +10,16 @@ namespace impact::host {
 
 template <class Format, class ContactLaw, class... Parts>
 Planned plan_with_law(const Request& request, const Bounds& bounds) {
-  const auto by = [&](auto stepper) {
-    return plan_with_drive<Format, ContactLaw, decltype(stepper), Parts...>(request, bounds);
-  };
   switch (request.stepper) {
-    case Stepper::moment:
-      return by(Moment{});
-    case Stepper::moment_4:
-      return by(SubsteppedMoment<4>{});
-    case Stepper::moment_8:
-      return by(SubsteppedMoment<8>{});
-    case Stepper::moment_n:
-      return by(SubsteppedMoment<>{});
-    case Stepper::energy:
-      return by(EnergyConsistent{});
-    case Stepper::impulsive:
-      return by(Impulsive{});
-    default:
+#define IMPACT_PLAN(value, name, Type)                                             \
+  case Stepper::value:                                                             \
+    if constexpr (sizeof...(Parts) == 0 || !is_classical(Stepper::value))          \
+      return plan_with_drive<Format, ContactLaw, Type, Parts...>(request, bounds); \
+    break;
+    IMPACT_STEPPERS(IMPACT_PLAN)
+    case Stepper::automatic:
       break;
   }
-  if constexpr (sizeof...(Parts) == 0) switch (request.stepper) {
-      case Stepper::average:
-        return by(AverageAcceleration{});
-      case Stepper::linear:
-        return by(LinearAcceleration{});
-      case Stepper::fox_goodwin:
-        return by(FoxGoodwin{});
-      case Stepper::central:
-        return by(CentralDifference{});
-      default:
-        break;
-    }
   std::abort();  // refused, or chosen, before
 }
 

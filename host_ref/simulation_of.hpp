@@ -227,23 +227,22 @@ Planned plan_with_drive(Request request, Bounds bounds) {
   return plan_for<Format, ContactLaw, Stepper, AnyDrive, Parts...>(request, bounds);
 }
 
+// What `found` makes of the kernel's type for the request's law. By the restitution that comes out, `Exact` is every
+// law that sets the damping at each impact: make_simulation.
+template <class Found>
+auto by_law(const Request& request, const Found& found) {
+  if (request.law == Law::hooke_newton) return found(HookeNewton{});
+  if (request.law == Law::hertz) return found(Hertz{});
+  return request.damping == Damping::constant ? found(HuntCrossley{}) : found(Exact{});
+}
+
 template <class Format>
 Planned plan_simulation(const Request& request, const Bounds& bounds) {
-  const auto under = [&](auto law) {
+  return by_law(request, [&](auto law) {
     using ContactLaw = decltype(law);
     return has_parts(request) ? plan_with_law<Format, ContactLaw, AnyField, DryFriction>(request, bounds)
                               : plan_with_law<Format, ContactLaw>(request, bounds);
-  };
-  switch (request.law) {
-    case Law::hooke_newton:
-      return under(HookeNewton{});
-    case Law::hertz:
-      return under(Hertz{});
-    case Law::hunt_crossley:
-      break;
-  }
-  // By the restitution that comes out, `Exact` is every law that sets the damping at each impact: make_simulation.
-  return request.damping == Damping::constant ? under(HuntCrossley{}) : under(Exact{});
+  });
 }
 
 }  // namespace impact::host

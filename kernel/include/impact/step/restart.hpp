@@ -52,6 +52,7 @@ struct Restart {
     const bool left = m.contact_is_left();
     const Phase phase = contact.phase;
     const Standing<Value> found = standing(m, left);
+    if (!Contact::traits.is_instantaneous && !is_positive(found.penetration)) return m.end_contact();
     Value inside = found.penetration;
     if (is_same_plan) {
       inside = contact.resume(m.plan.contact, units, found);

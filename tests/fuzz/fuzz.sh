@@ -15,7 +15,7 @@ clang++ -fsanitize=fuzzer,address,undefined none.cpp -o none 2>none.log ||
   { echo "skipped: clang++ has no libFuzzer (libclang-rt-*-dev)" && exit 77; }
 case $kind in
   kernel) # which has no heap; the bounds of its arrays are `undefined`'s
-    sanitize=undefined sources="" flags="-DIMPACT_NUMERIC=impact::$1" libraries="" ;;
+    sanitize=undefined sources="" flags="-DIMPACT_NUMERIC=impact::$1 -include tests/host/watched_fixed32.hpp" libraries="" ;;
   tool)
     sanitize=address,undefined flags='-DIMPACT_BUDGETS="budgets.csv"' libraries="$* -lpthread"
     sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) ;;

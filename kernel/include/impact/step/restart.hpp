@@ -52,7 +52,8 @@ struct Restart {
     const bool left = m.contact_is_left();
     const Phase phase = contact.phase;
     const Standing<Value> found = standing(m, left);
-    if (!Contact::traits.is_instantaneous && !is_positive(found.penetration)) return m.end_contact();
+    if (Contact::traits.is_instantaneous ? is_negative(found.penetration) : !is_positive(found.penetration))
+      return m.end_contact();
     Value inside = found.penetration;
     if (is_same_plan) {
       inside = contact.resume(m.plan.contact, units, found);
@@ -62,13 +63,11 @@ struct Restart {
     }
     if (units.is_too_deep(inside)) m.raise(Fault::penetration);
     if (is_positive(found.penetration - inside)) place_ball(units, state, left, inside);
-    bool goes_on = Contact::traits.is_instantaneous ? !is_negative(inside) : is_positive(inside);
     if constexpr (Contact::traits.keeps_force)
-      if (goes_on && !contact.valid(m.plan.contact, units)) {
+      if (!contact.valid(m.plan.contact, units)) {
         m.raise(Fault::speed);
-        goes_on = false;
+        m.end_contact();
       }
-    if (!goes_on) m.end_contact();
   }
   // A ball that a correction has put into a stop without touching it stands at it.
   static constexpr void push_out(Model& m) {

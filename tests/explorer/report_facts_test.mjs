@@ -1,7 +1,7 @@
 // What the report says, on tables that are made here: report_facts_test.mjs FOLDER_OF_PAGE
 import { pathToFileURL } from 'node:url';
 
-const { advantage, atAGlance, budgetOf, chooserOf, coupledRows, duel, findings, frontiers, paperSentences, partsRows, pointsOf, restitutionError, stabilityRows } =
+const { advantage, atAGlance, budgetOf, chooserOf, coupledRows, duel, findings, frontiers, paperSentences, partsRows, pointsOf, restitutionError, stabilityRows, stiffText } =
   await import(pathToFileURL(`${process.argv[2]}/facts.mjs`));
 let failures = 0;
 function equal(found, expected, what) {
@@ -74,11 +74,14 @@ equal([top[0][0], /baseline \(tuned-rk4\)/.test(top[0][1]), top[1][0], /about 50
 // Headings.
 const rebound = (damping, restitution_max) => ({ damping, stated: '0.5', restitution_min: '0.5', restitution_max });
 const swing = (rig, ball_friction_N, attenuation) => ({ rig, ball_friction_N, attenuation });
-const headings = findings({ stability: [...safe, impact('average', 'float64', '1', '1')], coupled: [{ newmark: 'auto', energy_gain_max: '1e-4' }, { newmark: 'auto', energy_gain_max: '2e-3' }, { newmark: 'average', energy_gain_max: '9' }],
+const stop = (contact_stiffness, method, error_m, ns_per_simulated_second) => ({ contact_stiffness, step_s: '0.001', method, numeric: 'float64', error_m, ns_per_simulated_second });
+const stops = [stop('1e5', 'auto', '1e-9', '10'), stop('1e5', 'event-rk4', '1e-7', '5'), stop('1e5', 'event-rk4', '9e-9', '30'), stop('1e9', 'auto', '2e-8', '10'), stop('1e9', 'event-rk4', '2e-7', '20')];
+equal(stiffText(stops).match(/at [0-9]+ of [0-9]+|[0-9.∞]+ to [0-9.∞]+/g), ['at 1 of 2', '0.5 to 2', 'at 1 of 2', '3 to 3'], 'where a method that locates the touch is cheaper, it is said');
+const headings = findings({ stiff: stops, stability: [...safe, impact('average', 'float64', '1', '1')], coupled: [{ newmark: 'auto', energy_gain_max: '1e-4' }, { newmark: 'auto', energy_gain_max: '2e-3' }, { newmark: 'average', energy_gain_max: '9' }],
   restitution: [rebound('flores', '0.6'), rebound('exact', '0.5001'), rebound('exact', '0.502'), rebound('hu-guo', '0.53')],
   attenuation: [swing('level', '0', '0.5'), swing('level', '0.5', '0.9'), swing('upright', '0', '0.25'), swing('upright', '0', '0.2')] },
   { rows: [[{ isStrong: true }], [{ isStrong: false }], [{ isStrong: false }]] }, { rows: [[0, 0, 0, 0, 0, 0, { isOver: true }], [0, 0, 0, 0, 0, 0, { isOver: false }]] }, { 2: 'It shows here', 4: '**It does not show here**' });
-equal(Object.values(headings).map((text) => text.match(/[0-9.]+%? of [0-9]+|[0-9.]+(?= of the energy)|[0-9.]+ %|within [0-9.]+/g)), [['2 of 3'], ['0 of 2', '1 of 1'], ['0.002'], ['within 0.002', 'within 0.03'], ['50 %', '25 %'], ['1 of 2'], ['1 of 2']], 'a heading says what its section found');
+equal(Object.values(headings).map((text) => text.match(/[0-9.]+%? of [0-9]+|[0-9.]+(?= of the energy)|[0-9.]+ %|within [0-9.]+/g)), [['2 of 3'], ['within 2'], ['0 of 2', '1 of 1'], ['0.002'], ['within 0.002', 'within 0.03'], ['50 %', '25 %'], ['1 of 2'], ['1 of 2']], 'a heading says what its section found');
 
 // Orders.
 const errors = ['0.001', '0.0005', '0.00025', '0.000125', '6.25e-05'].map((step_s, i) => ({ part: 'weight', newmark: 'energy', numeric: 'float64', step_s, error_m: String(0.25 ** i), order: '', ledger_open_J: '0.125' }));

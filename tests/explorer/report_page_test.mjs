@@ -34,6 +34,8 @@ table('stability', 'law,newmark,numeric,step_s,contact_stiffness,restitution_min
     const error = newmark === 'impulsive' ? 1e-6 : (step ** 2 * stiffness) / 100, isStiff = step ** 2 * stiffness > 1;
     return [law, newmark, numeric, step, stiffness, 0.68 - error, 0.68, 0.68, newmark === 'average' && isStiff ? 0.1 : 0, newmark === 'moment' && isStiff ? 0 : 1, isStiff ? 'impulsive' : 'moment'];
   }));
+table('stiff', 'contact_stiffness,step_s,method,numeric,contact_steps,error_m,ns_per_simulated_second', each([3e4, 1e8, 1e12], [1e-3, 1e-4, 1e-5], [['auto', 'float64', ''], ['auto', 'fixed32', ''], ['event-rk4', 'float64', 8], ['event-rk4', 'float64', 32]])
+  .map(([stiffness, step, method]) => [stiffness, step, ...method, 1e-6 / (method[2] || 4), (method[2] || 4) * 10 / step]));
 table('coupled', 'law,newmark,numeric,scenes,faults,energy_gain_max', each(laws, ['auto', 'moment', 'moment-4', 'moment-8', 'energy', 'impulsive', 'average'], formats).map(([law, newmark, numeric]) => [law, newmark, numeric, 150, 0, newmark === 'average' ? 'inf' : 1e-5]));
 table('restitution', 'damping,stated,restitution_min,restitution_max,restitution_exact', each(['exact', 'hu-guo', 'flores', 'hunt-crossley', 'herbert-mcwhannell', 'lankarani-nikravesh', 'lee-wang'], [0.1, 0.5, 1]).map(([damping, stated]) => [damping, stated, stated, stated, stated]));
 table('attenuation', 'rig,ball_friction_N,pulsation,swing_without_m,swing_m,attenuation', each(['level', 'upright'], [0, 0.5], [20, 40, 60]).map((row) => [...row, 0.02, 0.01, 0.5]));
@@ -60,7 +62,7 @@ async function shown(browser, width) {
   check((await browser.value('document.documentElement.scrollWidth - document.documentElement.clientWidth')) <= 0, `${width} pixels: nothing is wider than the page`);
   const charts = await browser.value("[...document.querySelectorAll('[data-chart]')].map((figure) => [figure.dataset.chart, figure.querySelectorAll('svg.chart .line, svg.chart .cells, svg.chart [transform^=translate]').length])");
   const bare = charts.filter(([, drawn]) => drawn === 0).map(([name]) => name);
-  check(charts.length === 62 && bare.length === 0, `${charts.length} pictures, without a drawing: ${bare}`);
+  check(charts.length === 63 && bare.length === 0, `${charts.length} pictures, without a drawing: ${bare}`);
   check(!/NaN|undefined/.test(await browser.value("[...document.querySelectorAll('svg')].map((svg) => svg.outerHTML).join()")), 'no picture has a number that is none');
   await browser.value("document.querySelectorAll('details').forEach((details) => { details.open = true; }); undefined");
   for (const every of [false, true]) {

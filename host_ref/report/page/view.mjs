@@ -2,7 +2,7 @@
 
 import { short, tableFrom } from '../../explorer/numbers.mjs';
 import { chart } from './chart.mjs';
-import { advantage, atAGlance, budgetOf, choiceRows, chooserOf, coupledRows, findings, frontiers, gainsEnergy, laws, number, paperSentences, partSteps, partsRows, pointText, pointsOf, restitutionError, stabilityRows } from './facts.mjs';
+import { advantage, atAGlance, budgetOf, choiceRows, chooserOf, coupledRows, findings, frontiers, gainsEnergy, laws, number, paperSentences, partSteps, partsRows, pointText, pointsOf, restitutionError, stabilityRows, stiffText } from './facts.mjs';
 
 const find = (selector) => document.querySelector(selector), json = (id) => JSON.parse(find(`#${id}`).textContent);
 const tables = Object.fromEntries([...document.querySelectorAll('script[type="text/csv"]')].map(({ dataset, textContent }) => [dataset.name, tableFrom(textContent)]));
@@ -15,6 +15,7 @@ find('#paper-machine').textContent = paperMachine;
 for (const [id, text] of Object.entries(findings(tables, ways, budget, sentences))) find(`#${id}`).textContent = text;
 find('#glance').innerHTML = atAGlance(points, tables.step_budget, tables.stability, parts).map(([value, claim]) => `<div><strong>${value}</strong><p>${claim}</p></div>`).join('');
 find('#advantage').innerHTML = rich(ways.text);
+find('#stiff-cost').textContent = stiffText(tables.stiff);
 
 // Tables, folded, with a link to the file that each was made from; sorted by the column whose head is pressed.
 const cellOf = (cell) => {
@@ -101,6 +102,14 @@ const pictures = {
     cells: tables.stability.filter((row) => row.law === law && row.newmark === stepper && row.numeric === numeric).map((row) => ({
       x: number(row.step_s), y: number(row.contact_stiffness), colour: (classes.find(([most]) => restitutionError(row) <= most) ?? classes.at(-1))[1], isFaded: row.accepted === '0', isCrossed: gainsEnergy(row),
       text: `step ${short(row.step_s)} s · stiffness ${short(number(row.contact_stiffness), 2)} · restitution ${row.restitution_min} to ${row.restitution_max}, exact ${row.restitution_exact} · energy gain ${row.energy_gain_max}` })) }),
+  stiff: () => ({ x: { label: 'stiffness of the stops, N/m^(3/2)', isLog: true }, y: { label: 'largest error of x1 over 0.4 s, m', isLog: true },
+    series: [['auto', 'float64', 'kernel', { colour: blue }], ['auto', 'fixed32', 'kernel, fixed32', { colour: sky }], ['event-rk4', 'float64', 'event-rk4', { colour: ink }]].flatMap(([method, numeric, name, style]) =>
+      [[1e-3, {}], [1e-4, { dash: '6 3' }], [1e-5, { dash: '2 3' }]].map(([step, dash]) => ({ name: `${name}, ${1e3 * step} ms`, width: 2, ...style, ...dash,
+        points: Object.values(tables.stiff.filter((row) => row.method === method && row.numeric === numeric && number(row.step_s) === step).reduce((best, row) => {
+          const at = row.contact_stiffness;
+          return !best[at] || number(row.error_m) < number(best[at].error_m) ? { ...best, [at]: row } : best;
+        }, {})).map((row) => ({ x: number(row.contact_stiffness), y: number(row.error_m),
+          text: `${name}, ${1e3 * step} ms · stiffness ${short(number(row.contact_stiffness), 2)} · error ${short(number(row.error_m), 2)} m · ${short(1e-3 * row.ns_per_simulated_second, 2)} µs a simulated second` })) }))) }),
   coupled: () => ({ width: 720, left: 70, x: { range: [0.5, 7.5], ticks: steppers.map((stepper, i) => [i + 1, stepper]) }, y: { label: 'largest relative energy gain', isLog: true, range: [1e-16, 1e3] },
     rules: [{ y: 1e-2 }], series: laws.map((law, i) => ({ name: law, width: 0, colour: lawStyles[law].colour, marker: ['triangle', 'square', 'circle'][i],
       points: tables.coupled.filter((row) => row.law === law).map((row) => ({ x: steppers.indexOf(row.newmark) + 1 + 0.2 * (numerics.indexOf(row.numeric) - 1.5) + 0.05 * (i - 1), y: clamped(number(row.energy_gain_max), 1e-16, 1e3),
@@ -118,7 +127,7 @@ const pictures = {
       ...key(Object.fromEntries(laws.map((law) => [law, { width: 2, colour: lawStyles[law].colour }]))), ...key({ fixed32: { width: 0, ...formats.fixed32 }, float32: { width: 0, ...formats.float32 }, 'float32-plain': { width: 0, ...formats['float32-plain'] } })] }),
   paper: (figure) => paperPictures[figure](),
 };
-const names = { frontier: 'Error against run time, the best of each kind', every: 'Error against run time, every method', errors: 'Errors of method and rounding', stability: 'Restitution error over step and stiffness' };
+const names = { frontier: 'Error against run time, the best of each kind', every: 'Error against run time, every method', errors: 'Errors of method and rounding', stability: 'Restitution error over step and stiffness', stiff: 'Error against stiffness' };
 
 // The figures that a list names.
 for (const law of laws) {

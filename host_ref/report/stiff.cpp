@@ -1,0 +1,119 @@
+// stiff OUTPUT.csv: what stops of any stiffness do to the error. The largest difference of x1 from the reference over
+// 0.4 s, every 4 ms, and the time of a simulated second on this host, of the stepper that the rule takes with as many
+// sub-steps as there are, of the impulsive step, and of a Runge-Kutta method that locates the touch (event_rk4.hpp)
+// with different numbers of steps in a contact.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <host_ref/extremes.hpp>
+#include <host_ref/reference.hpp>
+#include <host_ref/report/event_rk4.hpp>
+#include <host_ref/report/report_program.hpp>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/text.hpp>
+#include <impact/absorber.hpp>
+#include <impact/choice.hpp>
+
+namespace impact::report {
+namespace {
+
+constexpr double interval = 4e-3;  // s
+constexpr int rows = 100, repetitions = 3;
+constexpr Bounds bounds{0.05, 1.5};
+
+// e = 0.68 at 0.8 m/s, whatever the stiffness.
+Scene scene_with(double stiffness) {
+  Scene scene;
+  scene.main_damping = 0.5;
+  scene.drive_pulsation = 36;
+  scene.contact_stiffness = stiffness;
+  scene.contact_damping = 0.8695 * stiffness;
+  return scene;
+}
+
+struct Measured {
+  double error = 0, nanoseconds = 0;  // of a simulated second
+};
+template <class Model, class Displacement>
+Measured measured(const Model& start, double h, const std::vector<host::Sample>& reference,
+                  const Displacement& displacement) {
+  Measured result{0, 1e300};
+  const long each = std::lround(interval / h);
+  for (int i = 0; i < repetitions; ++i) {
+    Model model = start;
+    const auto before = std::chrono::steady_clock::now();
+    for (int row = 1; row <= rows; ++row) {
+      for (long step = 0; step < each; ++step) model.step();
+      result.error =
+          host::larger(result.error, std::abs(displacement(model) - reference.at(static_cast<size_t>(row)).x1));
+    }
+    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - before;
+    result.nanoseconds = std::min(result.nanoseconds, time.count() / (rows * interval));
+  }
+  return result;
+}
+
+template <class Stepper, class Format>
+Measured by_kernel(const Scene& scene, double h, const std::vector<host::Sample>& reference) {
+  using Driven = Absorber<AtRunTime, HuntCrossley, Stepper, Sine, Format>;
+  const auto plan = Driven::PlanType::make(scene, bounds, h);
+  if (plan.status != PlanStatus::ok) throw std::runtime_error("stiff: a scene is refused");
+  return measured(Driven(plan), h, reference, [](const Driven& driven) { return driven.reading().x1; });
+}
+template <class Format>
+Measured by_rule(const Scene& scene, double h, const std::vector<host::Sample>& reference) {
+  switch (choice_for(resolution_of<HuntCrossley>(scene, bounds), h, SubsteppedMoment<>::most)) {
+    case Choice::moment:
+      return by_kernel<Moment, Format>(scene, h, reference);
+    case Choice::sub_steps:
+      return by_kernel<SubsteppedMoment<>, Format>(scene, h, reference);
+    case Choice::impulsive:
+      return by_kernel<Impulsive, Format>(scene, h, reference);
+    case Choice::energy:
+      break;
+  }
+  return by_kernel<EnergyConsistent, Format>(scene, h, reference);
+}
+Measured by_events(const Scene& scene, double h, int contact_steps, const std::vector<host::Sample>& reference) {
+  return measured(EventRk4(scene, h, contact_steps), h, reference,
+                  [](const EventRk4& model) { return model.displacement(); });
+}
+
+void write_stiff(const std::string& path) {
+  host::Output output(path);
+  output.write("contact_stiffness,step_s,method,numeric,contact_steps,error_m,ns_per_simulated_second\n");
+  for (double tenths = 9; tenths <= 24; ++tenths) {
+    const double stiffness = tenths == 9 ? 3.26e4 : std::pow(10, tenths / 2);  // the paper's, and to 1e12
+    const Scene scene = scene_with(stiffness);
+    host::Case run;
+    run.scene = scene;
+    const auto reference = host::reference_trajectory(run, interval, rows * interval).samples;
+    for (const double h : {4e-3, 2e-3, 1e-3, 1e-4, 1e-5}) {
+      const auto write = [&](const char* method, const char* numeric, const char* contact_steps,
+                             const Measured& found) {
+        std::string row;
+        host::append_numbers(row, {stiffness, h}, 4);
+        row = row.substr(1) + "," + method + "," + numeric + "," + contact_steps;
+        host::append_numbers(row, {found.error, found.nanoseconds}, 4);
+        output.write(row + "\n");
+      };
+      write("auto", "float64", "", by_rule<Float64>(scene, h, reference));
+      write("auto", "fixed32", "", by_rule<Fixed32>(scene, h, reference));
+      if (Impulsive::steps(resolution_of<HuntCrossley>(scene, bounds)).holds(h))
+        write("impulsive", "float64", "", by_kernel<Impulsive, Float64>(scene, h, reference));
+      for (const int contact_steps : {4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128})
+        write("event-rk4", "float64", std::to_string(contact_steps).c_str(),
+              by_events(scene, h, contact_steps, reference));
+    }
+  }
+  output.commit();
+}
+
+}  // namespace
+}  // namespace impact::report
+
+int main(int count, char** arguments) {
+  return impact::report::run_program(count, arguments,
+                                     [](const auto& paths) { impact::report::write_stiff(paths.at(0)); });
+}

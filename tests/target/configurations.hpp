@@ -31,6 +31,9 @@ constexpr const char* name<EnergyConsistent> = "energy";
 struct StiffEnergyConsistent : EnergyConsistent {};
 template <>
 constexpr const char* name<StiffEnergyConsistent> = "energy-stiff";
+// The same stops: 32 sub-steps at 1 ms.
+template <>
+constexpr const char* name<SubsteppedMoment<>> = "moment-n";
 template <>
 constexpr const char* name<Impulsive> = "impulsive";
 template <>
@@ -68,6 +71,8 @@ template <class Newmark>
 constexpr bool is_stiff = false;
 template <>
 constexpr bool is_stiff<StiffEnergyConsistent> = true;
+template <>
+constexpr bool is_stiff<SubsteppedMoment<>> = true;
 
 // The columns law,newmark,numeric,drive as one string, of which the last is the drive+part+part.
 struct Label {
@@ -261,6 +266,7 @@ using Budgeted = List<
     Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
     Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
     Configuration<HookeNewton, Moment, Fixed32, Sine>, Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine>,
+    Configuration<HuntCrossley, SubsteppedMoment<>, Fixed32, Sine>,
     Configuration<HuntCrossley, Impulsive, Fixed32, Sine>, Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
     Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
     Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>;

@@ -49,12 +49,9 @@ class KernelSimulation final : public Simulation {
  public:
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Drive, Format, Ledger, ImpactLog, ContactForce, Parts...>;
 
-  KernelSimulation(const Request& request, const Bounds& bounds, const typename Kernel::PlanType& plan)
+  KernelSimulation(const Request& request, const typename Kernel::PlanType& plan)
       : scene_(request.scene),
         step_(request.step),
-        largest_force_(bounds.force),
-        sample_unit_(Format::sample_unit(bounds.force)),
-        largest_base_(bounds.base_acceleration),
         position_unit_(constant::power_of_two(position_exponent(plan) - 63)),
         is_sampled_(request.drive == DriveKind::sampled),
         kernel_(plan) {
@@ -72,7 +69,7 @@ class KernelSimulation final : public Simulation {
   [[gnu::noinline]] long run(long steps, const double* forces, double* x1, const double* base) override {
     for (long n = 0; n < steps; ++n) {
       advance(forces ? forces[n] : 0, base ? base[n] : 0);
-      if (kernel_.fault() != Fault::none || is_sample_beyond_) return n;
+      if (kernel_.fault() != Fault::none) return n;
       x1[n] = displacement();
     }
     return steps;
@@ -124,8 +121,7 @@ class KernelSimulation final : public Simulation {
   const char* fault() const override {
     switch (kernel_.fault()) {
       case Fault::none:
-        if (!is_sample_beyond_) return nullptr;
-        [[fallthrough]];
+        return nullptr;
       case Fault::sample:
         return "a drive sample beyond its bound";
       case Fault::displacement:
@@ -154,18 +150,10 @@ class KernelSimulation final : public Simulation {
   }
 
   void advance([[maybe_unused]] double force, [[maybe_unused]] double base) {
-    // Fixed32's fractions cannot say so themselves.
-    if constexpr (Drive::is_sampled)
-      is_sample_beyond_ = is_sample_beyond_ || (is_sampled_ && !(std::abs(force) <= largest_force_));
-    if constexpr (Kernel::Field::is_sampled)
-      is_sample_beyond_ = is_sample_beyond_ || !(std::abs(base) <= largest_base_);
-    const auto sample = [this, force] {
-      return Format::sample(is_sampled_ && sample_unit_ > 0 ? force / sample_unit_ : 0);
-    };
     if constexpr (Drive::is_sampled && Kernel::Field::is_sampled)
-      kernel_.step(sample(), kernel_.base_sample_of(base));
+      kernel_.step(kernel_.sample_of(is_sampled_ ? force : 0), kernel_.base_sample_of(base));
     else if constexpr (Drive::is_sampled)
-      kernel_.step(sample());
+      kernel_.step(kernel_.sample_of(is_sampled_ ? force : 0));
     else if constexpr (Kernel::Field::is_sampled)
       kernel_.step(kernel_.base_sample_of(base));
     else
@@ -197,10 +185,9 @@ class KernelSimulation final : public Simulation {
   }
 
   Scene scene_;
-  double step_, largest_force_, sample_unit_, largest_base_, position_unit_;
+  double step_, position_unit_;
   bool is_sampled_;
   double damping_ratio_ = impact::damping_ratio<ContactLaw>(scene_);
-  bool is_sample_beyond_ = false;
   Kernel kernel_;
   long steps_ = 0;
 };
@@ -210,7 +197,7 @@ Planned plan_for(const Request& request, const Bounds& bounds) {
   using Run = KernelSimulation<Format, ContactLaw, Stepper, Drive, Parts...>;
   const auto plan = Run::Kernel::PlanType::make(request.scene, bounds, request.step);
   if (plan.status != PlanStatus::ok) return {nullptr, plan.status};
-  return {std::make_unique<Run>(request, bounds, plan), PlanStatus::ok};
+  return {std::make_unique<Run>(request, plan), PlanStatus::ok};
 }
 
 // No drive is samples of nothing; a bound that is stated for them still makes room for as large a force.

@@ -305,6 +305,33 @@ TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   EXPECT_TRUE(absorber.restore(saved));
 }
 
+// Of newtons and m/s^2 every format says so, and goes on from the bound.
+TYPED_TEST(Faults, AMeasuredSampleOutOfRange) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam, BaseAcceleration>;
+  const Kernel fresh = made<Kernel>(Scene{}, {0.1, 2, 0.03, 10, 30}, 1e-3);
+  const auto step = [&fresh](auto force, auto acceleration) {
+    Kernel absorber = fresh;
+    absorber.step(absorber.sample_of(force), absorber.base_sample_of(acceleration));
+    return absorber;
+  };
+  for (const double within : {0.0, 1e-12, 9.9999, 10.0, -10.0}) {
+    EXPECT_EQ(step(within, 3 * within).fault(), Fault::none) << within;
+    EXPECT_EQ(step(static_cast<float>(within), static_cast<float>(3 * within)).fault(), Fault::none) << within;
+  }
+  for (const double beyond : {10.0001, -10.0001, 1e30, -infinity, no_number}) {
+    const auto is_faulted = [&](auto found, auto clamped) {
+      EXPECT_EQ(found.fault(), Fault::sample) << beyond;
+      EXPECT_EQ(clamped.fault(), Fault::none);
+      EXPECT_EQ(found.reading().x1, clamped.reading().x1) << beyond;
+    };
+    const double bound = beyond > 0 ? 1 : beyond < 0 ? -1 : 0;
+    const auto single = static_cast<float>(beyond), single_bound = static_cast<float>(bound);
+    is_faulted(step(beyond, 1.0), step(10 * bound, 1.0));
+    is_faulted(step(1.0, 3 * beyond), step(1.0, 30 * bound));
+    is_faulted(step(single, 1.0f), step(10 * single_bound, 1.0f));
+    is_faulted(step(1.0f, 3 * single), step(1.0f, 30 * single_bound));
+  }
+}
 // Clamped at the bound, or where no number came at the sample before: as if those had been the samples.
 TYPED_TEST(Faults, ASampleOutOfRange) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>;

@@ -148,8 +148,8 @@ class AbsorberOf
   using Source::sample_unit;        // N, of the samples of a Sampled drive
   using Source::velocity_unit;      // m/s
   // sample_of(newtons) and base_sample_of(acceleration in m/s^2) return a sample for step(). A constant is a double; a
-  // float works while running, with an FPU or some hundred instructions. In Fixed32 both clamp to the bound without a
-  // fault, and no number becomes 0.
+  // float works while running, with an FPU or some hundred instructions. In Fixed32 both clamp to the bound and make 0
+  // of no number, and the step() that gets the sample raises Fault::sample.
   using Source::base_sample_of;
   using Source::sample_of;
 
@@ -196,6 +196,7 @@ class AbsorberOf
                   "step(sample), but both the drive and the base take one: step(force, acceleration)");
     check_sample<Sample, quantity, !takes_one>();
     if constexpr (takes_one && is_sample) {
+      note_clamped(sample);
       if constexpr (Drive::is_sampled)
         Steps::step(machine(), sample, Value{});
       else
@@ -213,6 +214,8 @@ class AbsorberOf
     check_sample<Acceleration, Quantity::base_acceleration, !takes_both>();
     if constexpr (takes_both && detail::is_sample<Force, Value, Quantity::force> &&
                   detail::is_sample<Acceleration, Value, Quantity::base_acceleration>) {
+      note_clamped(force);
+      note_clamped(acceleration);
       Steps::step(machine(), force, acceleration);
       publish();
     }
@@ -423,6 +426,12 @@ class AbsorberOf
   constexpr Machine& machine() { return *this; }
   constexpr const Machine& machine() const { return *this; }
 
+  // A sample that sample_of() has clamped.
+  template <class Sample>
+  constexpr void note_clamped(const Sample& sample) {
+    if constexpr (detail::is_native<Sample>)
+      if (sample.is_clamped && !Source::is_refused()) Machine::raise(Fault::sample);
+  }
   // One message for one mistake.
   template <class Sample, Quantity quantity, bool is_excused>
   static constexpr void check_sample() {

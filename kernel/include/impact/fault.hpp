@@ -4,10 +4,10 @@
 // that is clamped at its bounds (StateLimits, numeric/units.hpp). The state is always finite, and no step takes longer
 // for it. A value that is no number becomes 0.
 //
-// A step that clamps a displacement or a speed ends the contact under way, and features do not record it. In floating
-// point a sample is in N or m/s^2, and beyond its bound it is clamped there. Of a sample that is no number, a force is
-// replaced by the one before and an acceleration by 0. In Fixed32 a sample is a fraction of its bound and cannot pass
-// it.
+// A step that clamps a displacement or a speed ends the contact under way, and features do not record it. A sample
+// beyond its bound is clamped there. Of a sample that is no number, a force is replaced by the one before and an
+// acceleration by 0. In Fixed32 a sample is a fraction of its bound, clamped by sample_of() or base_sample_of(), where
+// no number becomes 0; a fraction that is passed as a Value raises no fault.
 
 #include <stdint.h>
 
@@ -18,7 +18,7 @@ enum class Fault : uint16_t {
   displacement,  // a mass or a correction passed Bounds::displacement
   speed,         // a mass or a correction passed Bounds::speed
   penetration,   // the ball ended a step deeper in a stop than the bounds allow
-  sample,        // a sample passed its bound; in floating point only
+  sample,        // a sample passed its bound
   plan,          // the plan is rejected, AtRunTime only: the absorber stands still
 };
 

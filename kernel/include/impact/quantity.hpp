@@ -16,14 +16,18 @@ enum class Quantity {
   base_acceleration,  // in: the sample of BaseAcceleration
 };
 
-// A native number that says what it is of; a number like others but for step().
+// A native number that says what it is of, and whether it was clamped to its bound; a number like others but for
+// step().
 template <Quantity, class Value, bool is_class = __is_class(Value)>
 struct Native {
   Value value;
+  bool is_clamped = false;
   constexpr operator Value() const { return value; }
 };
 template <Quantity quantity, class Value>
-struct Native<quantity, Value, true> : Value {};
+struct Native<quantity, Value, true> : Value {
+  bool is_clamped = false;
+};
 
 namespace detail {
 // Whether a sample may be given for this quantity: one of it, or a native number that does not say.

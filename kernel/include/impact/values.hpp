@@ -28,7 +28,7 @@
   VALUE(speed, 1e-9, 1e6, "m/s", speed_bound, "and the largest speed", false)                         \
   VALUE(penetration, 0, 1e6, "m", penetration_bound,                                                  \
         "and the largest penetration; 0: the deepest that the other bounds allow", false)             \
-  VALUE(force, 0, 1e9, "N", force_bound, "the largest sample of a drive: more is clipped", false)
+  VALUE(force, 0, 1e9, "N", force_bound, "the largest sample of a drive: more is clamped, with a fault", false)
 
 // Of parts, which a value that is not stated does not need.
 #define IMPACT_PART_VALUES(VALUE)                                                                                  \
@@ -38,7 +38,7 @@
   VALUE(ball_friction, 0, 1e9, "N", ball_friction, "dry friction between ball and main mass, sticking included", true)
 #define IMPACT_PART_BOUNDS(VALUE)                                    \
   VALUE(base_acceleration, 0, 1e6, "m/s^2", base_acceleration_bound, \
-        "the largest sample of a base's acceleration: more is clipped", true)
+        "the largest sample of a base's acceleration: more is clamped, with a fault", true)
 
 #define IMPACT_SCENE_VALUES(VALUE) IMPACT_MACHINE_VALUES(VALUE) IMPACT_PART_VALUES(VALUE)
 #define IMPACT_BOUND_VALUES(VALUE) IMPACT_MACHINE_BOUNDS(VALUE) IMPACT_PART_BOUNDS(VALUE)

@@ -124,6 +124,12 @@ struct Fixed32 : Fixed32Numbers {
             : fraction > -1  ? static_cast<int32_t>(fraction * 2147483648.0f)
                              : 0};
   }
+  // Whether a sample of this fraction was clamped, roundings aside, or is no number.
+  template <class Real>
+  static constexpr bool is_clamped(Value sample, Real fraction) {
+    const bool is_at_an_end = sample.raw == INT32_MAX || sample.raw == -INT32_MAX || sample.raw == 0;
+    return is_at_an_end && !(fraction < static_cast<Real>(1.000001) && fraction > static_cast<Real>(-1.000001));
+  }
   template <int bits>
   static constexpr Value value(Signed<bits> x) {
     return with_bits<31>(x);

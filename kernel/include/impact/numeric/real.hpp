@@ -265,6 +265,10 @@ struct RealFormat {
   static constexpr auto native(Value reading) { return static_cast<decltype(Oscillator{}.value_head())>(reading); }
   static constexpr Value sample_of_float(float force) { return static_cast<Real>(force); }
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
+  template <class Fraction>
+  static constexpr bool is_clamped(Value, Fraction) {
+    return false;
+  }
   static constexpr Value value(Real x) { return x; }
   template <class... Values>
   static constexpr int spare_bits(Values...) {

@@ -77,23 +77,24 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
       return 0;
   }
 
-  // A force in N as a sample. In Fixed32 it is clamped to Bounds::force.
+  // A force in N as a sample. In Fixed32 it is clamped to Bounds::force, and step() raises Fault::sample.
   template <class Real>
   constexpr Native<Quantity::force, Value> sample_of(Real newtons) const {
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
     static_assert(static_cast<Real>(0.5) > 0, "newtons are a double (a constant) or a float");
     if constexpr (Drive::is_sampled)
-      return {sample_in(newtons, drive.per_newton, drive_scale, drive.largest)};
+      return sample_in<Quantity::force>(newtons, drive.per_newton, drive_scale, drive.largest);
     else
       return {};
   }
-  // The base's acceleration in m/s^2 as a sample. In Fixed32 it is clamped to Bounds::base_acceleration.
+  // The same of the base's acceleration in m/s^2 and Bounds::base_acceleration.
   template <class Real>
   constexpr Native<Quantity::base_acceleration, Value> base_sample_of(Real acceleration) const {
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
     static_assert(static_cast<Real>(0.5) > 0, "an acceleration is a double (a constant) or a float");
     if constexpr (Field::is_sampled)
-      return {sample_in(acceleration, this->field.per_sample_unit, this->field.sample_unit, this->field.largest_base)};
+      return sample_in<Quantity::base_acceleration>(acceleration, this->field.per_sample_unit, this->field.sample_unit,
+                                                    this->field.largest_base);
     else
       return {};
   }
@@ -124,14 +125,20 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
 
  private:
   // A float while running, without a division; a double as a constant.
-  static constexpr Value sample_in(float quantity, float per_unit, double, Value) {
-    return Format::sample_of_float(quantity * per_unit);
+  template <Quantity quantity>
+  static constexpr Native<quantity, Value> sample_in(float x, float per_unit, double, Value) {
+    const float fraction = x * per_unit;
+    const Value sample = Format::sample_of_float(fraction);
+    return {sample, Format::is_clamped(sample, fraction)};
   }
-  static constexpr Value sample_in(double quantity, float, double unit, Value largest) {
+  template <Quantity quantity>
+  static constexpr Native<quantity, Value> sample_in(double x, float, double unit, Value largest) {
     if (__builtin_is_constant_evaluated() && unit > 0 &&
-        !(constant::magnitude(quantity) <= 1.000001 * unit * Format::Units::fraction(largest)))
+        !(constant::magnitude(x) <= 1.000001 * unit * Format::Units::fraction(largest)))
       detail::a_sample_is_more_than_its_bound();
-    return Format::sample(unit > 0 ? quantity / unit : 0);
+    const double fraction = unit > 0 ? x / unit : 0;
+    const Value sample = Format::sample(fraction);
+    return {sample, Format::is_clamped(sample, fraction) || (!(unit > 0) && x != 0)};
   }
 };
 

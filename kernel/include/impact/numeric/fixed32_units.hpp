@@ -147,7 +147,7 @@ struct Fixed32Units {
   }
   constexpr int32_t correction_limit() const { return limits.main; }
   constexpr int32_t rate_correction_limit() const { return displacement({(int64_t{limits.way} << 32) - 1}).raw; }
-  // Held at the unit's end, which two limits of a bound that is a power of two pass by a hundredth.
+  // Clamped at the unit's end, which two limits of a bound that is a power of two pass by a hundredth.
   static constexpr void add_position(Long& x, Value by) {
     if (__builtin_add_overflow(x.raw, int64_t{by.raw} * (int64_t{1} << 32), &x.raw))
       x.raw = by.raw > 0 ? INT64_MAX : -INT64_MAX;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdio>
 #include <impact/absorber.hpp>
-#include <random>
 #include <type_traits>
 
 #include "host_ref/extremes.hpp"
+#include "random.hpp"
 
 namespace impact {
 namespace {
@@ -23,15 +23,6 @@ typename Format::Value native(double x, double unit) {
     return static_cast<typename Format::Value>(x / unit);
 }
 
-// Numbers from 0 to 1, the same on every machine.
-struct Chance {
-  std::mt19937 bits{5};
-
-  double operator()() { return static_cast<uint32_t>(bits()) * 0x1p-32; }
-  double between(double least, double most) { return least * std::pow(most / least, (*this)()); }
-  bool is(double share) { return (*this)() < share; }
-};
-
 struct Corrected {
   Scene scene;
   Bounds bounds;
@@ -39,26 +30,24 @@ struct Corrected {
 };
 // Undriven, by a main spring that is weak or none, and of 4 to 400 steps in the contact of the fastest impact; most
 // impacts are far slower.
-Corrected at_random(Chance& chance) {
+Corrected at_random(Random& chance) {
   Corrected result;
   Scene& scene = result.scene;
-  scene.main_mass = chance.between(0.01, 100);
-  scene.ball_mass = scene.main_mass * chance.between(1e-3, 30);
-  scene.clearance = chance.between(1e-3, 0.1);
-  scene.restitution = chance.between(0.02, 0.98);
+  scene.main_mass = chance.wide(0.01, 100);
+  scene.ball_mass = scene.main_mass * chance.wide(1e-3, 30);
+  scene.clearance = chance.wide(1e-3, 0.1);
+  scene.restitution = chance.wide(0.02, 0.98);
   scene.stops = chance.is(0.5) ? Stops::both : Stops::right;
   scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
-  result.step = chance.between(1e-6, 1e-2);
-  const double w0 = chance.is(0.5) ? 0 : chance.between(1e-6, 0.5) / result.step;
+  result.step = chance.wide(1e-6, 1e-2);
+  const double w0 = chance.is(0.5) ? 0 : chance.wide(1e-6, 0.5) / result.step;
   scene.main_stiffness = scene.main_mass * w0 * w0;
   Bounds& bounds = result.bounds;
-  bounds.displacement = chance.between(0.01, 1);
-  bounds.speed = chance.between(0.01, 5);
-  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), speed = 2 * bounds.speed;
-  const double contact_time = chance.between(4, 400) * result.step;
-  scene.contact_stiffness = mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(speed);
+  bounds.displacement = chance.wide(0.01, 1);
+  bounds.speed = chance.wide(0.01, 5);
+  take_contact_time(scene, false, chance.wide(4, 400) * result.step, 2 * bounds.speed);
   scene.x2 = scene.clearance / 2;
-  scene.v2 = bounds.speed * chance.between(1e-6, 0.9);
+  scene.v2 = bounds.speed * chance.wide(1e-6, 0.9);
   return result;
 }
 
@@ -101,7 +90,7 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
   using Kernel = typename TypeParam::Kernel;
   // Of the bounds' energy, what rounding may add up to.
   constexpr double rounded = std::is_same_v<Format, Float64> ? 1e-7 : std::is_same_v<Format, Float32> ? 1e-6 : 1e-5;
-  Chance chance;
+  Random chance(5);
   int accepted = 0, corrected = 0;
   double worst = 0;
   for (int index = 0; index < 400; ++index) {
@@ -119,10 +108,10 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
       if (chance.is(kernel.is_touching() ? 0.3 : 0.1)) {
         const auto now = kernel.reading();
         const double side = now.x2 < now.x1 ? -1 : 1, to_stop = now.x2 - now.x1 - side * gap;
-        const double depth = chance.is(0.7) ? deepest * chance.between(1e-4, 0.99) : 0;
+        const double depth = chance.is(0.7) ? deepest * chance.wide(1e-4, 0.99) : 0;
         double dx = depth > 0 ? to_stop - side * depth : 0;
         if (std::abs(now.x1 + dx) > 0.95 * bounds.displacement) dx = 0;
-        const double speed = bounds.speed * chance.between(1e-3, 0.9);
+        const double speed = bounds.speed * chance.wide(1e-3, 0.9);
         const double dv = chance.is(0.5) ? (chance.is(0.5) ? speed : -speed) - now.v1 : 0;
         kernel.correct(native<Format>(dx, kernel.displacement_unit()), native<Format>(dv, kernel.velocity_unit()));
         const auto then = kernel.reading();
@@ -160,7 +149,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
 // To the LSB of a state, some 2^-45 of it in Float32: where a contact is so stiff that its penetrations are
 // below a float's LSB of the clearance, what the ball stood inside would be energy from nothing.
 TEST(Corrections, PutABallInAStopOntoIt) {
-  Chance chance;
+  Random chance(5);
   const auto is_put = [](auto format, const Scene& scene) {
     using Format = decltype(format);
     using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Format>;
@@ -175,7 +164,7 @@ TEST(Corrections, PutABallInAStopOntoIt) {
   };
   for (int index = 0; index < 100; ++index) {
     Scene scene;
-    scene.clearance = chance.between(0.01, 0.05);
+    scene.clearance = chance.wide(0.01, 0.05);
     scene.drive_amplitude = 0;
     is_put(Float32{}, scene);
     is_put(Fixed32{}, scene);

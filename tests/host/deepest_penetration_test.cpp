@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <impact/absorber.hpp>
 #include <impact/law/depth.hpp>
-#include <random>
 #include <string>
 
 #include "host_ref/coupled_scenes.hpp"
 #include "host_ref/extremes.hpp"
+#include "random.hpp"
 
 namespace impact::host {
 namespace {
@@ -35,11 +35,10 @@ TEST_P(DeepestPenetration, HoldsEveryMotionWithinItsBounds) {
       found.request.step /= 32;
       const auto simulation = make_simulation(found.request).simulation;
       if (!simulation) continue;
-      std::mt19937_64 random(index);
-      std::uniform_real_distribution<double> share(-1, 1);
+      Random random(index);
       Reached reached;
       for (long i = 0; i < 4 * found.steps; ++i) {
-        simulation->step(0, share(random) * found.base);
+        simulation->step(0, random.between(-1, 1) * found.base);
         const Sample now = simulation->sample();
         reached.see(now.x1, now.v1, now.x2, now.v2, now.penetration);
       }
@@ -58,27 +57,26 @@ TEST_P(DeepestPenetration, HoldsEveryMotionWithinItsBounds) {
 template <class ContactLaw>
 void expect_start_inside_to_hold() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Moment, NoDrive, Fixed32>;
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> share(0, 1);
+  Random random;
   int started = 0;
   for (int n = 0; n < 4000; ++n) {
     Scene scene;
-    scene.main_mass = std::pow(10, 2 * share(random) - 1);
+    scene.main_mass = random.wide(0.1, 10);
     scene.ball_mass = 1;
-    scene.main_stiffness = 1e3 * share(random);
+    scene.main_stiffness = 1e3 * random.share();
     scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
-    scene.contact_stiffness = 1e5 * std::pow(10, share(random));
-    scene.contact_damping = ContactLaw::is_damped ? 300 * share(random) : 0;
-    scene.restitution = share(random);
+    scene.contact_stiffness = random.wide(1e5, 1e6);
+    scene.contact_damping = ContactLaw::is_damped ? 300 * random.share() : 0;
+    scene.restitution = random.share();
     scene.clearance = 0.01;
-    scene.v1 = -0.999 * share(random);
-    scene.v2 = 0.999 * share(random);
+    scene.v1 = -0.999 * random.share();
+    scene.v2 = 0.999 * random.share();
     Bounds bounds;
     bounds.speed = 1;
     bounds.displacement = 0.05;
     bounds.force = 1e-9;
     const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
-    scene.x2 = scene.clearance / 2 + terms.deepest_start * 0.999 * share(random);
+    scene.x2 = scene.clearance / 2 + terms.deepest_start * 0.999 * random.share();
     const auto plan = Kernel::PlanType::make(scene, bounds, 1e-4);
     if (plan.status != PlanStatus::ok) continue;
     ++started;

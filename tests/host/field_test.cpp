@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <impact/absorber.hpp>
-#include <random>
 #include <vector>
 
 #include "against_reference.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
+#include "random.hpp"
 
 namespace impact {
 namespace {
@@ -464,29 +464,26 @@ TYPED_TEST(FieldIn, CorrectedBallStaysOnAnImpulsiveStop) {
 // a thousand times lighter or heavier than the main mass magnifies.
 TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
   using Absorber = Absorber<AtRunTime, Hertz, Impulsive, Sampled, Float64, Gravity>;
-  std::mt19937_64 engine(1);
-  const auto between = [&engine](double least, double most) {
-    return std::exp(std::uniform_real_distribution<>(std::log(least), std::log(most))(engine));
-  };
-  const auto any = [&engine](double most) { return std::uniform_real_distribution<>(-most, most)(engine); };
+  Random random;
+  const auto any = [&random](double most) { return random.between(-most, most); };
   const double h = 1e-3;
   int accepted = 0, impacts = 0;
   for (int n = 0; n < 20000; ++n) {
     Scene scene;
     scene.drive_amplitude = scene.drive_pulsation = scene.contact_damping = 0;
     scene.main_mass = 1;
-    scene.ball_mass = between(1e-3, 1e3);
-    const double mu = scene.ball_mass / (1 + scene.ball_mass), turn = between(1e-3, 0.99);
+    scene.ball_mass = random.wide(1e-3, 1e3);
+    const double mu = scene.ball_mass / (1 + scene.ball_mass), turn = random.wide(1e-3, 0.99);
     scene.main_stiffness = turn * turn / (h * h);
-    scene.main_damping = between(1e-3, 0.9) / h;
-    scene.contact_stiffness = 1.25 * mu * std::pow(2.943 / (between(0.02, 20) * h), 2.5);
-    scene.clearance = between(1, 50) * h;
+    scene.main_damping = random.wide(1e-3, 0.9) / h;
+    scene.contact_stiffness = 1.25 * mu * std::pow(2.943 / (random.wide(0.02, 20) * h), 2.5);
+    scene.clearance = random.wide(1, 50) * h;
     scene.stops = n % 3 == 0 ? Stops::both : n % 3 == 1 ? Stops::left : Stops::right;
     scene.v1 = any(1);
     scene.v2 = any(1);
     scene.x1 = any(1) * h / turn;
     scene.x2 = scene.x1 + any(0.499) * scene.clearance;
-    scene.gravity = any(1) < 0 ? between(1e-4, 100) : -between(1e-4, 100);
+    scene.gravity = any(1) < 0 ? random.wide(1e-4, 100) : -random.wide(1e-4, 100);
     const double force = any(1) * scene.main_stiffness * h / turn;
     const Bounds bounds{
         2 * (std::abs(scene.x1) + 5 * h / turn + std::abs(force) / scene.main_stiffness) + 2 * scene.clearance,

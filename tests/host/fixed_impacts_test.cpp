@@ -8,9 +8,9 @@
 #include <cmath>
 #include <impact/absorber.hpp>
 #include <optional>
-#include <random>
 
 #include "host_ref/extremes.hpp"
+#include "random.hpp"
 
 namespace impact::host {
 namespace {
@@ -30,31 +30,26 @@ struct Pair {
 };
 
 Pair random_pair(unsigned seed, const Kind& kind) {
-  std::mt19937_64 engine(seed);
-  const auto between = [&](double least, double most) {
-    return least * std::pow(most / least, std::uniform_real_distribution<double>(0, 1)(engine));
-  };
+  Random random(seed);
   Pair pair{};
   Scene& scene = pair.scene;
-  scene.main_mass = between(0.01, 100);
-  scene.ball_mass = scene.main_mass * between(0.01, 100);
+  scene.main_mass = random.wide(0.01, 100);
+  scene.ball_mass = scene.main_mass * random.wide(0.01, 100);
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
   scene.stops = Stops::right;
-  scene.clearance = between(1e-3, 0.1);
-  scene.restitution = between(0.02, 0.98);
-  pair.step = between(1e-6, 0.01);
-  pair.bounds.speed = between(0.01, 5);
+  scene.clearance = random.wide(1e-3, 0.1);
+  scene.restitution = random.wide(0.02, 0.98);
+  pair.step = random.wide(1e-6, 0.01);
+  pair.bounds.speed = random.wide(0.01, 5);
   pair.bounds.force = 1e-9;
-  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), fastest = 2 * pair.bounds.speed;
-  const double contact_time = between(kind.shortest, kind.longest) * pair.step;
-  scene.contact_stiffness = mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(fastest);
-  const double deepest = std::pow(1.25 * mu * fastest * fastest / scene.contact_stiffness, 0.4);
-  pair.bounds.displacement = larger(0.505 * scene.clearance, between(1, 100) * deepest);
-  scene.v2 = pair.bounds.speed * between(kind.slowest, 0.99);
-  scene.v1 = seed % 2 == 0 ? 0 : -pair.bounds.speed * between(kind.slowest, 0.99);
-  scene.x2 = scene.clearance / 2 - (scene.v2 - scene.v1) * pair.step * between(1e-3, 1);
+  const double contact_time = random.wide(kind.shortest, kind.longest) * pair.step;
+  const double deepest = take_contact_time(scene, false, contact_time, 2 * pair.bounds.speed);
+  pair.bounds.displacement = larger(0.505 * scene.clearance, random.wide(1, 100) * deepest);
+  scene.v2 = pair.bounds.speed * random.wide(kind.slowest, 0.99);
+  scene.v1 = seed % 2 == 0 ? 0 : -pair.bounds.speed * random.wide(kind.slowest, 0.99);
+  scene.x2 = scene.clearance / 2 - (scene.v2 - scene.v1) * pair.step * random.wide(1e-3, 1);
   if (kind.swing > 0)
-    scene.main_stiffness = scene.main_mass * std::pow(between(kind.swing / 8, kind.swing) / pair.step, 2);
+    scene.main_stiffness = scene.main_mass * std::pow(random.wide(kind.swing / 8, kind.swing) / pair.step, 2);
   return pair;
 }
 

@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <impact/absorber.hpp>
-#include <random>
 #include <vector>
 
 #include "against_reference.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
+#include "random.hpp"
 
 namespace impact {
 namespace {
@@ -222,33 +222,27 @@ TEST(Friction, IsOfSecondOrder) {
 // (Hertz, which loses nothing itself): by no more than what a contact without friction gains, 1e-5.
 template <class Stepper>
 double largest_gain() {
-  std::mt19937 generator(7);
-  const auto between = [&generator](double least, double most) {
-    return std::uniform_real_distribution<>(least, most)(generator);
-  };
-  const auto scale = [&between](double least, double most) {
-    return std::exp(between(std::log(least), std::log(most)));
-  };
+  Random random(7);
   double worst = 0;
   int planned = 0;
   for (int scenes = 0; scenes < 100; ++scenes) {
     Scene scene;
     scene.drive_amplitude = scene.main_damping = scene.contact_damping = 0;
-    scene.ball_mass = scale(0.01, 3);
-    scene.main_stiffness = scale(300, 1e4);
-    scene.contact_stiffness = scale(1e3, 1e7);
-    scene.clearance = scale(0.002, 0.05);
-    scene.gravity = between(-10, 10);
-    scene.ball_friction = scale(1e-3, 2) * scene.ball_mass * 9.81;
-    scene.v1 = between(-0.3, 0.3);
-    scene.v2 = between(-0.3, 0.3);
-    scene.x1 = between(-0.01, 0.01);
-    scene.x2 = scene.x1 + between(-0.45, 0.45) * scene.clearance;
+    scene.ball_mass = random.wide(0.01, 3);
+    scene.main_stiffness = random.wide(300, 1e4);
+    scene.contact_stiffness = random.wide(1e3, 1e7);
+    scene.clearance = random.wide(0.002, 0.05);
+    scene.gravity = random.between(-10, 10);
+    scene.ball_friction = random.wide(1e-3, 2) * scene.ball_mass * 9.81;
+    scene.v1 = random.between(-0.3, 0.3);
+    scene.v2 = random.between(-0.3, 0.3);
+    scene.x1 = random.between(-0.01, 0.01);
+    scene.x2 = scene.x1 + random.between(-0.45, 0.45) * scene.clearance;
     Bounds bounds;
     bounds.displacement = 0.5;
     bounds.speed = 3;
     using Absorber = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64, Gravity, DryFriction>;
-    const auto plan = Absorber::PlanType::make(scene, bounds, scale(2e-5, 1e-3));
+    const auto plan = Absorber::PlanType::make(scene, bounds, random.wide(2e-5, 1e-3));
     if (plan.status != PlanStatus::ok) continue;
     ++planned;
     Absorber absorber(plan);

@@ -7,23 +7,12 @@
 
 #include <cmath>
 #include <impact/absorber.hpp>
-#include <random>
 
 #include "host_ref/extremes.hpp"
+#include "random.hpp"
 
 namespace impact::host {
 namespace {
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double between(double least, double most) { return std::uniform_real_distribution<double>(least, most)(engine_); }
-  double wide(double least, double most) { return std::exp(between(std::log(least), std::log(most))); }
-  bool one_in(int n) { return engine_() % static_cast<unsigned>(n) == 0; }
-
- private:
-  std::mt19937 engine_;
-};
 
 template <class Law, class Stepper>
 void follows_double_to_the_bounds() {
@@ -38,7 +27,7 @@ void follows_double_to_the_bounds() {
     scene.main_mass = random.wide(0.01, 100);
     scene.ball_mass = scene.main_mass * random.wide(0.03, 30);
     const double h = random.wide(1e-6, 1e-2), steps = random.wide(0.5, 60);
-    const double pulsation = random.one_in(2) ? 0 : random.wide(1e-3, 0.15) / h;
+    const double pulsation = random.is(0.5) ? 0 : random.wide(1e-3, 0.15) / h;
     scene.main_stiffness = scene.main_mass * pulsation * pulsation;
     scene.main_damping = 0;
     scene.stops = Stops::right;
@@ -49,10 +38,10 @@ void follows_double_to_the_bounds() {
     scene.contact_stiffness =
         Law::is_linear ? mu * pi * pi / (time * time) : mu * std::pow(3.218 / time, 2.5) / std::sqrt(speed);
     scene.restitution = Law::is_damped_per_impact ? random.between(0.05, 1) : 1;
-    scene.contact_damping = random.one_in(3)  ? 0
-                            : Law::is_linear  ? 2 * std::sqrt(scene.contact_stiffness * mu) * random.wide(1e-2, 1)
-                            : !Law::is_damped ? 0
-                                              : random.wide(0.03, 20) * scene.contact_stiffness / speed;
+    scene.contact_damping = random.is(1.0 / 3) ? 0
+                            : Law::is_linear   ? 2 * std::sqrt(scene.contact_stiffness * mu) * random.wide(1e-2, 1)
+                            : !Law::is_damped  ? 0
+                                               : random.wide(0.03, 20) * scene.contact_stiffness / speed;
     scene.clearance = bounds.speed * h * random.between(1, 8);
     scene.v1 = -random.between(0.55, 0.97) * bounds.speed;
     scene.v2 = random.between(0.55, 0.97) * bounds.speed;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstring>
 #include <impact/absorber.hpp>
-#include <random>
 #include <type_traits>
 
 #include "host_ref/closed_form.hpp"
+#include "random.hpp"
 
 namespace impact::host {
 namespace {
@@ -24,17 +24,6 @@ template <class Format>
 class ImpulsiveStep : public testing::Test {};
 using Formats = testing::Types<Float64, Float32, Float32Plain, Fixed32>;
 TYPED_TEST_SUITE(ImpulsiveStep, Formats);
-
-// Numbers spread evenly in their logarithm.
-class Spread {
- public:
-  double between(double least, double most) {
-    return std::exp(std::uniform_real_distribution<>(std::log(least), std::log(most))(engine_));
-  }
-
- private:
-  std::mt19937 engine_{1};
-};
 
 Scene free_scene() {
   Scene scene;
@@ -70,15 +59,15 @@ double dissipated_by(const Simulated& simulated) {
 // of itself: some 16 roundings. Hunt-Crossley adds 6e-5 for its table.
 template <class Format, class ContactLaw>
 void expect_restitution_of_the_law() {
-  Spread spread;
+  Random random;
   const double rounding = is_double<Format> ? 1e-13 : 16 * 0x1p-24;
   const double tolerance = ContactLaw::law == Law::hunt_crossley ? 6e-5 + rounding : rounding;
   int impacts = 0;
   while (impacts < 100) {
     Scene scene = free_scene();
-    const double speed = spread.between(1e-4, 10), h = spread.between(1e-6, 1e-2), e = spread.between(0.05, 1);
-    scene.ball_mass = spread.between(1e-4, 1e2);
-    scene.contact_stiffness = spread.between(1e8, 1e15);
+    const double speed = random.wide(1e-4, 10), h = random.wide(1e-6, 1e-2), e = random.wide(0.05, 1);
+    scene.ball_mass = random.wide(1e-4, 1e2);
+    scene.contact_stiffness = random.wide(1e8, 1e15);
     scene.contact_damping = 0;
     Impact impact = impact_of<ContactLaw>(scene, speed);
     if (ContactLaw::is_damped) impact.contact_damping = scene.contact_damping = *contact_damping(impact, e);
@@ -138,21 +127,21 @@ TYPED_TEST(ImpulsiveStep, DampingPerImpactHasOneRestitution) {
 // the largest energy in a mass that its bound allows, nine times the whole.
 template <class Format, class ContactLaw>
 void expect_no_energy_from_impacts() {
-  Spread spread;
+  Random random;
   const double h = 1e-3, tolerance = is_double<Format> ? 20 * 0x1p-53 * 9 : 20 * 0x1p-24 * 9;
   int springs = 0;
   for (int i = 0; springs < 25 && i < 100; ++i) {
     Scene scene = free_scene();
     // In Fixed32 a step may change a displacement by half of itself: w0 h < 1/sqrt(2).
-    const double turn = spread.between(0.01, std::is_same_v<Format, Fixed32> ? 0.69 : 0.999);
+    const double turn = random.wide(0.01, std::is_same_v<Format, Fixed32> ? 0.69 : 0.999);
     scene.main_stiffness = turn * turn / (h * h);
-    scene.ball_mass = spread.between(0.1, 10);
-    scene.contact_stiffness = spread.between(1e9, 1e15);
-    scene.contact_damping = i % 3 == 0 ? 0 : scene.contact_stiffness * spread.between(1e-9, 1);
+    scene.ball_mass = random.wide(0.1, 10);
+    scene.contact_stiffness = random.wide(1e9, 1e15);
+    scene.contact_damping = i % 3 == 0 ? 0 : scene.contact_stiffness * random.wide(1e-9, 1);
     if (ContactLaw::is_linear) scene.contact_damping = std::min(scene.contact_damping, largest_linear_damping(scene));
-    scene.v1 = spread.between(0.01, 1);
-    scene.v2 = -spread.between(0.01, 1);
-    scene.clearance = i % 7 == 0 ? 0 : spread.between(1e-5, 1e-2);  // down to a hundredth of a step's flight
+    scene.v1 = random.wide(0.01, 1);
+    scene.v2 = -random.wide(0.01, 1);
+    scene.clearance = i % 7 == 0 ? 0 : random.wide(1e-5, 1e-2);  // down to a hundredth of a step's flight
     const double whole = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
     const double speed = 3 * std::sqrt(2 * whole / std::min(scene.main_mass, scene.ball_mass));
     const double place = 16 * speed * h / turn + scene.clearance;

@@ -7,9 +7,9 @@
 
 #include <cmath>
 #include <impact/absorber.hpp>
-#include <random>
 
 #include "host_ref/extremes.hpp"
+#include "random.hpp"
 
 namespace impact::host {
 namespace {
@@ -24,38 +24,26 @@ struct Cavity {
 
 template <class Law>
 Cavity random_cavity(unsigned seed, double phase) {
-  std::mt19937_64 engine(seed);
-  const auto between = [&](double least, double most) {
-    return least * std::pow(most / least, std::uniform_real_distribution<double>(0, 1)(engine));
-  };
+  Random random(seed);
   Cavity cavity{};
   Scene& scene = cavity.scene;
   scene.main_mass = 1;
-  scene.ball_mass = between(0.01, 100);
+  scene.ball_mass = random.wide(0.01, 100);
   scene.main_stiffness = scene.main_mass * (phase / step) * (phase / step);
   scene.main_damping = scene.contact_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
   cavity.bounds.speed = 1;
   cavity.bounds.force = 1e-9;
-  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), fastest = 2 * cavity.bounds.speed;
   // An undamped linear impact gains by itself 1e-5 of its energy at 8 steps, with the sixth power: here 4e-8.
   const double fewest = Law::is_linear ? 20 : 8;
-  const double contact_time = between(fewest, 2.5 * fewest) * step, pi = 3.141592653589793;
-  double deepest = 0;
-  if constexpr (Law::is_linear) {
-    scene.contact_stiffness = mu * pi * pi / (contact_time * contact_time);
-    deepest = fastest * contact_time / pi;
-  } else {
-    scene.contact_stiffness = mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(fastest);
-    deepest = std::pow(1.25 * mu * fastest * fastest / scene.contact_stiffness, 0.4);
-  }
-  scene.clearance = deepest * between(1e-3, 0.1);
+  const double deepest = take_contact_time(scene, Law::is_linear, random.wide(fewest, 2.5 * fewest) * step, 2);
+  scene.clearance = deepest * random.wide(1e-3, 0.1);
   // Half of them begin in the ball, half in the main mass. With all of it the main mass is within Bounds::speed.
-  const double fast = between(0.1, 0.99);
+  const double fast = random.wide(0.1, 0.99);
   if (seed % 2 == 0)
     scene.v2 = fast / larger(1.0, std::sqrt(scene.ball_mass / scene.main_mass));
   else
     scene.v1 = fast / larger(1.0, std::sqrt(scene.main_mass / scene.ball_mass));
-  scene.x2 = scene.clearance * between(0.01, 0.49);
+  scene.x2 = scene.clearance * random.wide(0.01, 0.49);
   cavity.bounds.displacement = 4 * (step / phase + deepest + scene.clearance);
   return cavity;
 }

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstdio>
 #include <impact/absorber.hpp>
-#include <random>
 
 #include "against_reference.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
+#include "random.hpp"
 
 namespace impact::host {
 namespace {
@@ -20,17 +20,6 @@ using Fourth = SubsteppedMoment<4>;
 constexpr double step = 1e-4;
 constexpr unsigned scenes = 60;
 constexpr int steps = 2000;
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double linear(double least, double most) { return std::uniform_real_distribution<double>(least, most)(engine_); }
-  double between(double least, double most) { return least * std::pow(most / least, linear(0, 1)); }
-  bool either() { return linear(0, 1) < 0.5; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 // At its bounds h c/mu is 0.03 to 3, which not every stepper takes.
 struct PulledScene {
@@ -45,16 +34,16 @@ PulledScene pulled_scene(unsigned seed, bool has_parts) {
   Scene& scene = result.scene;
   Bounds& bounds = result.bounds;
   scene.drive_amplitude = scene.drive_pulsation = 0;
-  scene.main_mass = random.between(0.1, 10);
-  scene.ball_mass = scene.main_mass * random.between(0.01, 10);
-  scene.main_stiffness = random.either() ? 0 : scene.main_mass * std::pow(random.between(1e-3, 0.15) / step, 2);
-  scene.main_damping = random.either() ? 0 : scene.main_mass / step * random.between(1e-4, 0.1);
+  scene.main_mass = random.wide(0.1, 10);
+  scene.ball_mass = scene.main_mass * random.wide(0.01, 10);
+  scene.main_stiffness = random.is(0.5) ? 0 : scene.main_mass * std::pow(random.wide(1e-3, 0.15) / step, 2);
+  scene.main_damping = random.is(0.5) ? 0 : scene.main_mass / step * random.wide(1e-4, 0.1);
   scene.stops = Stops::right;
-  scene.clearance = random.between(1e-4, 0.02);
-  bounds.speed = random.between(0.1, 2);
+  scene.clearance = random.wide(1e-4, 0.02);
+  bounds.speed = random.wide(0.1, 2);
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), v = 2 * bounds.speed,
-               contact_time = (is_impulsive ? random.between(0.01, 1) : random.between(6, 1000)) * step,
-               damping = random.between(0.03, 3) * mu / step;
+               contact_time = (is_impulsive ? random.wide(0.01, 1) : random.wide(6, 1000)) * step,
+               damping = random.wide(0.03, 3) * mu / step;
   double deepest = 0;
   if (Law::is_linear) {
     scene.contact_stiffness = mu * std::pow(3.1416 / contact_time, 2);
@@ -64,25 +53,25 @@ PulledScene pulled_scene(unsigned seed, bool has_parts) {
     scene.contact_stiffness = mu * std::pow(3.2 / contact_time, 2.5) / std::sqrt(v);
     deepest = bounds.penetration = 1.05 * std::pow(1.25 * mu * v * v / scene.contact_stiffness, 0.4);
     scene.contact_damping = damping / std::pow(deepest, 1.5);
-    scene.restitution = random.linear(0.02, 0.6);
+    scene.restitution = random.between(0.02, 0.6);
   }
   bounds.displacement = 0.1 + 3 * deepest + scene.clearance;
-  if (random.either()) {
-    scene.x2 = scene.clearance / 2 + deepest * random.linear(0, 0.8);
+  if (random.is(0.5)) {
+    scene.x2 = scene.clearance / 2 + deepest * random.between(0, 0.8);
   } else {
-    scene.x2 = scene.clearance * random.linear(0, 0.5);
+    scene.x2 = scene.clearance * random.between(0, 0.5);
     scene.v2 = bounds.speed / 2;
   }
-  scene.v1 = bounds.speed * random.linear(-0.3, 0.3);
-  result.force = random.either() ? 0 : scene.main_mass * random.between(0.1, 100);
-  result.force_pulsation = random.between(1, 2000);
+  scene.v1 = bounds.speed * random.between(-0.3, 0.3);
+  result.force = random.is(0.5) ? 0 : scene.main_mass * random.wide(0.1, 100);
+  result.force_pulsation = random.wide(1, 2000);
   bounds.force = result.force + 1e-9;
   if (has_parts) {
-    scene.gravity = 9.81 * random.linear(-1, 1);
-    result.base = random.between(0.1, 50);
-    result.base_pulsation = random.between(1, 2000);
+    scene.gravity = 9.81 * random.between(-1, 1);
+    result.base = random.wide(0.1, 50);
+    result.base_pulsation = random.wide(1, 2000);
     bounds.base_acceleration = result.base;
-    if (random.either()) scene.ball_friction = scene.ball_mass * random.between(0.01, 10);
+    if (random.is(0.5)) scene.ball_friction = scene.ball_mass * random.wide(0.01, 10);
   }
   return result;
 }
@@ -127,7 +116,7 @@ struct Kind {
         ASSERT_LE(absorber.reading().v2 - before, least) << "scene " << seed << ", step " << n;
         touching += absorber.is_touching();
         if (seed % 3 == 1 && n % 7 == 0) {
-          const auto part = [&] { return Format::sample(random.linear(-1, 1) * 1e-6); };
+          const auto part = [&] { return Format::sample(random.between(-1, 1) * 1e-6); };
           absorber.correct(part(), part());
         }
         if (seed % 3 == 2 && n % 11 == 0) retuned += absorber.retune(n % 2 ? other : plan);

@@ -7,12 +7,12 @@
 
 #include <cstdlib>
 #include <map>
-#include <random>
 #include <string>
 
 #include "host_ref/coupled_scenes.hpp"
 #include "host_ref/free_pair.hpp"
 #include "host_ref/simulation_of.hpp"
+#include "random.hpp"
 
 namespace impact::host {
 
@@ -97,8 +97,7 @@ class WatchedFixed32 : public testing::TestWithParam<Kind> {
 
 TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
   const auto& [law, damping, stepper] = GetParam();
-  std::mt19937_64 engine(1);
-  std::uniform_real_distribution<double> fraction(0, 1);
+  Random random;
   int accepted = 0;
   for (int i = 0; i < scenes(); ++i)
     for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball})
@@ -110,8 +109,8 @@ TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
         scene.request.damping = damping;
         // Bounds of what the scene reaches, and of up to a hundred times that.
         if (i % 2 == 1) {
-          scene.request.bounds->displacement *= std::pow(100, fraction(engine));
-          scene.request.bounds->speed *= std::pow(100, fraction(engine));
+          scene.request.bounds->displacement *= random.wide(1, 100);
+          scene.request.bounds->speed *= random.wide(1, 100);
         }
         scene_now = text_of(scene.request);
         accepted += run_coupled(scene).is_accepted;
@@ -122,21 +121,18 @@ TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
 
 TEST_P(WatchedFixed32, WrapsNowhereInFreePairs) {
   const auto& [law, damping, stepper] = GetParam();
-  std::mt19937_64 engine(1);
-  const auto between = [&engine](double least, double most) {
-    return least * std::pow(most / least, std::uniform_real_distribution<double>(0, 1)(engine));
-  };
+  Random random;
   for (int i = 0; i < scenes(); ++i) {
     FreePair free;
     free.law = law;
     free.damping = damping;
-    free.restitution = between(0.02, 1);
-    free.main_mass = between(0.01, 100);
-    free.ball_mass = free.main_mass * between(0.01, 100);
-    free.clearance = between(1e-3, 0.1);
-    free.speed = between(0.01, 5);
-    free.contact_stiffness = between(1e2, 1e12);
-    free.step = contact_time(impact_of(free)).value() / between(0.1, 200);
+    free.restitution = random.wide(0.02, 1);
+    free.main_mass = random.wide(0.01, 100);
+    free.ball_mass = free.main_mass * random.wide(0.01, 100);
+    free.clearance = random.wide(1e-3, 0.1);
+    free.speed = random.wide(0.01, 5);
+    free.contact_stiffness = random.wide(1e2, 1e12);
+    free.step = contact_time(impact_of(free)).value() / random.wide(0.1, 200);
     scene_now = text_of(request_for(free, stepper, Numeric::fixed32, 0));
     rebounds(free, stepper, Numeric::fixed32, watched);
   }

@@ -57,6 +57,14 @@ Planned plan(const Request& request) {
   std::abort();  // no such format
 }
 
+std::optional<double> damping_of(const Request& request, double impact_speed, bool by_paper) {
+  const Scene& scene = request.scene;
+  if (request.law == Law::hertz) return scene.restitution == 1 ? std::optional<double>(0) : std::nullopt;
+  const double mu = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
+  const Impact impact{request.law, scene.contact_stiffness, 0, mu, impact_speed, scene.tension};
+  return by_paper ? paper_contact_damping(impact, scene.restitution) : contact_damping(impact, scene.restitution);
+}
+
 double natural_pulsation(const Scene& scene) { return std::sqrt(scene.main_stiffness / scene.main_mass); }
 
 double largest_of(const std::vector<double>& samples) {

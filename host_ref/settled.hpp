@@ -32,6 +32,8 @@ double Bounds::*open_bound_passed(const char* fault, const Bounds& stated);
 // Whether with other bounds a plan that was refused so may be made.
 bool hangs_on_bounds(PlanStatus status, const Request& request);
 
+// The damping coefficient with which the law has the scene's restitution, Hunt-Crossley at an impact of this speed.
+std::optional<double> damping_of(const Request& request, double impact_speed, bool by_paper);
 double natural_pulsation(const Scene& scene);  // rad/s
 // The largest magnitude; no number where a sample is none, and no plan takes that for a bound.
 double largest_of(const std::vector<double>& samples);

@@ -1,8 +1,8 @@
 #include "host_ref/explorer/scene_text.hpp"
 
-#include "host_ref/closed_form.hpp"
 #include "host_ref/names.hpp"
 #include "host_ref/scene_values.hpp"
+#include "host_ref/settled.hpp"
 #include "host_ref/tool/text.hpp"
 
 namespace impact::host {
@@ -39,16 +39,6 @@ bool store(Request& request, Stated& stated, std::string_view option, std::strin
   if (option == "duration") return request.duration = value, true;
   if (option == "impact-speed") return stated.impact_speed = value, true;
   return false;
-}
-
-// The damping coefficient with which the law has the stated restitution.
-std::optional<double> damping_of(const Request& request, const Stated& stated) {
-  const Scene& scene = request.scene;
-  if (request.law == Law::hertz) return scene.restitution == 1 ? std::optional<double>(0) : std::nullopt;
-  const double reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
-  const Impact impact{request.law, scene.contact_stiffness, 0, reduced_mass, stated.impact_speed, scene.tension};
-  return stated.by_paper ? paper_contact_damping(impact, scene.restitution)
-                         : contact_damping(impact, scene.restitution);
 }
 
 // As impact-sim reads them.
@@ -89,7 +79,7 @@ ScenePlan scene_from(std::string_view text, SampleFiles& files) {
     if (plan.request.law != Law::hunt_crossley)
       plan.refusal = {"damping", std::string(name_of(plan.request.damping)), "restitution; others with hunt-crossley"};
   } else if (stated.restitution) {
-    const auto damping = damping_of(plan.request, stated);
+    const auto damping = damping_of(plan.request, stated.impact_speed, stated.by_paper);
     if (damping) scene.contact_damping = *damping;
     if (!damping)
       plan.refusal = {"restitution", shortest_text(scene.restitution),

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <host_ref/closed_form.hpp>
+#include <host_ref/settled.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/samples.hpp>
 #include <host_ref/tool/settings.hpp>
@@ -28,16 +28,9 @@ std::vector<double> samples_from(const SampleKind& kind, const std::string& file
   return column.samples;
 }
 
-// The damping coefficient with which the law has the stated restitution.
 double damping_from(const Settings& settings, const std::string& restitution) {
-  const Scene& scene = settings.request.scene;
-  const double reduced_mass = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
-  const Impact impact{settings.request.law, scene.contact_stiffness, 0,
-                      reduced_mass,         settings.impact_speed,   scene.tension};
-  const auto damping = settings.paper_damping ? paper_contact_damping(impact, scene.restitution)
-                                              : contact_damping(impact, scene.restitution);
+  const auto damping = damping_of(settings.request, settings.impact_speed, settings.paper_damping);
   if (damping) return *damping;
-  if (settings.request.law == Law::hertz && scene.restitution == 1) return 0;
   throw BadInput("--restitution", restitution,
                  settings.request.law == Law::hertz ? "1 with --law hertz, which loses nothing" : "0 < E <= 1");
 }

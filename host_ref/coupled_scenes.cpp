@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <initializer_list>
 #include <random>
 #include <utility>
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
+#include "host_ref/limits.hpp"
+#include "host_ref/scene_values.hpp"
 
 namespace impact::host {
 namespace {
@@ -203,56 +203,30 @@ double energy_of(const Scene& scene, const Sample& sample) {
 }
 
 std::string text_of(const Request& request) {
-  const Scene& scene = request.scene;
-  const Bounds& bounds = *request.bounds;
+  Request said = request;
   std::string text = "impact-sim";
-  const auto say = [&](const char* option, std::string_view value) {
-    text += std::string(" --") + option + " " += value;
-  };
-  const auto say_numbers = [&](std::initializer_list<std::pair<const char*, double>> numbers) {
-    for (const auto& [option, value] : numbers) {
-      char digits[32];
-      std::snprintf(digits, sizeof digits, "%.17g", value);
-      say(option, digits);
-    }
+  const auto say = [&](std::string_view option, std::string_view value) {
+    text.append(" --").append(option).append(" ").append(value);
   };
   say("law", name_of(request.law));
   say("newmark", name_of(request.stepper));
   say("numeric", name_of(request.numeric));
-  say_numbers({{"main-mass", scene.main_mass},
-               {"ball-mass", scene.ball_mass},
-               {"main-stiffness", scene.main_stiffness},
-               {"main-damping", scene.main_damping},
-               {"clearance", scene.clearance},
-               {"contact-stiffness", scene.contact_stiffness}});
-  if (request.damping == Damping::constant) {
-    say_numbers({{"contact-damping", scene.contact_damping}});
-  } else {
-    say("damping", name_of(request.damping));
-    say_numbers({{"restitution", scene.restitution}});
+  say("duration", shortest_text(request.duration));
+  const bool is_constant = request.damping == Damping::constant;
+  if (!is_constant) say("damping", name_of(request.damping));
+  if (request.drive == DriveKind::sampled) say("drive-file", drive_file);
+  if (request.drive == DriveKind::none) say("drive", "none");
+  if (request.is_shaken) say("base-acceleration-file", base_file);
+  for (const ParameterEntry& row : parameters) {
+    const double value = value_in(said, row);
+    const Parameter what = row.parameter;
+    const bool is_read = what == Parameter::contact_damping ? is_constant
+                         : what == Parameter::restitution   ? !is_constant
+                         : what == Parameter::drive_amplitude || what == Parameter::drive_pulsation
+                             ? request.drive == DriveKind::sine
+                             : !row.is_of_part || value < 0 || value > 0;
+    if (is_read) say(option_of(row), shortest_text(value));
   }
-  if (request.drive == DriveKind::sampled) {
-    say("drive-file", drive_file);
-  } else if (request.drive == DriveKind::sine) {
-    say_numbers({{"drive-amplitude", scene.drive_amplitude}, {"drive-pulsation", scene.drive_pulsation}});
-  } else {
-    say("drive", "none");
-  }
-  if (request.is_shaken) {
-    say("base-acceleration-file", base_file);
-    say_numbers({{"bound-base-acceleration", bounds.base_acceleration}});
-  }
-  if (scene.gravity < 0 || scene.gravity > 0) say_numbers({{"gravity", scene.gravity}});
-  if (scene.ball_friction > 0) say_numbers({{"ball-friction", scene.ball_friction}});
-  say_numbers({{"step", request.step},
-               {"duration", request.duration},
-               {"v1", scene.v1},
-               {"x2", scene.x2},
-               {"v2", scene.v2},
-               {"bound-displacement", bounds.displacement},
-               {"bound-speed", bounds.speed},
-               {"bound-penetration", bounds.penetration},
-               {"bound-force", bounds.force}});
   return text;
 }
 

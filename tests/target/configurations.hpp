@@ -244,17 +244,18 @@ constexpr auto pairwise() {
          with_pairs<Numeric, Hertz, Sine, Sampled, NoDrive>() +
          with_pairs<Numeric, HuntCrossley, Sampled, NoDrive, Sine>();
 }
-// Those whose trajectories are kept. In an image of 256 K fit, of a format, the linear law's and those with parts (1),
-// the others (2), or all with a third of the laws' (3).
+// Those whose trajectories are kept. In an image of 256 K fit, of a format, Hertz's and Hunt-Crossley's (2), the
+// others (1), or all with a third of the laws' (3).
 #if !defined(IMPACT_GOLDEN_PART)
 #define IMPACT_GOLDEN_PART 0
 #endif
 template <class... Numerics>
 constexpr auto golden_configurations() {
   if constexpr (IMPACT_GOLDEN_PART == 1)
-    return (with_laws<Numerics>(List<HookeNewton>{}) + ...) + (with_parts<Numerics>() + ...);
+    return (with_laws<Numerics>(List<HookeNewton>{}) + ...) + (beside_the_laws<Numerics>() + ...) +
+           (with_parts<Numerics>() + ...);
   else if constexpr (IMPACT_GOLDEN_PART == 2)
-    return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...) + (beside_the_laws<Numerics>() + ...);
+    return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...);
   else if constexpr (IMPACT_GOLDEN_PART == 3)
     return (pairwise<Numerics>() + ...) + (beside_the_laws<Numerics>() + ...) + (with_parts<Numerics>() + ...);
   else

@@ -23,8 +23,9 @@ Resolution resolution(const Request& request);
 int sub_steps(const Request& request);
 // By how much the restitution of the fastest impact that the bounds allow misses the law's; NaN where no formula says.
 double restitution_error(const Request& request);
-// By the plan's rule.
-Stepper chosen(const Request& request, int most_sub_steps = 1);
+// By the plan's rule. What more sub-steps than these round in Fixed32 is more than Impulsive misses.
+constexpr int most_in_fixed32 = 64;
+Stepper chosen(const Request& request, int most_sub_steps = SubsteppedMoment<>::most);
 Planned plan(const Request& request);
 
 // The bound that a fault, or nullptr, says is passed, where it is not stated: one that may be widened. Else nullptr.

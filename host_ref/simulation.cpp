@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <impact/choice.hpp>
 #include <utility>
 
 #include "host_ref/extremes.hpp"
@@ -18,34 +19,65 @@ std::string rough_text(double value) {
   return value < 100 ? rounded_text(value, 3) : rounded_text(std::round(value), 15);
 }
 
-// Why the rule does not take Moment, or fewer sub-steps, whose number of steps would be right; nothing where it is that
-// number. The order is that of the rule.
-std::string passed_over(const Request& request, const Resolution& contact) {
-  const double h = request.step, steps = contact.shortest_part / h;
-  const int n = SubsteppedMoment<>::parts_for(contact, h);
-  for (const auto& [stepper, parts] : {std::pair(Stepper::moment, 1), {Stepper::moment_n, n}}) {
-    if (request.stepper == stepper) break;
-    if (parts * steps < Moment::precise_steps) continue;
-    const double turn = contact.main_pulsation * h, phase = contact.pulsation * h / parts,
-                 damping = contact.damping * h / parts;
-    const std::string name = "; not " + std::string(name_of(stepper)) + ": ";
-    const double longest_turn = parts == 1 ? Moment::longest_phase : SubsteppedMoment<>::longest_phase;
-    if (turn > longest_turn)
-      return name + rough_text(turn) + " rad of the main mass's vibration in a step, at most " +
-             rough_text(longest_turn);
-    if (parts > 1 && h * SubsteppedMoment<>::fewest_steps_across > contact.crossing)
-      return name + "the ball can cross the clearance in a step and a half";
-    if (phase > Moment::longest_contact_phase)
-      return name + "the deepest contact turns by " + rough_text(phase) + " rad in a step, at most " +
-             rough_text(Moment::longest_contact_phase);
-    if (damping > Moment::largest_damping)
-      return name + "the deepest contact's damping h c/mu is " + rough_text(damping) + ", at most " +
-             rough_text(Moment::largest_damping);
-    if (request.stepper == Stepper::moment_n)
-      return name + "with fewer than " + std::to_string(SubsteppedMoment<>::precise_parts) + " steps less exact";
-    return name + "a contact loses less than it may create";
+// What the rule chooses from, the cheaper first.
+struct Candidate {
+  Stepper stepper;
+  Choice choice;
+};
+constexpr Candidate candidates[] = {{Stepper::energy, Choice::energy},
+                                    {Stepper::impulsive, Choice::impulsive},
+                                    {Stepper::moment, Choice::moment},
+                                    {Stepper::moment_n, Choice::sub_steps}};
+
+// Why the rule does not take a stepper other than EnergyConsistent whose expected error is less.
+std::string reason_against(Choice choice, const Resolution& contact, double h) {
+  const auto beyond = [](const std::string& what, double value, double most) {
+    return what + rough_text(value) + ", at most " + rough_text(most);
+  };
+  if (choice == Choice::impulsive) {
+    if (contact.main_phase > longest_instant)
+      return beyond("a contact's radians of the main mass's vibration are ", contact.main_phase, longest_instant);
+    if (contact.field_share > Impulsive::largest_field_share)
+      return beyond("what weight and base add to an impact's speed is ", contact.field_share,
+                    Impulsive::largest_field_share);
+    return "a contact is resolved";
   }
-  return {};
+  const bool is_divided = choice == Choice::sub_steps;
+  const int n = is_divided ? SubsteppedMoment<>::parts_for(contact, h) : 1;
+  const double turn = contact.main_pulsation * h, phase = contact.pulsation * h / n, damping = contact.damping * h / n,
+               steps = n * contact.shortest_part / h,
+               longest = is_divided ? longest_sub_stepped_phase : Moment::longest_phase;
+  if (turn > longest) return beyond("the main mass's radians in a step are ", turn, longest);
+  if (is_divided && h * SubsteppedMoment<>::fewest_steps_across > contact.crossing)
+    return "the ball can cross the clearance in a step and a half";
+  if (steps < Moment::precise_steps)
+    return "steps per contact are " + rough_text(steps) + ", at least " + rough_text(Moment::precise_steps);
+  if (phase > Moment::longest_contact_phase)
+    return beyond("the deepest contact's radians in a step are ", phase, Moment::longest_contact_phase);
+  if (damping > Moment::largest_damping)
+    return beyond("the deepest contact's damping h c/mu is ", damping, Moment::largest_damping);
+  if (n > most_in_fixed32)
+    return std::to_string(n) + " sub-steps are rounded too often, at most " + std::to_string(most_in_fixed32);
+  if (is_divided && contact.shortest_part >= SubsteppedMoment<>::precise_parts * h)
+    return "dearer, and not needed from " + std::to_string(SubsteppedMoment<>::precise_parts) + " steps per contact on";
+  return "a contact loses less than it may create";
+}
+
+// The error that the choice is expected to have, and why the next better stepper is passed over.
+std::string expected_text(const Request& request, const Resolution& contact) {
+  const auto error_of = [&](Choice choice) { return expected_error(choice, contact, request.step); };
+  double own = 0, next = -1;
+  for (const auto& [stepper, choice] : candidates)
+    if (stepper == request.stepper) own = error_of(choice);
+  std::string line = ", expected error " + rounded_text(own, 1) + " m";
+  const Candidate* better = nullptr;
+  for (const Candidate& other : candidates)
+    if (other.choice != Choice::energy && error_of(other.choice) < own && error_of(other.choice) > next)
+      next = error_of((better = &other)->choice);
+  if (better)
+    line += "; not " + std::string(name_of(better->stepper)) + ", " + rounded_text(next, 1) +
+            " m: " + reason_against(better->choice, contact, request.step);
+  return line;
 }
 
 // What steps by the plan's choice, and what that rests on. Of a stepper that was named, only what to beware of: a
@@ -64,10 +96,8 @@ std::string description(const Request& request, bool is_automatic) {
   std::string line = std::string(name_of(request.stepper)) + ", " + resolved + " at " +
                      rough_text(2 * request.bounds->speed) + " m/s, " + rough_text(contact.main_phase) +
                      " rad of the main mass's vibration during it";
-  const int parts = sub_steps(request);
-  if (parts > 1) line += ", " + std::to_string(parts) + " sub-steps";
-  if (parts > 0) line += ", restitution within " + rough_text(restitution_error(request)) + " of the law's";
-  return line + passed_over(request, contact);
+  if (const int parts = sub_steps(request); parts > 1) line += ", " + std::to_string(parts) + " sub-steps";
+  return line + expected_text(request, contact);
 }
 
 // The scene's restitution, stated under a formula, as the one that comes out; none where no plan takes it.

@@ -122,11 +122,11 @@ TEST(Choice, IsSubSteppedBelowElseImpulsiveWhileTheMainMassHardlyMoves) {
 TEST(Choice, IsEnergyWhereHookeNewtonLosesLessThanMomentMayGain) {
   Resolution r = resolution(pair_of(Law::hooke_newton, 0.7));
   r.restitution = 1 - 0.9e-5;
-  EXPECT_EQ(choice_for(r, r.shortest_part / 8), Choice::energy);
+  EXPECT_EQ(choice_for(r, r.shortest_part / 8, 1), Choice::energy);
   r.restitution = 1 - 1.1e-5;
-  EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 8), Choice::moment);
+  EXPECT_EQ(choice_for(r, just_below * r.shortest_part / 8, 1), Choice::moment);
   r.restitution = 1;
-  EXPECT_EQ(choice_for(r, r.shortest_part / 1000), Choice::energy);
+  EXPECT_EQ(choice_for(r, r.shortest_part / 1000, 1), Choice::energy);
 }
 
 struct Rig {

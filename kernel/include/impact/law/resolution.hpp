@@ -22,6 +22,7 @@ struct Resolution {
   double lasting_damping;     // c/mu, 1/s, where the stop alone carries what presses; per impact anywhere
   double crossing;            // s; for one stop never
   double field_share;         // (1 + m/M) a tc/V of weight and base
+  double swing;               // m, of the main mass by an impact at Bounds::speed: mu V/M, over its pulsation
 
   constexpr double steps_per_contact(double step) const { return contact_time / step; }
 };
@@ -63,6 +64,7 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   if (!ContactLaw::is_linear && !ContactLaw::is_damped_per_impact) contact.lasting_damping = terms.damping_under(press);
   contact.crossing = scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never;
   contact.field_share = (1 + scene.ball_mass / scene.main_mass) * field * contact.contact_time / terms.largest_rate;
+  contact.swing = 0.5 * terms.largest_rate * terms.reduced_mass() / scene.main_mass / constant::larger(w0, 1);
   return contact;
 }
 

@@ -145,6 +145,7 @@ void kernel(Bytes& bytes) {
     typename Kernel::Saved saved = absorber.save();
     saved.state = bytes.bits<typename Kernel::State>();
     is_own = !absorber.restore(saved) && is_own;
+    host::broken.count = 0;  // what a refused state of somebody else's wraps is not the absorber's
     check(absorber);
   }
   if (what & 2) {

@@ -3,9 +3,12 @@
 // what it expects of each (IMPACT_EXPECT in numeric/high_product.hpp), here in integers wide enough for all of them.
 // Included before the kernel, by the compiler's -include.
 
+#include <stdint.h>
+
 namespace impact {
 
 __extension__ using Wide = __int128;
+constexpr bool is_in_64_bits(Wide x) { return x == static_cast<int64_t>(x); }
 
 namespace host {
 

@@ -18,12 +18,12 @@ struct Fixed32Numbers {
     int64_t raw;
 
     constexpr void advance(Long other) {
-      IMPACT_EXPECT(Wide{raw} + other.raw == raw + other.raw);
+      IMPACT_EXPECT(is_in_64_bits(Wide{raw} + other.raw));
       raw += other.raw;
     }
     // Modulo 2^64: states that have just left their range are looked at before they are clamped.
     friend constexpr Long operator-(Long a, Long b) {
-      IMPACT_EXPECT(Wide{a.raw} - b.raw == a.raw - b.raw);
+      IMPACT_EXPECT(is_in_64_bits(Wide{a.raw} - b.raw));
       return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
     }
     // To the left by the complement: one of 2^63 less.

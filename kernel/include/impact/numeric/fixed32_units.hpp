@@ -160,14 +160,13 @@ struct Fixed32Units {
   // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
   constexpr void displace(Long& x, Value penetration) const {
     const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
-    IMPACT_EXPECT(Wide{x.raw} + Wide{penetration.raw} * (Wide{1} << penetration_shift) ==
-                  x.raw + static_cast<int64_t>(change));
+    IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + Wide{penetration.raw} * (Wide{1} << penetration_shift)));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
   }
   // By gain times a penetration with all the bits of a state, so that what one mass gains the other loses.
   constexpr void displace(Long& x, Fixed32Numbers::Gain gain, Value penetration) const {
     const Long way = product(gain, penetration, penetration_shift);
-    IMPACT_EXPECT(Wide{x.raw} + way.raw == x.raw + way.raw);
+    IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + way.raw));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way.raw));
   }
   // gain x of an x that is a number in 2^-spare_bits of the penetrations' unit.

@@ -145,11 +145,11 @@ struct Energy {
   int64_t raw;
 
   friend constexpr Energy operator+(Energy a, Energy b) {
-    IMPACT_EXPECT(Wide{a.raw} + b.raw == a.raw + b.raw);
+    IMPACT_EXPECT(is_in_64_bits(Wide{a.raw} + b.raw));
     return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) + static_cast<uint64_t>(b.raw))};
   }
   friend constexpr Energy operator-(Energy a, Energy b) {
-    IMPACT_EXPECT(Wide{a.raw} - b.raw == a.raw - b.raw);
+    IMPACT_EXPECT(is_in_64_bits(Wide{a.raw} - b.raw));
     return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
   }
 };

@@ -31,6 +31,11 @@ struct Step {
 
   using Rub = FrictionImpulse<Model>;
 
+  // Of the drive's change, what its contact asks for.
+  struct SeenChange {
+    Value to_end, half;
+  };
+
   // `force` and `acceleration` are the samples at the step's end; read where the drive and the field are sampled.
   static constexpr void step(Model& m, Value force, Value acceleration) {
     if (m.is_refused()) return;
@@ -41,8 +46,11 @@ struct Step {
     const Value increment = fly(m, main_travel, force, acceleration);  // of dx1
     // A flight that meets a stop is judged with what contact makes of it.
     if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
-      DriveChange<Value> change{};
-      if constexpr (traits.sees_change || Model::records) change = m.state.drive.change(m.plan.drive, drive_before);
+      SeenChange change{};
+      if constexpr (traits.sees_change || Model::records) {
+        const auto of_drive = m.state.drive.change(m.plan.drive, drive_before);
+        change = {of_drive.to_end, traits.starts_from_rate ? of_drive.half_chord : of_drive.half};
+      }
       contact(m, increment, main_travel, change);
     } else if (!m.flight_is_in_range()) {
       m.clamp();
@@ -87,19 +95,17 @@ struct Step {
     return increment;
   }
   // The one call boundary of a step, in the formats that need it (compiler.hpp).
-  [[gnu::always_inline]] static constexpr void contact(Model& m, Value increment, Long main_travel,
-                                                       DriveChange<Value> change) {
+  [[gnu::always_inline]] static constexpr void contact(Model& m, Value increment, Long main_travel, SeenChange change) {
     if constexpr (Format::calls_contact)
       call_contact(m, increment, main_travel, change);
     else
       contact_and_friction(m, increment, main_travel, change);
   }
-  [[gnu::noinline]] static constexpr void call_contact(Model& m, Value increment, Long main_travel,
-                                                       DriveChange<Value> change) {
+  [[gnu::noinline]] static constexpr void call_contact(Model& m, Value increment, Long main_travel, SeenChange change) {
     contact_and_friction(m, increment, main_travel, change);
   }
   [[gnu::always_inline]] static constexpr void contact_and_friction(Model& m, Value increment, Long main_travel,
-                                                                    DriveChange<Value> change) {
+                                                                    SeenChange change) {
     if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
       solve_contact(m, increment, main_travel, change);
@@ -117,7 +123,7 @@ struct Step {
   using StopApproach = typename detail::Either<Model::records, RecordedApproach<Unrecorded>, Unrecorded>::Type;
 
   [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Value increment, Long main_travel,
-                                                             DriveChange<Value> change) {
+                                                             SeenChange change) {
     const auto& plan = m.plan;
     auto& state = m.state;
     if (state.contact.phase == Phase::apart) state.at_left = m.ball_is_left();
@@ -131,9 +137,9 @@ struct Step {
     if constexpr (traits.starts_from_rate)
       if (state.contact.phase == Phase::apart)
         approach.rate_before =
-            approach.rate_at_start() + mirrored(plan.contact.start_rate.bend(plan.units.displacement(main_travel),
-                                                                             main_rate(m), change.half_chord),
-                                                left);
+            approach.rate_at_start() +
+            mirrored(plan.contact.start_rate.bend(plan.units.displacement(main_travel), main_rate(m), change.half),
+                     left);
     if constexpr (traits.sees_change) increment = increment + change.to_end;
     if constexpr (traits.is_instantaneous) {
       approach.half_change = -mirrored(change.half, left);

@@ -63,7 +63,7 @@ least=1
 case $target in cortex-m0*) least=noise ;; esac
 # Floating point takes the root by the FPU's instruction, and has no table.
 case $target,$numeric in
-  cortex-m*f,Float*) feature "power law instead of linear (average acceleration)" average hooke_newton_average 1 0 ;;
+  cortex-m*f,Float*) feature "power law instead of linear (average acceleration)" average hooke_newton_average noise 0 ;;
   *) feature "power law instead of linear (average acceleration)" average hooke_newton_average 768 0 square_root_table ;;
 esac
 feature "sine drive" paper no_drive 1 1

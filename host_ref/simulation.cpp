@@ -30,7 +30,8 @@ constexpr Candidate candidates[] = {{Stepper::energy, Choice::energy},
                                     {Stepper::moment_n, Choice::sub_steps}};
 
 // Why the rule does not take a stepper other than EnergyConsistent whose expected error is less.
-std::string reason_against(Choice choice, const Resolution& contact, double h) {
+std::string reason_against(Choice choice, const Resolution& contact, const Request& request) {
+  const double h = request.step;
   const auto beyond = [](const std::string& what, double value, double most) {
     return what + rough_text(value) + ", at most " + rough_text(most);
   };
@@ -56,7 +57,7 @@ std::string reason_against(Choice choice, const Resolution& contact, double h) {
     return beyond("the deepest contact's radians in a step are ", phase, Moment::longest_contact_phase);
   if (damping > Moment::largest_damping)
     return beyond("the deepest contact's damping h c/mu is ", damping, Moment::largest_damping);
-  if (n > most_in_fixed32)
+  if (request.numeric == Numeric::fixed32 && n > most_in_fixed32)
     return std::to_string(n) + " sub-steps are rounded too often, at most " + std::to_string(most_in_fixed32);
   if (is_divided && contact.shortest_part >= SubsteppedMoment<>::precise_parts * h)
     return "dearer, and not needed from " + std::to_string(SubsteppedMoment<>::precise_parts) + " steps per contact on";
@@ -76,7 +77,7 @@ std::string expected_text(const Request& request, const Resolution& contact) {
       next = error_of((better = &other)->choice);
   if (better)
     line += "; not " + std::string(name_of(better->stepper)) + ", " + rounded_text(next, 1) +
-            " m: " + reason_against(better->choice, contact, request.step);
+            " m: " + reason_against(better->choice, contact, request);
   return line;
 }
 

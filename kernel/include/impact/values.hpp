@@ -16,8 +16,8 @@
         false)                                                                                                     \
   VALUE(contact_damping, 0, 1e18, "N s/m (HookeNewton) or N s/m^(5/2)", contact_damping,                           \
         "damping of a stop; Hertz has none", false)                                                                \
-  VALUE(drive_amplitude, 0, 1e9, "N", drive_amplitude, "of a sine drive", false)                                       \
-  VALUE(drive_pulsation, 0, 1e6, "rad/s", drive_pulsation, "of a sine drive", false)                                   \
+  VALUE(drive_amplitude, 0, 1e9, "N", drive_amplitude, "of a sine drive", false)                                   \
+  VALUE(drive_pulsation, 0, 1e6, "rad/s", drive_pulsation, "of a sine drive", false)                               \
   VALUE(x1, -1e3, 1e3, "m", initial_displacement, "initial displacement of the main mass", false)                  \
   VALUE(v1, -1e3, 1e3, "m/s", initial_velocity, "and its velocity", false)                                         \
   VALUE(x2, -1e3, 1e3, "m", initial_displacement, "initial displacement of the ball, in the same frame", false)    \

@@ -1,7 +1,7 @@
 // stiff OUTPUT.csv: what stops of any stiffness do to the error. The largest difference of x1 from the reference over
-// 0.4 s, every 4 ms, and the time of a simulated second on this host, of the stepper that the rule takes with as many
-// sub-steps as there are, of the impulsive step, and of a Runge-Kutta method that locates the touch (event_rk4.hpp)
-// with different numbers of steps in a contact.
+// 0.4 s, every 4 ms, and the time of a simulated second on this host, of the stepper that impact-sim's rule takes, of
+// the impulsive step, and of a Runge-Kutta method that locates the touch (event_rk4.hpp) with different numbers of
+// steps in a contact.
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +10,7 @@
 #include <host_ref/reference.hpp>
 #include <host_ref/report/event_rk4.hpp>
 #include <host_ref/report/report_program.hpp>
+#include <host_ref/settled.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/text.hpp>
 #include <impact/absorber.hpp>
@@ -63,7 +64,9 @@ Measured by_kernel(const Scene& scene, double h, const std::vector<host::Sample>
 }
 template <class Format>
 Measured by_rule(const Scene& scene, double h, const std::vector<host::Sample>& reference) {
-  switch (choice_for(resolution_of<HuntCrossley>(scene, bounds), h, SubsteppedMoment<>::most)) {
+  constexpr bool is_fixed = detail::is_one_of<Format, Fixed32>;
+  constexpr int most_sub_steps = is_fixed ? host::most_in_fixed32 : SubsteppedMoment<>::most;
+  switch (choice_for(resolution_of<HuntCrossley>(scene, bounds), h, most_sub_steps)) {
     case Choice::moment:
       return by_kernel<Moment, Format>(scene, h, reference);
     case Choice::sub_steps:

@@ -195,17 +195,19 @@ export function findings({ stability, stiff, coupled, restitution, attenuation }
   const [exact, formulas] = [true, false].map((isExact) =>
     Math.min(...groupsOf(restitution, 'damping').filter(([{ damping }]) => (damping === 'exact') === isExact).map(missed)));
   const taken = (rig) => `${short(100 * largest(attenuation.filter((row) => row.rig === rig && !(number(row.ball_friction_N) > 0)), (row) => number(row.attenuation)), 2)} %`;
+  const stiffSteps = [1e-3, 1e-4, 1e-5], worstError = (numeric) => stiffSteps.map((step) =>
+    short(largest(stiff.filter((row) => row.method === 'auto' && row.numeric === numeric && number(row.step_s) === step), (row) => number(row.error_m), 0), 2)).join(', ');
   const won = ways.rows.filter((row) => !row.at(-1).isStrong).length, inTime = budget.rows.filter((row) => !row[6].isOver).length;
   const claims = Object.values(sentences), shown = claims.filter((text) => !text.includes('**')).length;
   return {
     time: `The kernel costs less than every baseline in ${won} of ${ways.rows.length} comparisons`,
-    stiff: `Whatever the stiffness, the kernel's choice is within ${[1e-3, 1e-4, 1e-5].map((step) => `${short(largest(stiff.filter((row) => row.method === 'auto' && row.numeric === 'float64' && number(row.step_s) === step), (row) => number(row.error_m), 0), 2)} m at ${1e3 * step} ms`).join(', ')}`,
-    stability: `The kernel's choice gains energy in ${gainsOf(stability, 'auto')} cells, the paper's scheme in ${gainsOf(stability, 'average')}`,
+    stiff: `At any stiffness the kernel's error is at most ${worstError('float64')} m in double, ${worstError('fixed32')} m in Fixed32 (at ${stiffSteps.map((step) => short(1e3 * step)).join(', ')} ms)`,
+    stability: `Contact gains energy in ${gainsOf(stability, 'auto')} cells with the kernel's choice, in ${gainsOf(stability, 'average')} with the paper's scheme`,
     coupled: `In coupled scenes the kernel's choice gains at most ${short(largest(coupled.filter(({ newmark }) => newmark === 'auto'), (row) => number(row.energy_gain_max), 0), 2)} of the energy`,
-    restitution: `A stated restitution comes out within ${short(exact, 2)} with exact, within ${short(formulas, 2)} with the best formula`,
-    parts: `The ball takes up to ${taken('level')} of the swing on a level rig, ${taken('upright')} on an upright one`,
+    restitution: `The restitution that comes out is within ${short(exact, 2)} of the stated one with exact, within ${short(formulas, 2)} with the best formula`,
+    parts: `The ball reduces the swing by up to ${taken('level')} on a level rig and ${taken('upright')} on an upright one`,
     budget: `${inTime} of ${budget.rows.length} worst steps fit into a period at 10 kHz`,
-    paper: `The paper's claims show here in ${shown} of ${claims.length} figures`,
+    paper: `The paper's claims hold here in ${shown} of ${claims.length} figures`,
   };
 }
 
@@ -232,7 +234,7 @@ export function atAGlance(points, budget, stability, parts) {
 export function paperSentences(figures) {
   const values = new Map(figures.map((row) => [[row.figure, row.law, row.quantity].join(), number(row.value)]));
   const value = (figure, law, quantity) => values.get([figure, law, quantity].join());
-  const verdict = (shows) => (shows ? 'It shows here' : '**It does not show here**'), mm = (metres) => `${short(1e3 * metres, 4)} mm`;
+  const verdict = (shows) => (shows ? 'It holds here' : '**It does not hold here**'), mm = (metres) => `${short(1e3 * metres, 4)} mm`;
   const ofLaws = (figure, quantity) => laws.map((law) => value(figure, law, quantity));
   const isCloser = ([hn, hz, hc]) => Math.abs(hn - hc) < Math.abs(hz - hc);
   const texts = {};
@@ -240,13 +242,13 @@ export function paperSentences(figures) {
     [4, 'hertz', 'amplitudes increase instead of decreasing', false], [6, 'hunt-crossley', 'amplitudes decrease', true]]) {
     const [peak, exact, bare, early] = ['peak_m', 'peak_reference_m', 'peak_without_absorber_m', 'difference_from_reference_in_1_s_m'].map((quantity) => value(figure, law, quantity));
     texts[figure] = `Claim: ${claim}. ${verdict(attenuates ? peak < bare : peak > bare)}: largest ${mm(peak)} against ${mm(bare)} without absorber (reference: ${mm(exact)}). Over the first second kernel and reference are within ${short(early, 2)} m.`
-      + (Math.abs(peak - exact) > 0.01 * exact ? ' Later they part, as any two computations do: the motion is chaotic, and the largest value in 5 s belongs to one start, not to the law.' : '');
+      + (Math.abs(peak - exact) > 0.01 * exact ? ' Later they differ, as any two computations do, because the motion is chaotic. The largest value in 5 s is that of one start, not of the law.' : '');
   }
   const [hn, hz, hc] = ofLaws(7, 'peak_m');
   texts[7] = `Claim: the amplitude is lowest with Hunt-Crossley, and Hooke-Newton is closer to it than Hertz is. ${verdict(hc <= hn && isCloser([hn, hz, hc]))}: ${mm(hc)}, ${mm(hn)} and ${mm(hz)}.`;
   const peakAt = (law, e) => value(8, law, `peak_reference_at_restitution_${e}_m`), spread = (law) => peakAt(law, 1) - peakAt(law, 0.4);
   const [hnAt1, hcAt1, hnSpread, hcSpread] = [peakAt('hooke-newton', 1), peakAt('hunt-crossley', 1), spread('hooke-newton'), spread('hunt-crossley')];
-  texts[8] = `Claims: Hunt-Crossley is more sensitive to restitution than Hooke-Newton; at 1 Hooke-Newton is lowest and the other two alike. ${verdict(hcSpread > hnSpread && hnAt1 < hcAt1)} in the reference: from 0.4 to 1 the peak grows by ${mm(hcSpread)} and ${mm(hnSpread)}; at 1 it is ${mm(hnAt1)} against ${mm(hcAt1)}. Where a curve jumps between neighbours the motion is chaotic.`;
+  texts[8] = `Claims: Hunt-Crossley is more sensitive to restitution than Hooke-Newton. At a restitution of 1 Hooke-Newton is lowest and the other two are alike. ${verdict(hcSpread > hnSpread && hnAt1 < hcAt1)} in the reference. From 0.4 to 1 the peak grows by ${mm(hcSpread)} and ${mm(hnSpread)}. At 1 it is ${mm(hnAt1)} against ${mm(hcAt1)}. Where a curve jumps between neighbours the motion is chaotic.`;
   const taken = ofLaws(9, 'attenuation'), [hnTaken, hzTaken, hcTaken] = taken.map((share) => `${short(100 * share)} %`);
   texts[9] = `Claim: Hooke-Newton's attenuation is closer to Hunt-Crossley's than Hertz's is. ${verdict(isCloser(taken))}: ${hnTaken}, ${hcTaken} and ${hzTaken} after 5 s. The paper leaves the measure open; here it is 1 less the ratio of the peaks so far.`;
   const [hnLost, hzLost, hcLost] = ofLaws(10, 'dissipated_J');

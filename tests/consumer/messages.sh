@@ -74,7 +74,7 @@ scene 1 'Rig::scene.drive_amplitude: 0 to 1e9 N' 's.drive_amplitude = -1;'
 scene 1 'Rig::scene.drive_pulsation: 0 to 1e6 rad/s' 's.drive_pulsation = 1e7;'
 scene 1 'Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s' 's.drive_pulsation = 1e-5;'
 scene 1 'Rig::scene.x1: -1e3 to 1e3 m' 's.x1 = 1e4;'
-scene 1 'Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop' 's.x2 = 0.09;'
+scene 1 'Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop than Bounds allow' 's.x2 = 0.09;'
 scene 1 'Rig::scene.v2: -1e3 to 1e3 m/s' 's.v2 = 1e4;'
 scene 1 'Bounds::displacement: 1e-9 to 1e6 m' 's.x1 = 1;'
 scene 1 'Bounds::speed: 1e-9 to 1e6 m/s' 's.v1 = 3;'
@@ -88,14 +88,14 @@ scene 1 'Rig::scene.restitution is stated, but this law does not read it' 's.res
 scene 1 'Rig::scene.restitution is stated, but this law does not read it' 's.restitution = 0.7; s.contact_damping = 0;' Hertz
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' 's.restitution = 0.7;' Exact 0.1
 # A field that is too much, and a weight that the spring holds beyond the bounds.
-scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large' '' HuntCrossley 1e-3 \
+scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2. In Fixed32 it is too large for the other Bounds' '' HuntCrossley 1e-3 \
   'b.base_acceleration = 1e6;' BaseAcceleration
-scene 1 'Rig::scene.gravity: -1e6 to 1e6 m/s^2, and in Fixed32 not so large' 's.gravity = -1e6;' HuntCrossley 1e-3 '' Gravity
+scene 1 'Rig::scene.gravity: -1e6 to 1e6 m/s^2. In Fixed32 it is too large for these Bounds' 's.gravity = -1e6;' HuntCrossley 1e-3 '' Gravity
 scene 1 'Bounds::displacement: no less than main_mass * gravity / main_stiffness' 's.gravity = -9.81; s.main_stiffness = 90;' \
   HuntCrossley 1e-4 '' Gravity
 # Another law's c1, and one that nobody stated beside a law or a stiffness that somebody did.
 scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' 's.contact_damping = 19560;' HookeNewton
-unstated='Rig::scene.contact_damping is not stated, and its default is of HuntCrossley with the default contact_stiffness: state c1'
+unstated='Rig::scene.contact_damping is not stated, and its default belongs to HuntCrossley with the default contact_stiffness. State c1'
 scene 1 "$unstated" '' HookeNewton
 scene 1 "$unstated" 's.contact_stiffness = 1e5;' HookeNewton
 scene 1 "$unstated" 's.contact_stiffness = 1e6;'

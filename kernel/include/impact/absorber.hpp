@@ -124,7 +124,7 @@ class AbsorberOf
   static_assert((contract::is_feature<Features> && ...),
                 "from the sixth on the arguments must be features, such as EnergyLedger: see impact/contracts.hpp");
   static_assert(((!__is_base_of(DryFriction, Features) || detail::is_one_of<DryFriction, Features>)&&...),
-                "a friction of one's own: DryFriction is the only one");
+                "a friction of your own is not possible: name DryFriction");
 
  public:
   using PlanType = typename Source::PlanType;
@@ -148,13 +148,13 @@ class AbsorberOf
   using Source::sample_unit;        // N, of the samples of a Sampled drive
   using Source::velocity_unit;      // m/s
   // sample_of(newtons) and base_sample_of(acceleration in m/s^2) return a sample for step(). A constant is a double; a
-  // float works while running, with an FPU or some hundred instructions. In Fixed32 both clamp to the bound and make 0
-  // of no number, and the step() that gets the sample raises Fault::sample.
+  // float is possible while running; without an FPU it costs some hundred instructions. In Fixed32 both clamp to the
+  // bound, and replace what is no number by 0. The step() that gets such a sample raises Fault::sample.
   using Source::base_sample_of;
   using Source::sample_of;
 
-  // The scene's initial state. With AtRunTime the plan is an argument; with a rejected one the absorber stands still at
-  // 0 and has Fault::plan.
+  // Starts in the scene's initial state. With AtRunTime the plan is an argument. With a rejected plan the absorber
+  // stands still at 0 and has Fault::plan.
   constexpr AbsorberOf() {
     Begin::start(machine());
     if constexpr (publishes) see(Window::first());
@@ -175,10 +175,10 @@ class AbsorberOf
   constexpr void step() {
     static_assert(!Drive::is_sampled || sizeof...(Nothing) > 0,
                   "step() without a sample, but the drive is Sampled: pass the force at the step's end, as "
-                  "step(absorber.sample_of(newtons)) or from a converter, see converter.hpp");
+                  "step(absorber.sample_of(newtons)) or through FromCounts");
     static_assert(!Field::is_sampled || sizeof...(Nothing) > 0,
-                  "step() without a sample, but the base accelerates: pass its acceleration at the step's end, as "
-                  "step(absorber.base_sample_of(acceleration)), behind the force where the drive is Sampled");
+                  "step() without a sample, but BaseAcceleration is named: pass the acceleration at the step's end, as "
+                  "step(absorber.base_sample_of(acceleration)), after the force of a Sampled drive");
     Steps::step(machine(), Value{}, Value{});
     publish();
   }
@@ -221,8 +221,8 @@ class AbsorberOf
     }
   }
 
-  // Displacement and velocity of the main mass and of the ball after the last step, in native numbers. Another context
-  // calls snapshot().
+  // Displacement and velocity of the main mass and of the ball after the last step, in native numbers of
+  // displacement_unit() and velocity_unit(). Only the context that steps calls them; another one calls snapshot().
   constexpr Value displacement() const { return plan.units.position(Machine::position_of(Machine::state.x1)); }
   constexpr Value velocity() const {
     Value rate = plan.units.as_displacement(Machine::rate_ahead());
@@ -257,13 +257,14 @@ class AbsorberOf
   constexpr Value mean_impact_force() const {
     static_assert(has_force, "mean_impact_force() needs the feature ContactForce: append it to the absorber's type");
     static_assert(Contact::traits.is_instantaneous,
-                  "mean_impact_force() is of Impulsive: with this stepper contact_force() is the mean over each step");
+                  "mean_impact_force() requires Impulsive: with this stepper contact_force() is the average of a step");
     if constexpr (has_force && Contact::traits.is_instantaneous)
       return impact_force().mean;
     else
       return {};
   }
-  // True if the last step ended in contact. False for a ball that a stop has let go and that is still inside it.
+  // True if the last step ended in contact. It is false for a ball that the stop has released but that is still inside
+  // it.
   constexpr bool is_touching() const { return Machine::state.contact.phase == Phase::touching; }
   // All that a step changes, and what the features record.
   constexpr const State& state() const { return Machine::state; }
@@ -290,12 +291,12 @@ class AbsorberOf
   }
 
   // An observer's correction between two steps. It adds to the main mass's displacement and velocity, in the units of
-  // displacement() and velocity(). A correction of more than a bound is clamped to it, and so is the corrected state,
-  // with a fault; what is no number is not added, with a fault. A contact under way goes on from the corrected
-  // penetration; a damping that was set at its impact is clamped to what a step tolerates there
-  // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch stands at that stop, and
-  // one at rest on an impulsive stop stays on it. Dry friction's last impulse turns with the sliding. A ledger counts
-  // the change of the stored energy as dissipated, and nothing as the drive's work.
+  // displacement() and velocity(). A correction of more than a bound is clamped to it with a fault, and so is the
+  // corrected state. A correction that is no number is not added and raises a fault. A contact under way continues from
+  // the corrected penetration. A damping that was set at its impact is clamped to what a step tolerates there
+  // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch is placed at that stop. A
+  // ball at rest on an impulsive stop stays on it. Dry friction's last impulse changes sign with the sliding. A ledger
+  // counts the change of the stored energy as dissipated, and nothing as the drive's work.
   constexpr void correct(Value dx, Value dv) {
     if (Source::is_refused()) return;
     const auto& units = plan.units;
@@ -315,13 +316,12 @@ class AbsorberOf
     publish();
   }
 
-  // save() and restore() save and restore the state; a host that restores it goes on bit for bit. The bytes are the
-  // same on every little-endian target and on a 64-bit host. restore() returns false and changes nothing if the
-  // layout's version, the scene, the bounds, the step or a type differ, or if no step can have left the state:
-  // displacements, drive or kind of contact are out of range, or a contact under way is inconsistent. It also returns
-  // false for a state beyond the bounds that the next step would clamp. It does not authenticate: after bytes that were
-  // made up to pass, steps are defined and end in range or with a fault, but they are no motion of this absorber, and
-  // the features' records may be anything.
+  // save() and restore() save and restore the state. The bytes are the same on every little-endian target and on a
+  // 64-bit host, so a host that restores them continues bit for bit. restore() returns false and changes nothing in
+  // these cases: the layout's version, the scene, the bounds, the step or a type differs; displacements, drive or kind
+  // of contact are out of range; a contact under way is inconsistent; the next step would clamp the state. It does not
+  // authenticate. With forged bytes that pass, every step is defined and ends in range or with a fault. But it is no
+  // motion of this absorber, and the features' records may be anything.
   static constexpr uint32_t state_version = 5;
   struct Saved {
     uint32_t version, plan_identity;
@@ -336,13 +336,14 @@ class AbsorberOf
     return true;
   }
 
-  // Goes on under another plan, between two steps, for an absorber with its plan AtRunTime. Displacements, velocities
-  // and the drive's phase do not jump (motion/handover.hpp). A drive that was off starts at phase 0. Ledger and log
-  // start at 0 again. A contact under way whose parameters change goes on from its penetration. It returns false and
-  // changes nothing if the plan is rejected or bounds, step, clearance or stops differ; in Fixed32 if
-  // displacement_unit() differs, which a softer stop or a larger drive may widen under the same bounds; with
-  // BaseAcceleration if gravity differs; and during a contact whose state depends on the plan's forces: Newmark's
-  // classical steppers, a damping set per impact, features.
+  // Changes to another plan between two steps, for an absorber AtRunTime. Displacements, velocities and the drive's
+  // phase do not jump (motion/handover.hpp). A drive that was off starts at phase 0. Ledger and log start at 0 again. A
+  // contact under way whose parameters change continues from its penetration. It returns false and changes nothing
+  // - if the plan is rejected, or bounds, step, clearance or stops differ;
+  // - in Fixed32 if displacement_unit() differs: a softer stop or a larger drive may widen it under the same bounds;
+  // - with BaseAcceleration if gravity differs;
+  // - during a contact with Newmark's classical steppers, a damping set per impact, EnergyLedger, ImpactLog or
+  //   ContactForce, whose state depends on the plan's forces.
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
                   "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
@@ -426,7 +427,7 @@ class AbsorberOf
   constexpr Machine& machine() { return *this; }
   constexpr const Machine& machine() const { return *this; }
 
-  // A sample that sample_of() has clamped.
+  // Raises the fault of a sample that sample_of() has clamped.
   template <class Sample>
   constexpr void note_clamped(const Sample& sample) {
     if constexpr (detail::is_native<Sample>)
@@ -439,20 +440,17 @@ class AbsorberOf
                    is_in_braces = detail::is_one_of<Sample, detail::InBraces>,
                    is_of_another = detail::is_native<Sample>;
     static_assert(is_sample || !is_in_braces,
-                  "step({..}): a number in braces, such as a converter's counts, is no sample: pass counts through "
-                  "FromCounts (converter.hpp), newtons as absorber.sample_of(newtons), and in Fixed32 a fraction of "
-                  "the bound in Q1.31 as Absorber::Value{raw}");
+                  "step({..}): a number in braces, such as a converter's counts, is no sample. Pass "
+                  "FromCounts(counts), sample_of(newtons), or in Fixed32 Value{raw}, a fraction of the bound");
     static_assert(is_sample || !is_of_another,
                   "a sample of another quantity: of a force take FromCounts<Absorber>, of a base's acceleration "
                   "FromCounts<Absorber, Quantity::base_acceleration>");
     static_assert(is_sample || is_in_braces || is_of_another,
-                  "a sample of another type than the format's: pass step(absorber.sample_of(newtons)), of a base "
-                  "step(absorber.base_sample_of(acceleration)), a converter's counts through FromCounts "
-                  "(converter.hpp), a float in Float32 and Float32Plain, or in Fixed32 a fraction of the bound in "
-                  "Q1.31 as Absorber::Value{raw}");
+                  "a sample of another type than the format's. Pass sample_of(newtons), base_sample_of(acceleration), "
+                  "FromCounts(counts), a float in Float32, or in Fixed32 Value{raw}, a fraction of the bound");
   }
 
-  // Records that depend on the plan start again.
+  // Restarts a feature whose records depend on the plan.
   template <class Feature>
   constexpr void restart() {
     if constexpr (!__is_base_of(ScenePart, Feature) && Feature::is_bound) {
@@ -474,7 +472,7 @@ class AbsorberOf
     now.is_touching = is_touching();
   }
 
-  // A kept force's share of the displacement that the coming step makes: along x, as displacements count.
+  // The share of a force that the contact keeps in the displacement of the coming step, along x.
   constexpr Value carried(typename Format::Gain share) const {
     return plan.units.as_displacement(mirrored(share * Machine::state.contact.force, Machine::contact_is_left()));
   }

@@ -15,9 +15,10 @@
 // its own quantity only. With a plan AtRunTime the units are the plan's: to_dac(dac, plan). A ToCounts of the absorber
 // belongs to the context that steps, one of a snapshot to any.
 //
-// Out, the result is the nearest count, clamped to the converter's ends. In, it is within 2^-29 of the unit (Fixed32)
-// or 2^-22 of itself, and in Fixed32 counts are clamped 2^-28 of the unit below it. Ends and counts lie less than 2^31
-// counts from zero. A `constexpr` converter in whose end is more than its quantity's bound does not compile.
+// Out, the result is the nearest count, clamped to the converter's ends. In, the error is at most 2^-29 of the unit in
+// Fixed32 and 2^-22 of the value in floating point. In Fixed32 counts are clamped at 2^-28 of the unit below it. Ends
+// and counts must be less than 2^31 counts from zero. A `constexpr` FromCounts whose end is more than the bound of its
+// quantity does not compile.
 
 #include <stdint.h>
 
@@ -29,11 +30,11 @@
 
 namespace impact {
 
-// What the circuit does.
+// The characteristic of a converter's circuit.
 struct Converter {
   int32_t zero;               // counts at 0 of the quantity
   double counts_per_si_unit;  // not 0; negative if it counts backwards
-  int32_t least, most;        // the ends, counts; least <= most
+  int32_t least, most;        // smallest and largest count; least <= most
 };
 
 namespace detail {

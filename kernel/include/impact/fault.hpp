@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Why a state is no longer valid. The first fault stays until clear_fault() or reset(). The kernel goes on from a state
-// that is clamped at its bounds (StateLimits, numeric/units.hpp). The state is always finite, and no step takes longer
-// for it. A value that is no number becomes 0.
+// Why a state is no longer valid. The first fault remains until clear_fault() or reset(). The kernel continues from a
+// state that is clamped at its bounds (StateLimits, numeric/units.hpp). The state is always finite; a value that is no
+// number becomes 0. A fault makes no step longer.
 //
 // A step that clamps a displacement or a speed ends the contact under way, and features do not record it. A sample
 // beyond its bound is clamped there. Of a sample that is no number, a force is replaced by the one before and an

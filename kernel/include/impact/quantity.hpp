@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a native number is of.
+// The quantities, and native numbers that carry theirs.
 
 #include <stdint.h>
 
@@ -16,8 +16,8 @@ enum class Quantity {
   base_acceleration,  // in: the sample of BaseAcceleration
 };
 
-// A native number that says what it is of, and whether it was clamped to its bound; a number like others but for
-// step().
+// A native number with its quantity, and whether it was clamped to its bound. Only step() makes a difference between it
+// and a plain number.
 template <Quantity, class Value, bool is_class = __is_class(Value)>
 struct Native {
   Value value;
@@ -30,7 +30,7 @@ struct Native<quantity, Value, true> : Value {
 };
 
 namespace detail {
-// Whether a sample may be given for this quantity: one of it, or a native number that does not say.
+// True for a sample of this quantity, or for a plain native number.
 template <class Sample, class Value, Quantity quantity>
 inline constexpr bool is_sample = false;
 template <class Value, Quantity quantity>
@@ -41,7 +41,7 @@ template <class Sample>
 inline constexpr bool is_native = false;
 template <Quantity quantity, class Value>
 inline constexpr bool is_native<Native<quantity, Value>> = true;
-// What braces around a number make: step({counts}).
+// The type of a number in braces: step({counts}).
 struct InBraces {
   int32_t number;
 };

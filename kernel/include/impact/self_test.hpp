@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Whether this compiler, its flags and this processor compute what was proved: 400 steps of the paper's scene at 1 ms,
-// with its first impacts, against the bits that every target has. What no header can see fails here, such as
-// -ffp-contract=fast where there is a fused multiply-add, a root that rounds otherwise, or memory that does not hold.
-// Of values: on a big-endian core too.
+// True if compiler, flags and processor give the bits of every target: 400 steps of the paper's scene at 1 ms, with its
+// first impacts. It fails where no header can see the fault: -ffp-contract=fast with a fused multiply-add, a square
+// root that rounds differently, damaged memory. It compares values, so it also works on a big-endian core.
 //
 //     int main() {
 //       if (!impact::self_test<Absorber::Format>()) stop();    // before the first step
 //
-// ROM and stack only. It is an absorber of its own, so that it costs about what one costs, once: see the manual.
+// It needs flash and stack, no RAM. It has an absorber of its own, which costs about as much flash as one: the manual
+// has figures.
 
 #include <stdint.h>
 

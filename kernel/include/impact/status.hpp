@@ -36,14 +36,14 @@ enum class PlanStatus : uint8_t {
   gravity,
   base_acceleration_bound,
   ball_friction,
-  gravity_not_named,  // stated, but its part is not among the absorber's
+  gravity_not_named,  // gravity is stated, but Gravity is not among the absorber's parts
   base_acceleration_not_named,
   ball_friction_not_named,
-  stop_out_of_reach,         // no ball within Bounds::displacement meets one
-  contact_damping_unstated,  // of a stiffness or a law that is not the default
+  stop_out_of_reach,         // no ball within Bounds::displacement reaches a stop
+  contact_damping_unstated,  // required, because contact_stiffness or the law is not the default
 };
 
-// What is allowed, both ends included.
+// The allowed values, both ends included.
 struct Range {
   double least, most;
   constexpr bool holds(double x) const { return x >= least && x <= most; }  // false for a NaN
@@ -60,18 +60,17 @@ inline constexpr Range damping_ratio_range{0, 100};             // c1 v0/k1 of a
 inline constexpr Range bound_range = displacement_bound_range;  // of a speed and a penetration as well
 inline constexpr Range step_range{1e-9, 0.1};                   // s
 
-// A slower drive turns by less than 2^-24 rad a step, of which an oscillator's curvature keeps fewer than 15 bits.
+// rad/s. A slower drive turns by less than 2^-24 rad per step, and fewer than 15 bits of its curvature are left.
 constexpr double slowest_drive(double step) { return 0x1p-24 / step; }
 
-// Of a Hooke-Newton stop: ten times the critical 2 sqrt(k1 mu), where the restitution, about 1/400, is less than
-// a scene may state. More is another law's c1.
+// Of a Hooke-Newton stop, N s/m: ten times the critical damping 2 sqrt(k1 mu). The restitution there is about 1/400,
+// less than a scene may state. A larger c1 is that of another law.
 constexpr double largest_linear_damping(const Scene& scene) {
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
   return 20 * constant::square_root(scene.contact_stiffness * mu);
 }
 
-// The longest step, s: 0.1, three radians of the drive, and `phase` radians of the main mass's own vibration, whose
-// damping must not decay faster than in one step either.
+// The longest step, s: at most 0.1 s, 3 rad of the drive, `phase` rad of the main mass's own vibration, and M/c.
 constexpr double longest_step(const Scene& scene, double phase) {
   double h = step_range.most;
   const double pulsation = constant::square_root(scene.main_stiffness / scene.main_mass);
@@ -81,7 +80,7 @@ constexpr double longest_step(const Scene& scene, double phase) {
   return h;
 }
 
-// The first value out of its own range.
+// The status of the first value that is outside its range.
 #define IMPACT_CHECK(name, least, most, unit, status, ...) \
   if (!Range{least, most}.holds(values.name)) return PlanStatus::status;
 constexpr PlanStatus out_of_range(const Scene& values) {
@@ -101,7 +100,7 @@ constexpr PlanStatus status_of(const Scene& scene, double step, double phase) {
   return PlanStatus::ok;
 }
 
-// x2 - x1 of two masses within their bounds reaches half of it.
+// m. The ball reaches a stop at x2 - x1 = clearance/2, and two masses within their bounds are at most 2 bounds apart.
 constexpr double largest_clearance(const Bounds& bounds) { return 4 * bounds.displacement; }
 
 constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
@@ -115,8 +114,8 @@ constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
   return PlanStatus::ok;
 }
 
-// In fixed point: c1/k1 times the speed, or the penetration into a stop far softer than the main spring, is too large
-// beside the rest.
+// In fixed point: c1/k1 times the speed is too large, or the penetration into a stop that is far softer than the main
+// spring.
 constexpr PlanStatus status_of(Overflow overflow) {
   return overflow == Overflow::force         ? PlanStatus::speed_bound
          : overflow == Overflow::penetration ? PlanStatus::contact_stiffness
@@ -124,7 +123,7 @@ constexpr PlanStatus status_of(Overflow overflow) {
                                              : PlanStatus::ok;
 }
 
-// Against the steps with which a stepper is right, see law/resolution.hpp.
+// Compares a step with those that a stepper allows, law/resolution.hpp.
 constexpr PlanStatus status_of(const Range& steps, double step) {
   if (!(steps.most > 0)) return PlanStatus::contact_time;
   return steps.holds(step) ? PlanStatus::ok : PlanStatus::steps_per_contact;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a rig that cannot be planned says to its compiler: one message, that names the value and its range (status.hpp).
-// Where a range depends on the scene, its end stands in the name of the template just above or below the message.
+// The compiler's message for a rig that cannot be planned: one message, which names the value and its range
+// (status.hpp). Where a range depends on the scene, its end is in the template's name next to the message.
 
 #include <stdint.h>
 
@@ -16,22 +16,21 @@ template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct Step {
   static_assert(
       is_in_range,
-      "Rig::step: from 1e-9 s to the longest_step_in_nanoseconds named here. That is the least of 0.1 s, 3 rad of "
-      "the drive, and what the stepper allows of the main mass's own vibration and damping");
+      "Rig::step: from 1e-9 s to the longest_step_in_nanoseconds named here. Drive, main spring, main damper and 0.1 s "
+      "limit it");
 };
 template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct StepsPerContact {
   static_assert(is_in_range,
-                "Rig::step: too few steps per contact for this stepper. It takes steps up to the "
-                "longest_step_in_nanoseconds named here, in angle brackets: for impacts at twice Bounds::speed and as "
-                "deep as Bounds allow. impact::Chosen<> is the stepper of the rule");
+                "Rig::step: too few steps per contact for this stepper. It takes at most the "
+                "longest_step_in_nanoseconds named here, for impacts at 2 Bounds::speed. Or name impact::Chosen<>");
 };
 
 template <int64_t largest_clearance_in_micrometres, bool is_in_range>
 struct StopInReach {
   static_assert(is_in_range,
-                "Rig::scene.clearance: no ball within Bounds::displacement reaches a stop; in metres, up to the "
-                "largest_clearance_in_micrometres named here, or scene.stops = impact::Stops::none");
+                "Rig::scene.clearance: no ball within Bounds::displacement reaches a stop. It is in m, up to the "
+                "largest_clearance_in_micrometres named here. Without stops state Stops::none");
 };
 
 template <class Rig, class PlanType, PlanStatus status>
@@ -47,53 +46,56 @@ constexpr bool accepts() {
 #undef IMPACT_SAY
 #undef IMPACT_SAY_BOUND
   static_assert(status != PlanStatus::contact_damping_unstated,
-                "Rig::scene.contact_damping is not stated, and its default is of HuntCrossley with the default "
-                "contact_stiffness: state c1, in N s/m for HookeNewton and N s/m^(5/2) for HuntCrossley, which "
-                "impact-sim --restitution finds");
+                "Rig::scene.contact_damping is not stated, and its default belongs to HuntCrossley with the default "
+                "contact_stiffness. State c1; impact-sim --restitution computes it");
   // Within their own ranges, it is the values together that leave no room.
   constexpr PlanStatus together =
       status == out_of_range(Rig::scene) || status == out_of_range(Rig::bounds) ? PlanStatus::ok : status;
-  static_assert(together != PlanStatus::clearance,
-                "Rig::scene.clearance: 0 to 1e12 m, with weight, a shaken base or friction more than "
-                "4 * Bounds::speed * step");
-  static_assert(together != PlanStatus::contact_stiffness,
-                "Rig::scene.contact_stiffness: in Fixed32 its force at the bounds is below the resolution: take a "
-                "longer step, tighter Bounds or Float32");
-  static_assert(together != PlanStatus::contact_damping,
-                "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m");
+  static_assert(
+      together != PlanStatus::clearance,
+      "Rig::scene.clearance: 0 to 1e12 m, and more than 4 * Bounds::speed * step with weight, a shaken base or "
+      "friction");
+  static_assert(
+      together != PlanStatus::contact_stiffness,
+      "Rig::scene.contact_stiffness: Fixed32 cannot resolve such a stop with this step and these Bounds. Take "
+      "another step, most often a longer one, or Float32; impact-sim says the range");
+  static_assert(
+      together != PlanStatus::contact_damping,
+      "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m. State at "
+      "most 20 sqrt(k1 m M/(m + M))");
   static_assert(together != PlanStatus::restitution,
                 "Rig::scene.restitution: 0.01 to 1, and within the law's own range");
   static_assert(together != PlanStatus::drive_pulsation,
                 "Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s");
   static_assert(together != PlanStatus::initial_displacement,
-                "Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop than motion within Bounds leads "
-                "to");
+                "Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop than Bounds allow");
   static_assert(together != PlanStatus::displacement_bound,
-                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements, and in Fixed32 small "
-                "enough beside Bounds::speed that it resolves the spring's force and the penetrations");
+                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements. In Fixed32 a smaller one "
+                "resolves spring force and penetration");
   static_assert(together != PlanStatus::speed_bound,
-                "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, and in Fixed32 with c1/k1 times "
-                "it below 2^20");
+                "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, and in Fixed32 below 2^20 k1/c1");
   static_assert(together != PlanStatus::penetration_bound,
-                "Bounds::penetration: 0, which leaves it to the others, or 1e-9 to 1e6 m");
-  static_assert(together != PlanStatus::gravity,
-                "Rig::scene.gravity: -1e6 to 1e6 m/s^2, and in Fixed32 not so large beside Bounds that its unit no "
-                "longer resolves a displacement per step");
+                "Bounds::penetration: 1e-9 to 1e6 m, or 0, where the other bounds determine it");
+  static_assert(
+      together != PlanStatus::gravity,
+      "Rig::scene.gravity: -1e6 to 1e6 m/s^2. In Fixed32 it is too large for these Bounds: take a shorter step");
   static_assert(together != PlanStatus::base_acceleration_bound,
-                "Bounds::base_acceleration: 0 to 1e6 m/s^2, and in Fixed32 not so large beside the other Bounds that "
-                "its unit no longer resolves a displacement per step");
-  static_assert(together != PlanStatus::ball_friction,
-                "Rig::scene.ball_friction: 0 to 1e9 N. A step of it changes the sliding by no more than twice "
-                "Bounds::speed and, in Fixed32, by no less than 64 LSBs of its rate");
+                "Bounds::base_acceleration: 0 to 1e6 m/s^2. In Fixed32 it is too large for the other Bounds: take a "
+                "shorter step");
+  static_assert(
+      together != PlanStatus::ball_friction,
+      "Rig::scene.ball_friction: 0 to 1e9 N. In a step it may change the sliding speed by up to 2 Bounds::speed, "
+      "and in Fixed32 by 64 LSBs or more");
   static_assert(status != PlanStatus::gravity_not_named,
                 "Rig::scene.gravity is stated: append Gravity (or BaseAcceleration) to the absorber's type");
   static_assert(status != PlanStatus::base_acceleration_not_named,
                 "Rig::bounds.base_acceleration is stated: append BaseAcceleration to the absorber's type");
   static_assert(status != PlanStatus::ball_friction_not_named,
                 "Rig::scene.ball_friction is stated: append DryFriction to the absorber's type");
-  static_assert(status != PlanStatus::ok || PlanType::LawType::is_damped_per_impact || !(Rig::scene.restitution < 1),
-                "Rig::scene.restitution is stated, but this law does not read it: take Exact or another law of "
-                "law/per_impact.hpp, or state contact_damping, which impact-sim --restitution finds");
+  static_assert(
+      status != PlanStatus::ok || PlanType::LawType::is_damped_per_impact || !(Rig::scene.restitution < 1),
+      "Rig::scene.restitution is stated, but this law does not read it. Take Exact, or state contact_damping, "
+      "which impact-sim --restitution computes");
   // The other way round: a part without its value.
   static_assert(!PlanType::FieldType::is_field || PlanType::FieldType::is_sampled || Rig::scene.gravity != 0,
                 "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2");
@@ -105,7 +107,7 @@ constexpr bool accepts() {
   static_assert(
       !PlanType::FrictionType::is_friction || status == PlanStatus::ball_friction || Rig::scene.ball_friction > 0,
       "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
-  // A spring that weight stretches beyond the bounds: wherever it starts, the main mass leaves them.
+  // Weight stretches the spring beyond the bounds: the main mass leaves them wherever it starts.
   constexpr bool is_carried =
       PlanType::FieldType::is_sampled || PlanType::DriveType::is_sampled || !(Rig::scene.main_stiffness > 0);
   static_assert(!PlanType::FieldType::is_field || is_carried || status != PlanStatus::ok ||
@@ -113,7 +115,7 @@ constexpr bool accepts() {
                         Rig::scene.main_stiffness * Rig::bounds.displacement,
                 "Bounds::displacement: no less than main_mass * gravity / main_stiffness, where the main mass hangs");
   static_assert(status != PlanStatus::contact_time,
-                "Rig::scene: a contact lasts too long for this stepper, whatever the step: take impact::Chosen<>");
+                "Rig::scene: a contact lasts too long for this stepper at any step. Take impact::Chosen<>");
 
   using Stepper = typename PlanType::StepperType;
   using ContactLaw = typename PlanType::LawType;

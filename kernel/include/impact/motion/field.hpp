@@ -6,9 +6,9 @@
 //     Gravity             a = Scene::gravity
 //     BaseAcceleration    a = Scene::gravity - the base's acceleration, a sample per step, linear between samples
 //
-// Exact with the exact flow. In a sampled field the state keeps X = x - a h^2/6, of which a free flight is
-// X' = X + w, w' = w + h^2 a1. A sample becomes h^2 a as it comes, in Fixed32 rounded down by less than 2^-28 of the
-// largest, for both masses alike. Derivation: docs/flight.md.
+// With the exact flow it is exact. In a sampled field the state keeps X = x - a h^2/6; a free flight is then X' = X +
+// w, w' = w + h^2 a1. A sample is converted to h^2 a at once. Fixed32 rounds it down by less than 2^-28 of the largest
+// sample, the same for both masses. Derivation: docs/flight.md.
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/scene_part.hpp>
@@ -17,7 +17,7 @@
 
 namespace impact {
 
-// A main mass's response to a force is flow's; the ball's is that of a free mass under the same stepper.
+// The main mass responds to a force by its flow, the ball like a free mass under the same stepper.
 template <class Stepper>
 constexpr LinearFlow flow_of_ball(const Scene& scene, double h) {
   Scene ball{};
@@ -26,7 +26,7 @@ constexpr LinearFlow flow_of_ball(const Scene& scene, double h) {
   return Stepper::flow(ball, h);
 }
 
-// Without samples a position is kept as it is.
+// Without samples the state keeps positions as they are.
 struct UnsampledField {
   static constexpr bool is_sampled = false;
 
@@ -66,8 +66,8 @@ struct NoField : UnsampledField {
   }
 };
 
-// What a field has its shares in, by its size: of the displacement that the coming step will make, the main mass's, the
-// ball's and the ball's less the main mass's, as penetrations count; and the same for a change of plan.
+// The shares of a field, by its size, in the displacement of the coming step: the main mass's, the ball's, and the
+// ball's less the main mass's, in the unit of penetrations. The same for a change of plan.
 template <class Own>
 struct FieldShares {
   template <class Plan, class State>
@@ -92,7 +92,7 @@ struct FieldShares {
   }
 };
 
-// The size of a field that is always the same: its shares are what they are.
+// The size of a constant field, whose shares are constants.
 struct Whole {
   template <class Value>
   friend constexpr Value operator*(Value share, Whole) {
@@ -147,7 +147,7 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
   [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State&, Value) {
     return plan.field.main_increment;
   }
-  // The ball's free flight; then its way and what it added to dx2.
+  // The ball's free flight, and then its way and the change of dx2.
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value) {
     state.x2.advance(state.dx2);
@@ -167,14 +167,13 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
   }
 };
 
-// A sample is m/s^2 in a floating-point format, and a fraction of Bounds::base_acceleration in Q1.31 in fixed point, of
-// which every value is good. In m/s^2 it must be a number within Bounds::base_acceleration. The sample before the first
-// is 0.
+// In a floating-point format a sample is in m/s^2; it must be a number within Bounds::base_acceleration. In fixed point
+// it is a fraction of that bound in Q1.31, where every value is valid. The sample before the first is 0.
 struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   static constexpr uint32_t kind = 6;
   static constexpr bool is_field = true, is_sampled = true;
 
-  // The acceleration a counts as h^2 a, what it adds to dx2 in a step, in a unit of its own.
+  // The acceleration a is stored as h^2 a, its change of dx2 in a step, in a unit of its own.
   template <class Format>
   struct FieldPlan {
     using Value = typename Format::Value;
@@ -183,7 +182,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
       bool has_gravity, acts_at_once;
       decltype(Format::fraction(Gain{}, 0)) by_sample;
       Value gravity, largest_base;
-      Gain at_once, before, now;  // what samples add to the main mass: x1 as they come, then dx1
+      Gain at_once, before, now;  // shares of samples in the main mass: in x1 at once, then in dx1
       Gain main_rate, ball_rate, rate_apart, ahead, behind;
       Gain offset;                     // x - X
       int state_bits, increment_bits;  // to the units of states and increments
@@ -229,7 +228,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   static constexpr double largest(const Scene& scene, const Bounds& bounds) {
     return constant::magnitude(scene.gravity) + bounds.base_acceleration;
   }
-  // s^2: what a sample adds to X1 at once.
+  // s^2: the immediate share of a sample in X1.
   template <class Units>
   static constexpr double at_once(const Scene& scene, const Bounds& bounds, const LinearFlow& main,
                                   const LinearFlow& ball, const UnitExponents& unit) {
@@ -256,7 +255,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   static constexpr bool accepts(const Plan& plan, Value sample) {
     return Plan::FormatType::is_within(sample, plan.field.largest_base);
   }
-  // What stands for a sample that is not accepted: the bound, or 0 for no number.
+  // Replaces a sample that is not accepted: by the bound, or by 0 for what is no number.
   template <class Plan, class Value>
   static constexpr Value clamped(const Plan& plan, Value sample) {
     return Plan::FormatType::clamped_to(sample, plan.field.largest_base, Value{});
@@ -267,7 +266,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     return plan.field.has_gravity ? by_base + plan.field.gravity : by_base;
   }
 
-  // A position, of what is kept in its stead.
+  // The position x for a number X of the state.
   template <class Plan, class State, class Long>
   static constexpr Long position(const Plan& plan, const State& state, Long x) {
     plan.units.add(x, plan.field.offset * state.by_field);
@@ -277,7 +276,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   static constexpr auto size(const State& state) {
     return state.by_field;
   }
-  // What the sample at the end of the step adds at once to the main mass's displacement, if anything.
+  // The immediate share of the sample at the step's end in the main mass's displacement, if there is one.
   template <class Plan>
   [[gnu::always_inline]] static constexpr bool acts_at_once(const Plan& plan) {
     return plan.field.acts_at_once;

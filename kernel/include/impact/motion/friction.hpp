@@ -10,8 +10,8 @@
 //     |y - y0| <= r        it sticks             p = y: no way at all
 //     otherwise            it slides back        p = (1 - z) r - z r        z = (r - y)/(y0 + r - y)
 //
-// Exact while the ball slides; second order where sliding begins, turns or ends. Its work is never positive where the
-// ball has slid on until then; a ball at rest under a changing load gets and gives up to R^2 h^2/8 (1/m + 1/M).
+// It is exact while the ball slides, and of second order where sliding begins, turns or ends. After a step of sliding
+// its work is never positive. A ball at rest under a changing load exchanges up to R^2 h^2/8 (1/m + 1/M).
 // Derivation: docs/flight.md.
 
 #include <impact/motion/linear_flow.hpp>
@@ -29,8 +29,8 @@ struct NoFriction {
   struct FrictionPlan {};
 };
 
-// Beside an EnergyLedger: the way that has been slid, which times R is what friction has dissipated. It counts like a
-// penetration.
+// With an EnergyLedger: the way that the ball has slid, in the unit of penetrations. Times R it is the energy that
+// friction has dissipated.
 template <class Format, bool is_counted>
 struct SlidWay {};
 template <class Format>
@@ -42,7 +42,7 @@ struct DryFriction : ScenePart {
   static constexpr uint32_t kind = 7;  // a saved state is of one list of features
   static constexpr bool is_friction = true;
 
-  // Impulses count as what they do to y, in the unit of penetrations.
+  // Impulses are stored as their change of y, in the unit of penetrations.
   template <class Format>
   struct FrictionPlan {
     using Value = typename Format::Value;
@@ -50,7 +50,7 @@ struct DryFriction : ScenePart {
     using Long = typename Format::Long;
     struct {
       Value full;                       // r
-      Value lasting;                    // as positions count: where y is more, the ball slides on
+      Value lasting;                    // in the unit of positions: if y is more, the ball slides on
       Gain main_share;                  // of an impulse, in dx1
       Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
       Gain main_rate_ahead;             // the same in h v1
@@ -61,11 +61,11 @@ struct DryFriction : ScenePart {
       double force;                     // R, N
     } friction;
   };
-  // m/N: what a constant force between the masses adds to y in a step.
+  // m/N: the change of y by a constant force between the masses in a step.
   static constexpr double increment(const LinearFlow& main, const LinearFlow& ball) {
     return main.constant_increment() + ball.constant_increment();
   }
-  // `at_once`: what a sample may add to y at once, m.
+  // `at_once`: the largest immediate share of a sample in y, m.
   template <class Format, class Units>
   static constexpr FrictionPlan<Format> make_plan(const Scene& scene, const LinearFlow& main, const LinearFlow& ball,
                                                   double at_once, const UnitExponents& unit, const Units& units) {
@@ -89,7 +89,7 @@ struct DryFriction : ScenePart {
     typename Format::Value impulse;              // the last one
     typename Format::Value lasting;              // where y is more in the same direction, the sliding goes on
   };
-  // A push goes up to the fastest way in a step of the ball beside the main mass.
+  // A push is at most the largest relative way of ball and main mass in a step.
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
     const auto most = plan.units.limits.way + plan.units.limits.way;
@@ -98,13 +98,13 @@ struct DryFriction : ScenePart {
            plan.units.is_sound(state.impulse) && Plan::FormatType::is_sound(state.lasting);
   }
 
-  // What the last impulse works against: the rate of sliding, and since spring and damper act while a force does, a
-  // little of the main mass's own.
+  // The rate that the last impulse works against: the rate of sliding and a small share of the main mass's own, since
+  // spring and damper act meanwhile.
   template <class Plan, class Value>
   static constexpr Value rubbing_rate(const Plan& plan, Value sliding, Value main) {
     return sliding - plan.friction.excess * main;
   }
-  // Half of what the last impulse dissipates at such a rate, over R.
+  // Half of the energy that the last impulse dissipates at such a rate, over R.
   template <class Plan, class State, class Value>
   static constexpr auto dissipated(const Plan& plan, const State& state, Value rate) {
     using Format = typename Plan::FormatType;
@@ -113,14 +113,14 @@ struct DryFriction : ScenePart {
         is_full ? mirrored(Format::value(Format::constant(0.5)), back) : plan.friction.half_by_full * state.impulse,
         rate);
   }
-  // By how much the last impulse is more than a first one, from a rest of both or a sliding: that leaves no way at all
-  // by its half, if it can. `way` is y, with the last impulse.
+  // By how much the last impulse exceeds that of a first step, from rest or from sliding. The half of a first impulse
+  // leaves no way, if it can. `way` is y, with the last impulse.
   template <class Plan, class State, class Value>
   static constexpr Value excess(const Plan& plan, const State& state, Value way) {
     const Value free = way + plan.friction.main_ahead * state.impulse + plan.friction.ball_ahead * state.impulse;
     return state.impulse - within_full(plan, free + free);
   }
-  // Changes the last impulse to a first one and `excess`.
+  // Changes the last impulse to that of a first step plus `excess`.
   template <class Plan, class State, class Value>
   static constexpr void begin(const Plan& plan, State& state, Value way, Value excess) {
     const Value change =
@@ -129,21 +129,21 @@ struct DryFriction : ScenePart {
     state.impulse = state.impulse + change;
     state.lasting = never<Plan>();
   }
-  // The state without what the last impulse has taken ahead.
+  // Removes from the state what the last impulse has already taken for the coming step.
   template <class Plan, class State>
   static constexpr void undo(const Plan& plan, State& state) {
     move_masses(plan, state, -state.impulse);
     state.impulse = {};
   }
 
-  // After a step: whether the sliding goes on. `ball`: dx2, with what contact will add to it in the coming step.
+  // After a step: true if the sliding continues. `ball` is dx2 with contact's change in the coming step.
   template <class Plan, class State, class Long>
   [[gnu::always_inline]] static constexpr bool slides_on(const Plan& plan, State& state, Long ball) {
     if (!plan.units.is_beyond(state.dx1, ball, state.ball_push, state.lasting)) return false;
     push(state, state.main_push, state.ball_push);
     return true;
   }
-  // Which impulses may be: any; and after a sudden contact those that take energy at the rubbing rate that it has left.
+  // The permitted impulses: any, but after a sudden contact only those that take energy at the rate that it has left.
   struct Any {};
   template <class Value>
   struct Passive {
@@ -186,7 +186,7 @@ struct DryFriction : ScenePart {
       set(plan, state, clamped(allowed, way));
     }
   }
-  // The full impulse, on and on.
+  // The full impulse in every step, while the ball slides.
   template <class Plan, class State>
   [[gnu::always_inline]] static constexpr void slide(const Plan& plan, State& state, bool back) {
     state.main_push = mirrored(plan.friction.main_sliding, back);
@@ -216,7 +216,7 @@ struct DryFriction : ScenePart {
   static constexpr Value within_full(const Plan& plan, Value impulse) {
     return clamped(Passive<Value>{-plan.friction.full, plan.friction.full}, impulse);
   }
-  // By half a step of this impulse.
+  // Changes the state by half a step of this impulse.
   template <class Plan, class State, class Value>
   static constexpr void move_masses(const Plan& plan, State& state, Value impulse) {
     plan.units.displace(state.dx1, plan.friction.main_ahead, impulse);
@@ -226,7 +226,7 @@ struct DryFriction : ScenePart {
   static constexpr auto never() {
     return Plan::FormatType::largest_sample(1e30);
   }
-  // No way at all.
+  // The impulse that leaves no way.
   template <class Plan, class State, class Value, class Long>
   [[gnu::always_inline]] static constexpr void stick(const Plan& plan, State& state, Value way, Long ahead) {
     const Long main = plan.units.part(plan.friction.main_share, ahead, plan.friction.spare_bits);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Going on under another plan without a jump: positions, velocities and the drive's phase stay as they are. The main
-// mass's displacement in the coming step changes, because spring, damper and drive take part in it. With the map of
+// A change of plan without a jump: positions, velocities and the drive's phase stay as they are. The main mass's
+// displacement in the coming step changes, because it contains shares of spring, damper and drive. With the map of
 // linear_flow.hpp and the drive's share P,
 //
 //     ahead(old)  = h v1 - dx1 = (1/e12 - 1) dx1 - (e11/e12) x1 - P/e12
@@ -24,7 +24,7 @@ template <class Format, class Drive>
 struct Handover {
   using Gain = typename Format::Gain;
 
-  uint32_t units, contact;  // fingerprints of what a state and a contact under way count in (plan/identity.hpp)
+  uint32_t units, contact;  // fingerprints of the units of a state and of a contact under way (plan/identity.hpp)
   Gain ahead_by_dx1, ahead_by_x1, behind_by_u1, behind_by_x1;
   typename Drive::template Handover<Format> drive;
 
@@ -40,7 +40,7 @@ struct Handover {
   }
 };
 
-// The same motion in the numbers of another plan.
+// The same motion in another plan's units.
 template <class Plan, class State>
 constexpr void hand_over(const Plan& from, const Plan& to, State& state) {
   const auto x1 = from.units.position(state.x1);
@@ -51,7 +51,7 @@ constexpr void hand_over(const Plan& from, const Plan& to, State& state) {
                          drive.ahead);
   if constexpr (Field::is_field) {
     from.units.add(u1, -Field::ahead(from, state));
-    if constexpr (!Field::is_sampled) {  // a sample acts on the ball alike under both plans
+    if constexpr (!Field::is_sampled) {  // a sample acts on the ball the same under both plans
       from.units.add(state.dx2, -Field::ball_start(from, state));
       to.units.add(state.dx2, Field::ball_start(to, state));
     }

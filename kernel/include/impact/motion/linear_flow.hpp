@@ -6,7 +6,7 @@
 //     x'   = x + e11 x + e12 u + b0 F + b1 F'          u = h v, so that every term is a displacement in metres
 //     u'   = u + e21 x + e22 u + c0 F + c1 F'          F, F': the drive at the two ends of the step, N
 //
-// step as x' = x + w, w' = w - damping w - stiffness x' + s. And what every drive says of itself besides.
+// step as x' = x + w, w' = w - damping w - stiffness x' + s. Also the types that all drives share.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/oscillator.hpp>
@@ -20,8 +20,8 @@ struct DriveShares {
   Value ahead, behind;
 };
 
-// How a drive's force changes within a step, as what it adds to the displacement per step: what it adds as it is at the
-// step's end beyond what it does add, half of the change by the slope at the end, and half of the change itself.
+// How a drive's force changes within a step, as changes of the displacement per step. In this order: the share by the
+// force at the step's end less the true share; half of the change by the slope at the end; half of the change.
 template <class Value>
 struct DriveChange {
   Value to_end, half, half_chord;
@@ -35,13 +35,13 @@ struct LinearFlow {
 
   constexpr double stiffness() const { return e11 * e22 - e12 * e21; }
   constexpr double damping() const { return -(e11 + e22) - stiffness(); }
-  // What a constant force has in dx from the start, and what it adds to dx in a step, m/N.
+  // The share of a constant force in dx at the start, and its change of dx in a step, m/N.
   constexpr double constant_start() const { return b0 + b1; }
   constexpr double constant_increment() const { return e12 * (c0 + c1) - e22 * (b0 + b1); }
 };
 
-// What a force that is linear between samples does, m/N: the sample at a step's end to the displacement at once, and
-// the samples at both ends to dx.
+// The response to a force that is linear between samples, m/N: of the displacement to the sample at the step's end, and
+// of dx to the samples at both ends.
 struct SampledForce {
   double at_once, before, now;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The drive as one sample a step from the caller (an ADC reading), linear between samples: exact for the exact
-// flow. A sample is newtons in a floating-point format, and a fraction of Bounds::force in Q1.31 in fixed point, of
-// which every value is good. In newtons it must be a number within Bounds::force.
+// A drive of one sample per step from the caller, such as an ADC reading. It is linear between samples, and exact with
+// the exact flow. In a floating-point format a sample is in newtons; it must be a number within Bounds::force. In fixed
+// point it is a fraction of Bounds::force in Q1.31, where every value is valid.
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/formula.hpp>
@@ -60,11 +60,11 @@ struct Sampled {
     constexpr bool accepts(const Plan<Format>& plan, typename Format::Value next) const {
       return Format::is_within(next, plan.largest);
     }
-    // What stands for a sample that is not accepted: the bound, or for no number the sample before.
+    // Replaces a sample that is not accepted: by the bound, or by the sample before for what is no number.
     constexpr typename Format::Value clamped(const Plan<Format>& plan, typename Format::Value next) const {
       return Format::clamped_to(next, plan.largest, sample);
     }
-    // What the sample at the end of the step adds at once to the displacement.
+    // The immediate share of the sample at the step's end in the displacement.
     constexpr typename Format::Value at_once(const Plan<Format>& plan, typename Format::Value next) const {
       return plan.at_once * next;
     }
@@ -74,9 +74,9 @@ struct Sampled {
       return increment;
     }
     constexpr typename Format::Value rate(const Plan<Format>& plan) const { return plan.rate * sample; }
-    // What must be kept of the step's start for change().
+    // Returns what change() needs of the step's start.
     constexpr typename Format::Value before() const { return sample; }
-    // Of the last step.
+    // The change of the drive in the last step.
     constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, typename Format::Value last) const {
       const auto half_change = plan.increment_throughout * (Format::value(half(sample)) - Format::value(half(last)));
       return {plan.increment_before * sample - plan.increment_before * last, half_change, half_change};

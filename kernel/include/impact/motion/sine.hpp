@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The drive F0 sin(w t), t = 0 at the start. Its part of the main mass's motion over a step is a sinusoid too, of known
-// amplitude and phase, so that one oscillator serves. With its value s = S sin(psi), the value s- of the step before
-// and the turn w h, any other sinusoid P of the same pulsation, the drive's part in the velocity or the force itself,
-// is
+// The drive F0 sin(w t), t = 0 at the start. Its share in the main mass's motion over a step is a sinusoid of known
+// amplitude and phase, so one oscillator suffices. It has the value s = S sin(psi), the value s- in the step before,
+// and the turn w h. Any other sinusoid P of that angular frequency, such as the drive's share in the velocity or the
+// force itself, is
 //
 //     P = by_value s + by_slope (s - s-)        by_slope = across/sin(w h), by_value = along - by_slope (1 - cos(w h))
 //
@@ -73,7 +73,7 @@ struct Sine {
     return plan;
   }
 
-  // By sine and cosine of the drive's phase w t, each in halves.
+  // From sine and cosine of the drive's phase w t, each in halves.
   template <class Format>
   struct Handover {
     typename Format::Gain cosine_by_value, cosine_by_slope;
@@ -110,22 +110,22 @@ struct Sine {
     typename Format::Oscillator oscillator;
 
     static constexpr State start(const Plan<Format>& plan) { return {Format::Oscillator::start(plan.oscillator)}; }
-    // What the drive adds to the displacement per step; moves on to the end of the step.
+    // Advances to the end of the step and returns the drive's change of the displacement per step.
     [[gnu::always_inline]] constexpr typename Format::Value advance(const Plan<Format>& plan) {
       const auto s = Format::reading(oscillator.value_head());
       oscillator.advance(plan.oscillator);
       return Format::moved_term(plan.increment, s);
     }
-    // The drive's share of the displacement that the coming step will make. (As a function of its own it would need
-    // the plan in memory.)
+    // The drive's share in the displacement of the coming step. It is inlined, because a function of its own would need
+    // the plan in memory.
     [[gnu::always_inline]] constexpr typename Format::Value rate(const Plan<Format>& plan) const {
       return plan.rate_by_value * Format::reading(oscillator.value_head()) +
              plan.rate_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
     }
-    // What must be kept of the step's start for change().
+    // Returns what change() needs of the step's start.
     struct Before {};
     constexpr Before before() const { return {}; }
-    // Of the last step.
+    // The change of the drive in the last step.
     [[gnu::always_inline]] constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan,
                                                                                 Before) const {
       const auto heads = oscillator.heads_before(plan.oscillator);
@@ -140,8 +140,8 @@ struct Sine {
              plan.force_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
     }
 
-    // On to another plan's oscillator at the same phase. sin^2 + cos^2 = 1 corrects the amplitude, so that it cannot
-    // wander over any number of changes.
+    // Changes to another plan's oscillator at the same phase. sin^2 + cos^2 = 1 corrects the amplitude, so that it does
+    // not drift over any number of changes.
     constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>& from, const Handover<Format>& out,
                                                             const Plan<Format>& to, const Handover<Format>& in) {
       using Value = typename Format::Value;

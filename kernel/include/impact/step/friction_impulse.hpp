@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Dry friction's impulse in a step (its physics: motion/friction.hpp): a whole one at the end of each step, after
-// flight or after contact, and half of one around a start, a correction or a change of plan. Compiles away without
-// DryFriction.
+// Dry friction's impulse in a step; motion/friction.hpp has its physics. Each step ends with a whole impulse, after
+// flight or contact. Around a start, a correction or a change of plan there is half of one. Without DryFriction all of
+// this compiles away.
 
 #include <impact/step/machine.hpp>
 
@@ -17,7 +17,7 @@ struct FrictionImpulse {
   using Value = typename Model::Value;
   using Long = typename Model::Long;
 
-  // A plan AtRunTime may have a friction of 0: then nothing is done, and the bits are those without DryFriction.
+  // False for a plan AtRunTime with a friction of 0: then nothing is done, and the bits are those without DryFriction.
   static constexpr bool acts([[maybe_unused]] const Model& m) {
     if constexpr (Friction::is_friction)
       return is_positive(m.plan.friction.full);
@@ -25,7 +25,7 @@ struct FrictionImpulse {
       return false;
   }
 
-  // The rate that friction works against.
+  // The rate of sliding that friction works against.
   static constexpr Value rubbing_rate(const Model& m) {
     Value main = m.plan.units.relative(m.state.dx1) + m.rate_ahead(), sliding = m.relative_rate(false);
     if constexpr (Contact::traits.keeps_force) {
@@ -44,7 +44,8 @@ struct FrictionImpulse {
     return Friction::dissipated(m.plan, m.state, rubbing_rate(m) + Format::value(half(more)));
   }
 
-  // The impulse whose half acts in the step ahead is `excess` more than a first one. Only its change is added.
+  // Half of the impulse acts in the coming step. The impulse exceeds that of a first step by `excess`; only its change
+  // is added.
   static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] Value excess = {}) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
@@ -52,8 +53,8 @@ struct FrictionImpulse {
       if constexpr (Model::counts_slid_way) m.state.slid.add(still_to_work(m));
     }
   }
-  // Before a change of the state or the plan, which start() follows: by how much the last impulse is more than a first
-  // one. A change of nothing then leaves it as it is.
+  // Call it before a change of the state or the plan, and start() after. It returns by how much the last impulse
+  // exceeds that of a first step, so that a change of nothing leaves the impulse as it is.
   static constexpr Value stop([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return {};
@@ -66,18 +67,18 @@ struct FrictionImpulse {
       return {};
     }
   }
-  // The state without what the last impulse has taken ahead.
+  // Removes from the state what the last impulse has already taken for the coming step.
   static constexpr void undo([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction)
       if (acts(m)) Friction::undo(m.plan, m.state);
   }
 
-  // The impulse of a step in which the ball has slid by `slid`, and slides on by `ahead` unless friction stops it.
+  // The impulse of a step in which the ball has slid by `slid`. Without friction it would slide by `ahead` in the next.
   template <class Allowed>
   [[gnu::noinline]] static constexpr void apply_anew(Model& m, Value slid, Long ahead, Allowed allowed) {
     Friction::rub(m.plan, m.state, slid, ahead, allowed);
   }
-  // The work of an impulse is at the mean of the rates before and after it: what both masses lose, exactly.
+  // The work of an impulse at the average of the rates before and after it: exactly what both masses lose.
   static constexpr void count_work(Model& m, Value rate_before) {
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rate_before));
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rubbing_rate(m)));
@@ -92,8 +93,8 @@ struct FrictionImpulse {
       apply_anew(m, m.way_flown(main_travel), m.way_ahead(), typename Friction::Any{});
     if constexpr (Model::counts_slid_way) count_work(m, rate);
   }
-  // And of one in which the ball has met a stop. Where it still touches it, contact will take as much of x2 - x1 in the
-  // coming step, `taken`, as it did in this one.
+  // At the end of a step in which the ball has met a stop. If it still touches, contact is assumed to take as much of
+  // x2 - x1 in the coming step as in this one, `taken`.
   [[gnu::always_inline]] static constexpr void after_contact(Model& m, Long flight, Long taken) {
     const Long slid = flight - taken;
     const bool touches = m.state.contact.phase != Phase::apart;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a step works on: the plan's constants and the state that a step changes. And what both say together: positions,
-// rates, which stop the ball would be in and how deep, and how a state beyond its range is clamped.
+// The plan's constants and the state that a step changes, with the functions of both: positions, rates, the stop that
+// the ball is in and how deep, and the clamping of a state that is out of range.
 //
-// `left` names the stop of which a function speaks; rates and depths are positive into that stop.
+// `left` selects the stop; rates and depths are positive into it.
 
 #include <stdint.h>
 
@@ -30,12 +30,12 @@ struct Machine : Source {
   using Value = typename Format::Value;
   using Long = typename Format::Long;
 
-  // Whether a feature records the steps in contact.
+  // True if a feature records the steps in contact.
   static constexpr bool records = (!__is_base_of(ScenePart, Features) || ...);
-  // Whether friction's work is counted: beside an EnergyLedger, or a feature derived from it.
+  // True if friction's work is counted: with EnergyLedger or a feature derived from it.
   static constexpr bool counts_slid_way = Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
 
-  // All that changes from step to step. Plain: it can be copied, kept and given back.
+  // All that changes from step to step. It is a plain struct, which can be copied and restored.
   struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
     // Of the main mass and of the ball: displacement, as position_of() reads it, and the displacement that the coming
     // step will make (motion/linear_flow.hpp).
@@ -56,11 +56,12 @@ struct Machine : Source {
   constexpr void record_step() { (Features::after_step(plan, state), ...); }
   constexpr void record_correction() { (Features::after_correction(plan, state), ...); }
 
-  // A position, of what the state keeps in its stead: in a sampled field less what the last sample gave at once.
+  // The position for a number of the state. In a sampled field the state has it without the immediate share of the last
+  // sample.
   constexpr Long position_of(Long x) const { return Field::position(plan, state, x); }
 
-  // h v1 less the displacement that the coming step will make, as penetrations count: what spring, damper, drive and
-  // field take of h v1, on average over that step.
+  // h v1 less the displacement of the main mass in the coming step, in the unit of penetrations. Spring, damper, drive
+  // and field take it from h v1, on average over that step.
   constexpr Value rate_ahead_without_field() const {
     Value ahead =
         plan.rate_by_dx1 * plan.units.displacement(state.dx1) + plan.rate_by_x1 * plan.units.position(state.x1);
@@ -82,7 +83,7 @@ struct Machine : Source {
     if (plan.left_stop && plan.right_stop) return plan.units.beyond_stops(x2, x1);
     return plan.left_stop ? plan.units.beyond_stop(x1, x2) : plan.units.beyond_stop(x2, x1);
   }
-  // The stop that the ball would be in: of two the one on its side.
+  // The stop that the ball would be in: of two stops, the one on its side.
   constexpr bool ball_is_left() const {
     return plan.left_stop && (!plan.right_stop || (state.x2 - state.x1).is_negative());
   }
@@ -91,14 +92,15 @@ struct Machine : Source {
   // from the only stop may seem deep inside it.)
   constexpr Value depth_beyond_stop() const { return is_beyond_stop() ? depth_in(ball_is_left()) : Value{}; }
 
-  // Adds to a way of the main mass what the samples at its end add at once; subtracts it from the ball's way beside it.
+  // Adds the immediate share of the samples at the step's end to a way of the main mass, or subtracts it from the
+  // ball's relative way.
   constexpr void add_at_once([[maybe_unused]] Long& way, [[maybe_unused]] Value force,
                              [[maybe_unused]] Value acceleration, [[maybe_unused]] bool is_ball) const {
     if constexpr (Drive::is_sampled) plan.units.add(way, mirrored(state.drive.at_once(plan.drive, force), is_ball));
     if constexpr (Field::is_sampled)
       if (Field::acts_at_once(plan)) plan.units.add(way, mirrored(Field::at_once(plan, acceleration), is_ball));
   }
-  // What the coming step adds to x2 - x1, as the last samples say.
+  // The change of x2 - x1 in the coming step, by the last samples.
   constexpr Long way_ahead() const {
     Long way = state.dx2 - state.dx1;
     Value force{}, acceleration{};
@@ -107,7 +109,7 @@ struct Machine : Source {
     add_at_once(way, force, acceleration, true);
     return way;
   }
-  // What a step's flight has added to x2 - x1.
+  // The change of x2 - x1 by a step's flight.
   constexpr Value way_flown(Long main_travel) const {
     return plan.units.travel(Field::ball_travel(plan, state), main_travel);
   }
@@ -115,14 +117,14 @@ struct Machine : Source {
   constexpr void raise(Fault fault) {
     if (state.fault == Fault::none) state.fault = fault;
   }
-  // What flight changes. The ball between two stops is where they are, which contact looks at.
+  // Clamps what flight changes. Between two stops the ball's position is checked by contact.
   [[gnu::always_inline]] constexpr bool flight_is_in_range() const {
     const auto& limits = plan.units.limits;
     return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.way) &&
            ((plan.left_stop && plan.right_stop) || plan.units.is_within(state.x2, limits.ball)) &&
            (!Field::is_field || plan.units.is_within(state.dx2, limits.way));
   }
-  // And what contact changes.
+  // Clamps what contact changes.
   [[gnu::always_inline]] constexpr bool contact_is_in_range() const {
     return flight_is_in_range() && (Field::is_field || plan.units.is_within(state.dx2, plan.units.limits.way));
   }
@@ -131,8 +133,8 @@ struct Machine : Source {
     return plan.units.is_within(any.x1, limits.main) && plan.units.is_within(any.dx1, limits.way) &&
            plan.units.is_within(any.x2, limits.ball) && plan.units.is_within(any.dx2, limits.way);
   }
-  // Of a state beyond a limit or, at a step's end, too deep in a stop, where the fault is all. Returns true if it
-  // clamped.
+  // Clamps a state beyond a limit, with a fault, and returns true if it did. For a ball that is too deep in a stop at a
+  // step's end it raises the fault only.
   [[gnu::noinline]] constexpr bool clamp() {
     const auto& units = plan.units;
     const auto& limits = units.limits;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Where a motion begins: the state before the first step, and the contact under way that a correction or a change of
-// plan finds.
+// How a motion begins: the state before the first step, and how a contact under way continues after a correction or a
+// change of plan.
 
 #include <impact/step/friction_impulse.hpp>
 #include <impact/step/machine.hpp>
@@ -19,7 +19,7 @@ struct Restart {
   static constexpr Standing<Value> standing(const Model& m, bool left) {
     const Value in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), left);
     const auto &x1 = m.state.x1, &x2 = m.state.x2;
-    // Exact on both sides: mirrored() of a state may be one LSB off.
+    // Exact on both sides, whereas mirrored() of a state may be one LSB off.
     return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1), m.relative_rate(left), in_half_a_step + in_half_a_step};
   }
 
@@ -43,8 +43,8 @@ struct Restart {
     m.start_features();
   }
 
-  // Goes on with a contact at its present penetration: after a correction with the load that it has, and its damping up
-  // to what a step tolerates; under another plan as a contact that begins there.
+  // Continues a contact at its present penetration. After a correction it keeps its load, and its damping is clamped to
+  // what a step tolerates. Under another plan it continues like a contact that begins there.
   static constexpr void resume_contact(Model& m, bool is_same_plan) {
     const auto& units = m.plan.units;
     auto& state = m.state;
@@ -69,7 +69,7 @@ struct Restart {
         m.end_contact();
       }
   }
-  // A ball that a correction has put into a stop without touching it stands at it.
+  // Places a ball at its stop that a correction has put into the stop without a contact.
   static constexpr void push_out(Model& m) {
     if (is_positive(m.depth_beyond_stop())) m.state.x2 = m.plan.units.stop(m.state.x1, m.ball_is_left());
   }

@@ -4,9 +4,9 @@
 //
 //     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2
 //
-// of x1 the new one, of dx1 the old. Where the ball then stands inside a stop, the contact (stepper/contact.hpp)
-// finds the impulse J0 and the moment J1 of its force within the step, and both masses respond to them. Dry friction
-// acts at the step's end. What compilers must be told stands in compiler.hpp.
+// with the new x1 and the old dx1 on the right. Where the ball then stands inside a stop, the contact
+// (stepper/contact.hpp) finds the impulse J0 and the moment J1 of its force within the step, and both masses respond to
+// them. Dry friction acts at the step's end. Hints for compilers are in compiler.hpp.
 
 #include <impact/compiler.hpp>
 #include <impact/step/friction_impulse.hpp>
@@ -31,12 +31,12 @@ struct Step {
 
   using Rub = FrictionImpulse<Model>;
 
-  // Of the drive's change, what its contact asks for.
+  // The parts of the drive's change that the contact reads.
   struct SeenChange {
     Value to_end, half;
   };
 
-  // `force` and `acceleration` are the samples at the step's end; read where the drive and the field are sampled.
+  // `force` and `acceleration` are the samples at the step's end. They are read only if drive or field are sampled.
   static constexpr void step(Model& m, Value force, Value acceleration) {
     if (m.is_refused()) return;
     accept_samples(m, force, acceleration);
@@ -44,7 +44,7 @@ struct Step {
     Long main_travel = m.state.dx1;  // in this step
     m.add_at_once(main_travel, force, acceleration, false);
     const Value increment = fly(m, main_travel, force, acceleration);  // of dx1
-    // A flight that meets a stop is judged with what contact makes of it.
+    // The range of a flight that meets a stop is checked after the contact.
     if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
       SeenChange change{};
       if constexpr (traits.sees_change || Model::records) {
@@ -60,7 +60,7 @@ struct Step {
     m.record_step();
   }
 
-  // A sample beyond its bound, or that is no number, is clamped with a fault.
+  // Clamps a sample that is beyond its bound or is no number, with a fault.
   [[gnu::always_inline]] static constexpr void accept_samples([[maybe_unused]] Model& m, [[maybe_unused]] Value& force,
                                                               [[maybe_unused]] Value& acceleration) {
     if constexpr (Drive::is_sampled)
@@ -78,7 +78,7 @@ struct Step {
     m.raise(Fault::sample);
   }
 
-  // Both masses to the step's end, as if nothing touched.
+  // Moves both masses to the step's end, as if nothing touched.
   [[gnu::always_inline]] static constexpr Value fly(Model& m, const Long& main_travel, [[maybe_unused]] Value force,
                                                     [[maybe_unused]] Value acceleration) {
     const auto& plan = m.plan;
@@ -115,7 +115,7 @@ struct Step {
     }
   }
 
-  // The step as the stop sees it.
+  // The step in the coordinates of the stop.
   using InField = typename detail::Either<Field::is_field, ApproachInField<Value>, Approach<Value>>::Type;
   using FromStart = typename detail::Either<traits.starts_from_rate, ApproachFromStart<InField, Value>, InField>::Type;
   using Unrecorded =
@@ -149,8 +149,8 @@ struct Step {
         state.contact.phase == Phase::apart)
       cross_cavity(m, increment, !left);
   }
-  // The ball that has left one stop comes to the other in the same step, as if it had flown freely up to the rate that
-  // it left with. (No plan has it cross the cavity in a field.)
+  // A ball that has left one stop reaches the other in the same step. It is treated as if it had flown freely with the
+  // rate at which it left. No plan lets it cross the cavity in a step in a field.
   [[gnu::noinline]] static constexpr void cross_cavity(Model& m, Value increment, bool left) {
     StopApproach approach{};
     if (!find_contact(m, approach, left)) return;
@@ -162,29 +162,29 @@ struct Step {
     apply_contact(m, approach, increment, left, {});
   }
 
-  // What a force still does in the step after the one that found it.
+  // The effect of a kept force in the step after its own.
   [[gnu::always_inline]] static constexpr void apply_kept_force(Model& m, Value force) {
     m.plan.units.push(m.state.dx1, m.plan.contact.dx1_next * force);
     m.plan.units.push(m.state.dx2, -(m.plan.contact.dx2_next * force));
   }
-  // The ball goes back to its stop before it is touched: a penetration that it has flown into freely would store energy
-  // that no force has put in. Returns false where that ends the step.
+  // Puts the ball back to its stop before the touch. A penetration by free flight would store energy that no force has
+  // supplied. Returns false if that ends the step.
   [[gnu::always_inline]] static constexpr bool put_back(Model& m, Approach<Value>& approach, bool left) {
     m.plan.units.displace(m.state.x2, -mirrored(approach.before, left));
     approach.penetration = approach.travel;
     approach.before = Value{};
     return is_positive(approach.penetration);
   }
-  // The ball is inside the stop without having come there: by a rounding, or across a cavity shorter than the way of a
-  // step.
+  // True if the ball is inside the stop without having moved into it: by rounding, or by crossing a cavity that is
+  // shorter than the way of a step.
   [[gnu::always_inline]] static constexpr bool begin_inside(Model& m, Approach<Value>& approach, bool left) {
     if constexpr (traits.puts_back) return put_back(m, approach, left);
     approach.before = Value{};
     return true;
   }
 
-  // Writes the penetration at the step's end. Returns true where a contact is under way or begins; raises a fault
-  // beyond the penetration's bound.
+  // Writes the penetration at the step's end, with a fault if it is beyond its bound. Returns true if a contact is
+  // under way or begins.
   [[gnu::always_inline]] static constexpr bool find_contact(Model& m, Approach<Value>& approach, bool left) {
     const auto relative_displacement = mirrored(m.state.x2 - m.state.x1, left);
     approach.penetration = m.plan.units.penetration(relative_displacement);
@@ -193,7 +193,7 @@ struct Step {
     return true;
   }
 
-  // The contact's impulse on both masses. Returns false where the ball was put back to its stop or the state was
+  // Applies the contact's impulse to both masses. Returns false if the ball was put back to its stop or the state was
   // clamped.
   [[gnu::always_inline]] static constexpr bool apply_contact(Model& m, StopApproach& approach, Value increment,
                                                              bool left, [[maybe_unused]] Value to_end) {
@@ -214,7 +214,8 @@ struct Step {
       approach.increment = minus_mirrored(increment, left);
     }
     if constexpr (traits.is_instantaneous) approach.main_rate = mirrored(main_rate(m), left);
-    // A law at the step's end has its rate with the friction of the whole step, of which half an impulse is to come.
+    // A law at the step's end reads the rate with the friction of the whole step. Half of that impulse is still to
+    // come.
     [[maybe_unused]] const auto rate = approach.rate;
     if constexpr (Friction::is_friction && traits.keeps_force)
       approach.rate = rate - mirrored(Format::value(half(state.impulse)), left);
@@ -246,7 +247,7 @@ struct Step {
     }
     return true;
   }
-  // Of the main mass at the step's end.
+  // The rate of the main mass at the step's end.
   [[gnu::always_inline]] static constexpr Value main_rate(const Model& m) {
     return m.plan.units.relative(m.state.dx1) + m.rate_ahead();
   }
@@ -258,7 +259,7 @@ struct Step {
     return rate_at_touch<Format>(way, way.share(without_sign(approach.penetration)), approach.travel, approach.rate,
                                  units.increment_of_rate(approach.increment), 0);
   }
-  // Of a flight that a contact was to be judged with, where there is none.
+  // The range check of a flight that was deferred to a contact, if no contact followed.
   [[gnu::always_inline]] static constexpr void clamp_unchecked(Model& m) {
     if (!m.flight_is_in_range()) m.clamp();
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A contact: what a stepper does while the ball is inside a stop. The step asks this of it, and no more:
+// A contact: what a stepper does while the ball is inside a stop. The step uses these members and no others:
 //
 //     traits        ContactTraits: what it reads and does
 //     Plan          its constants, with `response`: response.apply(units, state, reaction, left) changes the state
@@ -14,9 +14,9 @@
 //     valid         (plan, units)               whether a contact from elsewhere fits together
 //     change_rate   (plan, by)                  friction has changed the rate at the step's end
 //
-// A new contact derives from ContactDefaults, which has the last two, traits, and room() for a law's forces, and states
-// only what differs. Approach and Reaction have room for a touch at any instant of the step: how the force runs within
-// it is the contact's own affair, and main mass and ball may feel it differently.
+// A new contact derives from ContactDefaults, which has the last two, traits, and room() for a law's forces, and
+// defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact decides how
+// its force runs within the step, and the two masses may feel it differently.
 
 #include <stdint.h>
 
@@ -27,25 +27,25 @@
 
 namespace impact {
 
-// Where a contact stands between steps. `released`: let go at zero force, still inside the stop.
+// The phase of a contact between steps. `released`: the force has come to zero, and the ball is still inside the stop.
 enum class Phase : uint32_t { apart, touching, released };
 
 struct ContactTraits {
-  bool is_instantaneous = false;  // impacts at an instant: forces are not judged by their size, and count in 2 mu
+  bool is_instantaneous = false;  // impacts take no time: no check of the force's size; forces are in units of 2 mu
   bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step
-  bool reads_rate = true;         // at the step's end, which costs the main mass's own to know
-  bool sees_change = false;       // needs the increment of a drive as it is at the step's end
-  bool starts_from_rate = false;  // of a contact that begins, needs the rate at the step's start, which the plan's
-                                  // start_rate finds
-  bool keeps_force = false;       // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
-                                  // share in the displacements of the coming one, dx1_share and dx2_share
-  bool puts_back = false;         // a ball found inside goes back to its stop before it is touched
+  bool reads_rate = true;         // reads the rate at the step's end, which costs computing the main mass's
+  bool sees_change = false;       // needs the increment of the drive's force at the step's end
+  bool starts_from_rate =
+      false;                 // at a touch it needs the rate at the step's start, which the plan's start_rate computes
+  bool keeps_force = false;  // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
+                             // share in the displacements of the coming one, dx1_share and dx2_share
+  bool puts_back = false;    // a ball that is inside goes back to its stop before the touch
   bool keeps_penetration = true;  // from step to step, as `penetration`
   bool knows_way = false;         // its force is constant in a step: reaction.way tells the work to rounding
 };
 
-// A step as the stop sees it, free flight to its end: penetrations and what they change by in a step, all positive
-// towards the stop. Inside a contact the contact itself knows the penetration before.
+// A step of free flight in the coordinates of the stop: penetrations and their changes in a step, positive into the
+// stop. During a contact the contact itself keeps the penetration before.
 template <class Value>
 struct Approach {
   static constexpr bool is_recorded = false, is_in_field = false;
@@ -64,19 +64,19 @@ struct ApproachInField : Approach<Value> {
   static constexpr bool is_in_field = true;
   Value ball_increment;  // the ball's part of the increment
 };
-// Either, with the rate at the step's start, where a contact begins.
+// Either of them, with the rate at the step's start, for a contact that begins.
 template <class Seen, class Value>
 struct ApproachFromStart : Seen {
   Value rate_before;
 };
-// Either, for an impact at an instant.
+// Either of them, for impacts that take no time.
 template <class Seen, class Value>
 struct ApproachAtInstant : Seen {
-  Value half_change;  // of what the drive adds to the rate in a step, from the step's start to its end
+  Value half_change;  // of the drive's increment of the rate, from the step's start to its end
   Value damped;       // the damper's part of the increment
   Value main_rate;    // of the main mass at the end
 };
-// Any, of which features see the reaction.
+// Any of them, where features see the reaction.
 template <class Seen>
 struct RecordedApproach : Seen {
   static constexpr bool is_recorded = true;
@@ -87,7 +87,7 @@ template <class Value>
 struct Impulse {
   Value j0, j1;
 };
-// The nearest of a force that never pulls: 0 <= J1 <= J0.
+// The nearest impulse of a force that never pulls: 0 <= J1 <= J0.
 template <class Format, class Value>
 [[gnu::always_inline]] constexpr Impulse<Value> of_push(const Impulse<Value>& impulse) {
   const Value j1 = Format::value(positive_part(impulse.j1));
@@ -103,37 +103,36 @@ template <class Format>
 struct ContactStep {
   Impulse<typename Format::Value> force;  // in force_unit
   typename Format::Energy stored;
-  typename Format::Value rate;  // of penetration at the step's end, or of an impact at an instant when it came
+  typename Format::Value rate;  // of penetration at the step's end, or before an impact that takes no time
   typename Format::Value way;   // how far the contact moved, where it knows_way
   typename Format::Value rate_at_start, rate_at_touch;  // the latter in the first step of a contact
   bool begins, knows_way;
 };
 
-// What a contact does in a step, as plan.response counts it. A contact writes what its response reads, the penetration,
-// and the record where the approach is_recorded.
+// The result of a contact in a step, in plan.response's units. A contact writes what its response reads, the
+// penetration, and, if the approach is_recorded, the record.
 template <class Format>
 struct Reaction {
   using Value = typename Format::Value;
 
   Impulse<Value> main, ball;  // on each mass; a shared response reads `main` alone
-  Value penetration;          // with which the step ends, of a contact that does not keep it
-  Value shift;                // of the ball out of the stop, besides
+  Value penetration;          // at the step's end, if the contact does not keep it
+  Value shift;                // additional shift of the ball out of the stop
   ContactStep<Format> record;
 };
-// Of an impulse on both masses alike.
+// The result of one impulse on both masses.
 template <class Format, class Value>
 [[gnu::always_inline]] constexpr Reaction<Format> reaction_of(const Impulse<Value>& impulse) {
   return {impulse, impulse, {}, {}, {}};
 }
 
-// Where a contact is found between steps: the penetration and its rate, and what spring, drive and field change the
-// rate by in a step.
+// A contact between steps: the penetration, its rate, and the change of the rate in a step by spring, drive and field.
 template <class Value>
 struct Standing {
   Value penetration, rate, load;
 };
 
-// What a force counts in, N.
+// The unit of a force, N.
 constexpr double force_unit_of(const ContactTraits& traits, const ContactTerms& terms, const UnitExponents& unit) {
   using constant::power_of_two;
   if (traits.is_instantaneous)
@@ -141,7 +140,7 @@ constexpr double force_unit_of(const ContactTraits& traits, const ContactTerms& 
   return terms.stiffness * terms.to_the_power(power_of_two(unit.penetration)) * power_of_two(unit.force);
 }
 
-// What a contact is that says nothing else: one that evaluates the law at penetrations up to the deepest.
+// The defaults: a contact that evaluates the law at penetrations up to the deepest.
 struct ContactDefaults {
   static constexpr ContactTraits traits{};
 
@@ -173,7 +172,7 @@ struct ContactDefaults {
   static constexpr void change_rate(const Plan&, Value) {}
 };
 
-// Whether a root that is kept with a penetration is that penetration's.
+// True if a root that is kept with a penetration belongs to it.
 template <class Format>
 constexpr bool is_root_of(typename Format::Value penetration, typename Format::Root root) {
   return is_positive(penetration) && root == Format::root(penetration);

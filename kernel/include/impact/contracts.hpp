@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the template arguments of Absorber must be, in words and as conditions. Absorber reports each condition that
-// fails in one message, and goes on with an argument of the kernel's own, so that no second error follows.
+// The requirements for the template arguments of Absorber, in words and as conditions. Absorber reports each condition
+// that fails in one message, and continues with an argument of the kernel's own, so that no second error follows.
 //
 // Rig       scene, bounds and step as static constexpr members: Scene, Bounds, double (s). Or AtRunTime.
 //
@@ -14,36 +14,38 @@
 //           The force itself is k1 delta or k1 delta^(3/2) with Hunt-Crossley's damping: a law of one's own derives
 //           from HuntCrossleyPerImpact and chooses damping_ratio (law/per_impact.hpp).
 //
-// Stepper   kind                       uint32_t, another one for each stepper: saved states are of one kind
-//           longest_phase              radians of the main mass's own vibration that a step may have
+// Stepper   kind                       uint32_t, another one for each stepper: a saved state belongs to one kind
+//           longest_phase              rad, the largest angle of the main mass's own vibration in a step
 //           flow(scene, h)             LinearFlow: how the main mass moves in a step that nothing touches
-//           steps(resolution)          Range, s: the steps with which it is right for such contacts
+//           steps(resolution)          Range, s: the steps that it allows for such contacts
 //           Contact<Format, Law>       what happens inside a stop: below
 //
-// Contact   see stepper/contact.hpp, which has all that a step asks of it
+// Contact   see stepper/contact.hpp, which has all its members
 //
 // Drive     is_sine, is_sampled        at most one of them
 //           Plan<Format>, State<Format>, Handover<Format>    constants, what changes from step to step, and what a
 //                                      change of plan needs
 //           make_plan, make_handover   <Format>(scene, bounds, h, flow, exponents)
-//           force_unit<Format>(scene, bounds)    N: what State::force counts in
+//           force_unit<Format>(scene, bounds)    N: the unit of State::force
 //           State::start(plan)         before the first step
-//           State::force(plan)         what a ledger counts, in force_unit
+//           State::force(plan)         the force that a ledger counts, in force_unit
 //           State::hand_over(plan, handover, next, next_handover)    DriveShares, for a change of plan
 //           and if sine: State::advance(plan), rate(plan), oscillator; if sampled: accepts, clamped, at_once,
 //                                      advance(plan, next), rate, sample, as motion/sampled.hpp has them
-//           State::before()            what change() asks of a step's start
+//           State::before()            what change() needs of a step's start
 //           State::change(plan, before)    the step's DriveChange, for a contact that sees_change
 //           largest(scene, bounds)     N: the largest force
 //           at_start(scene, flow), largest_at_once(scene, bounds, flow)    m: what it adds to dx1 at the start, and
 //                                      what a sample may add to x1 as it comes
 //
 // Format    Value, Long                a number of a step, of 32 bits for 32-bit cores; a state, of twice the digits
-//           Gain, ClampedGain, Weight     a constant that multiplies a Value; the same where it may carry it out of
-//           range Root, Oscillator           a square root; the sine drive's recurrence Energy, Tally              a
-//           product of Values with all its bits; a sum without end of them Units                      the powers of two
-//           that Values count in kind                       uint32_t, another one for each way to compute the same and
-//           the functions of numeric/fixed32.hpp's Fixed32, which has them all
+//           Gain, Weight               a constant that multiplies a Value; the same, rounded down in fewer instructions
+//           ClampedGain                a Gain whose product may be out of range and is clamped
+//           Root, Oscillator           a square root; the sine drive's recurrence
+//           Energy, Tally              a product of Values with all its bits; a sum of them without an upper limit
+//           Units                      the powers of two that are the units of Values
+//           kind                       uint32_t, another one for each way to compute the same
+//           The functions              are those of numeric/fixed32.hpp's Fixed32, which has them all
 //
 // Feature   kind                       uint32_t, not 0, another one for each
 //           is_bound                   what it records depends on the plan's forces

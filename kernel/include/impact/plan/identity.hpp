@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What tells one plan's scene, states and contacts from another's, for saved states and changes of plan.
+// Fingerprints of a plan's scene, states and contacts, for saved states and changes of plan.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/fingerprint.hpp>
@@ -22,7 +22,7 @@ constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, d
   fingerprint.add(static_cast<uint32_t>(scene.tension));
   return fingerprint;
 }
-// All that a rig states, whether a plan reads it or not.
+// All values of a rig, including those that a plan does not read.
 constexpr uint32_t fingerprint_of_rig(const Scene& scene, const Bounds& bounds, double step) {
   const double numbers[] = {IMPACT_PART_VALUES(IMPACT_OF_SCENE) IMPACT_PART_BOUNDS(IMPACT_OF_BOUNDS)};
   Fingerprint fingerprint = fingerprint_of(scene, bounds, step, 0, 0);
@@ -31,7 +31,7 @@ constexpr uint32_t fingerprint_of_rig(const Scene& scene, const Bounds& bounds, 
 }
 #undef IMPACT_OF_SCENE
 #undef IMPACT_OF_BOUNDS
-// What a state counts in. A base's samples count in their bound, and at once in what gravity counts in.
+// The units of a state. A base's samples are in units of their bound, and their immediate share in gravity's unit.
 template <class Field>
 constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bounds, double h,
                                            const UnitExponents& unit) {
@@ -46,8 +46,8 @@ constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bou
   }
   return fingerprint;
 }
-// What a contact under way remembers in. Of EnergyConsistent a resolved contact remembers other numbers than a stiff
-// one (is_sudden), which is so by what may press as well.
+// The units of a contact under way. With EnergyConsistent a resolved contact keeps other numbers than a stiff one
+// (is_sudden); which one it is also depends on the pressing forces.
 constexpr Fingerprint fingerprint_of_contact(const ContactTerms& terms, const UnitExponents& unit, bool is_sudden) {
   const double numbers[] = {terms.ball_mass, terms.main_mass,    terms.main_stiffness, terms.main_damping,
                             terms.stiffness, terms.damping_time, terms.deepest};

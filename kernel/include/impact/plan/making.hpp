@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How a plan is made: from scene, bounds and step to the flow and the contact's terms, from these to the largest values
-// that a step's numbers reach, and so to the units that they count in; then every constant. Between them what no plan
-// can be made for is refused.
+// How a plan is made. Scene, bounds and step give the flow and the contact's terms. These give the largest values of a
+// step's numbers, and so their units. Then every constant follows. Between these stages a scene is rejected that cannot
+// be planned.
 
 #include <impact/law/resolution.hpp>
 #include <impact/law/terms.hpp>
@@ -33,7 +33,7 @@ class PlanMaking {
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double h) {
     const Plan plan = made(scene, bounds, h);
     if constexpr (Field::is_field) {
-      // Where it is the field that leaves a quantity no room, the field is named.
+      // If the field is the reason that a quantity has no room, the status names the field.
       const bool has_no_room = plan.status == PlanStatus::displacement_bound ||
                                plan.status == PlanStatus::speed_bound || plan.status == PlanStatus::contact_stiffness;
       Scene calm = scene;
@@ -76,7 +76,7 @@ class PlanMaking {
     return plan;
   }
 
-  // A part that is stated must be named, or the scene would be another one.
+  // A stated value needs its part among the absorber's parts.
   static constexpr PlanStatus status_of_parts(const Scene& scene, const Bounds& bounds) {
     const auto is_stated = [](double x) { return x < 0 || x > 0; };
     if (!Field::is_field && is_stated(scene.gravity)) return PlanStatus::gravity_not_named;
@@ -106,33 +106,34 @@ class PlanMaking {
     basis.terms.field = Field::largest(scene, bounds);
     basis.terms.rubbing = scene.ball_friction / basis.terms.reduced_mass();
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
-    // Where the ball crosses the clearance in a step, a contact that waits for the next finds it beyond the stop by
-    // the ways of both.
+    // If the ball crosses the clearance in a step, a contact that begins in the next step finds it beyond the stop by
+    // the ways of both masses.
     basis.terms.crosses = scene.stops == Stops::both && basis.terms.largest_rate * h >= scene.clearance;
     return basis;
   }
 
-  // Whether the parts of the scene can keep their promises, and the motion may begin where it does.
+  // Checks that the parts of the scene can work at this step, and the initial state.
   static constexpr PlanStatus status_of_motion(const Scene& scene, const Bounds& bounds, const Basis& basis) {
     const double way = basis.terms.largest_rate * basis.terms.step;
-    // A ball that may cross the cavity in one step is first seen up to two steps' way inside a stop. Putting it back
-    // would do work against a field, and friction would miss that way: refuse.
+    // A ball that may cross the cavity in one step is first found up to two steps' way inside a stop. Putting it back
+    // would do work against a field, and friction would miss that way. Such a scene is rejected.
     const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
     if (has_parts && scene.stops == Stops::both && 2 * way >= scene.clearance) return PlanStatus::clearance;
     if constexpr (Friction::is_friction) {
-      // An impulse of friction acts forward, and in part ahead.
+      // An impulse of friction acts forward, and partly in the coming step.
       const LinearFlow& flow = basis.flow;
       if (!(flow.e12 > 0 && flow.constant_start() > 0 && flow.constant_increment() > flow.constant_start()))
         return PlanStatus::step;
       if (!(basis.friction_way <= way)) return PlanStatus::ball_friction;
     }
-    // Deeper than a ball gets that starts apart. An impact at an instant stores nothing, and puts the ball on its stop.
+    // Rejects a ball that is deeper than one that starts apart can get. Impacts that take no time store no energy and
+    // place the ball on its stop.
     if (!Contact::traits.is_instantaneous && initial_penetration(scene) > basis.terms.deepest_start)
       return PlanStatus::initial_displacement;
     return PlanStatus::ok;
   }
 
-  // The largest values that the numbers of a step reach.
+  // The largest values of a step's numbers.
   static constexpr UnitBounds largest_of(const Scene& scene, const Bounds& bounds, const Basis& basis) {
     using constant::larger;
     const ContactTerms& terms = basis.terms;
@@ -142,20 +143,21 @@ class PlanMaking {
     largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
     largest.position = bounds.displacement;
     largest.way = bounds.speed * h;
-    // What spring, damper and drive take of or add to h v in a step, half of a step's change.
+    // The change of h v by spring, damper and drive in a step: half of a step's change.
     largest.displacement = largest.way + h * h / 2 * terms.pressing;
-    // And the half of friction's impulse that acts ahead.
+    // And the half of friction's impulse that acts in the coming step.
     if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
     const double way = terms.largest_rate * h * (terms.crosses && !Contact::traits.crosses_cavity ? 2 : 1);
-    // Free flight from within a contact ends deeper than contact lets the ball go: with (d/D)^2 + (d'/V)^2 <= 1, for
-    // the power laws (d/D)^(5/2), no deeper than (D^2 + (5/4) (h V)^2)^(1/2).
+    // Free flight from a state in contact ends deeper than contact lets the ball go. With (d/D)^2 + (d'/V)^2 <= 1
+    // (power laws: (d/D)^(5/2)) it ends at most (D^2 + (5/4) (h V)^2)^(1/2) deep.
     const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
                  flown = way / longer;
     largest.penetration = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
-    // An impact changes the rate of sliding by twice the largest, and friction by no more than the largest in a step.
+    // An impact changes the rate of sliding by at most twice the largest rate, and friction by at most that rate in a
+    // step.
     const double largest_change = Friction::is_friction && scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
     largest.penetration = larger(largest.penetration, largest_change);
-    // A rate that a contact reads is that of free flight to the step's end.
+    // A contact reads the rate of free flight at the step's end.
     if constexpr (Contact::traits.reads_rate)
       largest.penetration = larger(largest.penetration, 1.01 * h * (terms.largest_rate + h * terms.pressing));
     if constexpr (Field::is_field) {
@@ -163,17 +165,17 @@ class PlanMaking {
       largest.way += in_field;
       largest.displacement += in_field;
     }
-    // A kept force has a share in what the coming step makes, of up to half of what it does in a step.
+    // A kept force has a share in the displacement of the coming step, at most half of its effect in a step.
     if constexpr (Contact::traits.keeps_force) {
       UnitBounds of_forces = largest;
       Contact::room(terms, of_forces);
       largest.displacement += of_forces.push / 2;
     }
-    // In a sampled field the state keeps a position less up to h^2 a / 6 (motion/field.hpp).
+    // In a sampled field the state keeps a position less up to h^2 a/6 (motion/field.hpp).
     const double offset = Field::is_sampled ? h * h * Field::largest(scene, bounds) / 6 : 0;
     largest.limits.main = limit_of(bounds.displacement + offset);
     largest.limits.way = limit_of(largest.displacement);
-    // Of a displacement that has just passed its limit, too, which is looked at afterwards.
+    // Also for a displacement that has just passed its limit, since the check comes afterwards.
     const double spring = scene.main_stiffness * (largest.limits.main + 2 * largest.limits.way),
                  damper = scene.main_damping * 2 * largest.limits.way / h;
     largest.increment = h * h * (2 * larger(scene.drive_amplitude, bounds.force) + spring + damper) / scene.main_mass +
@@ -182,16 +184,16 @@ class PlanMaking {
     const double of_flight = largest.penetration;
     Contact::room(terms, largest);
     largest.penetration = larger(largest.penetration, largest_change);  // again: the contact may have set it lower
-    // The others are refused such a start where it is deeper than what they bound.
+    // With other steppers a deeper start is rejected.
     if (Contact::traits.is_instantaneous)
       largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
-    // An impact at an instant goes nowhere. A force at the step's end does not see how deep the flight comes.
+    // An impact that takes no time has no way. A force at the step's end does not read the depth of the flight.
     const bool is_of_flight =
         (Contact::traits.keeps_force || largest.is_as_deep_as_flight) && !(bounds.penetration > 0);
     largest.limits.penetration = limit_of(Contact::traits.is_instantaneous ? largest.penetration
                                           : is_of_flight ? constant::smaller(of_flight, largest.penetration)
                                                          : terms.largest_penetration);
-    // Between two stops the ball is where they are.
+    // Between two stops the stops limit the ball.
     const bool is_between = scene.stops == Stops::both;
     largest.limits.ball = largest.limits.main;
     if (is_between)
@@ -201,7 +203,7 @@ class PlanMaking {
     return largest;
   }
 
-  // Whether the format tells apart what a step must.
+  // Checks that the format's resolution is sufficient for a step.
   static constexpr PlanStatus status_of_units(const Scene& scene, const Basis& basis, const UnitBounds& largest,
                                               const UnitExponents& exponents) {
     using Units = typename Format::Units;
@@ -209,7 +211,7 @@ class PlanMaking {
     const double h = terms.step;
     const PlanStatus status = status_of(Units::overflow_of(exponents, largest));
     if (status != PlanStatus::ok) return status;
-    // The fastest impact has a way in a step.
+    // The way of the fastest impact in a step must be resolved.
     if (!Units::resolves(terms.largest_rate * h / 2, exponents.penetration)) return PlanStatus::speed_bound;
     const double lighter = constant::smaller(scene.ball_mass, scene.main_mass);
     if (!Contact::traits.is_instantaneous && !Units::resolves(terms.force_unit * h * h / lighter, exponents.recoil))
@@ -218,7 +220,7 @@ class PlanMaking {
       return PlanStatus::contact_stiffness;
     if (largest.finest_penetration > 0 && !Units::resolves(largest.finest_penetration, exponents.penetration))
       return PlanStatus::contact_stiffness;
-    // What is below 64 of a rate's LSBs has no size of its own.
+    // A friction below 64 LSBs of the rate is too coarse.
     if (Friction::is_friction && scene.ball_friction > 0 &&
         !Units::resolves(basis.friction_way / 64, exponents.penetration))
       return PlanStatus::ball_friction;
@@ -263,7 +265,7 @@ class PlanMaking {
       static_cast<typename Plan::FieldConstants&>(plan) =
           Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
     if constexpr (Friction::is_friction) {
-      // What a sample may add to x2 - x1 at once.
+      // The largest immediate share of a sample in x2 - x1.
       const double at_once = Drive::largest_at_once(scene, bounds, flow) +
                              Field::largest(scene, bounds) * constant::magnitude(field_at_once);
       static_cast<typename Plan::FrictionConstants&>(plan) =

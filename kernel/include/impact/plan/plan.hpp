@@ -43,22 +43,23 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   double step;        // h, s
   typename Format::Units units;
   Gain stiffness, damping;       // of the recurrence in linear_flow.hpp
-  Gain rate_by_dx1, rate_by_x1;  // a velocity from the displacement that the coming step will make
+  Gain rate_by_dx1, rate_by_x1;  // a velocity from the displacement of the coming step
   typename Drive::template Plan<Format> drive;
   typename ContactType::Plan contact;
-  double force_scale, drive_scale;  // N that State's forces and the drive's count in
+  double force_scale, drive_scale;  // units of State's forces and of the drive's, N
   bool left_stop, right_stop;
   bool crosses;                      // a step can leave one stop and touch the other
   Long x1, dx1, x2, dx2;             // the initial state
   uint32_t identity;                 // the fingerprint of scene, bounds, step and types
   Handover<Format, Drive> handover;  // read by correct() and by a change of plan
 
-  // `step` in s. Where `status` is not ok nothing else means anything. Double arithmetic: for a constant, or a host.
+  // Makes a plan; `step` is in s. If `status` is not ok, only `status` is valid. It uses double arithmetic: call it for
+  // a constant, or on a host.
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step) {
     return PlanMaking<Plan>::make(scene, bounds, step);
   }
 
-  // The SI values of native 1.0: m, m/s, and N of a contact force and of a sample.
+  // The SI values of a native 1.0: m, m/s, and N for a contact force and for a sample.
   constexpr double displacement_unit() const { return units.displacement_unit(); }
   constexpr double velocity_unit() const { return units.velocity_unit(step); }
   constexpr double force_unit() const {
@@ -68,7 +69,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
       return Format::sample_unit(force_scale);
   }
   constexpr double sample_unit() const { return drive_scale; }
-  // m/s^2, of a sample of the base's acceleration.
+  // m/s^2, for a sample of the base's acceleration.
   constexpr double base_sample_unit() const {
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
     if constexpr (Field::is_sampled)
@@ -77,7 +78,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
       return 0;
   }
 
-  // A force in N as a sample. In Fixed32 it is clamped to Bounds::force, and step() raises Fault::sample.
+  // Returns a sample for a force in N. In Fixed32 it is clamped to Bounds::force, and step() then raises Fault::sample.
   template <class Real>
   constexpr Native<Quantity::force, Value> sample_of(Real newtons) const {
     static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
@@ -87,7 +88,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     else
       return {};
   }
-  // The same of the base's acceleration in m/s^2 and Bounds::base_acceleration.
+  // The same for the base's acceleration in m/s^2 and Bounds::base_acceleration.
   template <class Real>
   constexpr Native<Quantity::base_acceleration, Value> base_sample_of(Real acceleration) const {
     static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
@@ -124,7 +125,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   }
 
  private:
-  // A float while running, without a division; a double as a constant.
+  // From a float while running, without a division, or from a double as a constant.
   template <Quantity quantity>
   static constexpr Native<quantity, Value> sample_in(float x, float per_unit, double, Value) {
     const float fraction = x * per_unit;

@@ -15,15 +15,15 @@ namespace impact {
 
 struct EnergyConsistent {
   static constexpr uint32_t kind = 32;  // a saved state is of one kind of stepper
-  // Radians of the main mass's own vibration in a step.
+  // The main oscillator's largest angle in a step, rad.
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
-  // Hooke-Newton's quadratic is the difference of two numbers, of which a stop much stiffer than the step leaves
-  // nothing but their rounding. A damper alone leaves (2 - z)/(2 + z) of a rate in a step, z = h c1/mu: above 2 it
-  // turns the ball around. Up to there the restitution is within 0.6/N^2 of the law's, N steps an undamped contact. The
-  // power laws are stepped at any stiffness; in a field, where the contact is not resolved, up to this share of the
-  // fastest impact's rate that weight and base add in a step, (1 + m/M) a h/V: the position correction
+  // Hooke-Newton's quadratic is a difference of two numbers. At a stop that is much too stiff for the step only their
+  // rounding remains. In a step a damper alone changes a rate by the factor (2 - z)/(2 + z), z = h c1/mu: above 2 it
+  // reverses the ball. Below that the restitution is within 0.6/N^2 of the law's, with N steps per undamped contact.
+  // The power laws can be stepped at any stiffness. In a field, an unresolved contact has a limit: weight and base may
+  // add in a step at most this share of the fastest impact's rate, (1 + m/M) a h/V. The position correction
   // (stepper/energy/stiff.hpp) then gains up to 7e-4 of the energy, at twice the share 3e-3, at ten times 4e-2
   // (searches as in coupled_search_test.cpp).
   static constexpr double largest_field_share = 0.005;

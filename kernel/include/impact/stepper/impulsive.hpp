@@ -7,11 +7,11 @@
 //     x2 -= t h J/m    x1 += p J/M    p = t h (1 - c t h/(2 M) - (w0 t h)^2/6)        J = 2 mu (Vi - loss V)
 //     v2 -= J/m        v1 += g J/M    g = 1 - c t h/M - (w0 t h)^2/2                  V = Vi - A tau >= 0
 //
-// Vi is free flight's rate at that instant, A the acceleration towards the stop by spring and drive, tau the time from
-// touch to centroid. An impact creates no energy, whatever t is and however wrong the restitution. A ball that A
-// presses to its stop is ended on it by a force over the step, f = d/(b + h^2/2m), and from then on rests: the force
-// keeps it where it lies and does no work. In a field it is lifted no farther than what the force has taken pays for.
-// One impact a step.
+// Vi is the rate of free flight at that instant, A the acceleration towards the stop by spring and drive, and tau the
+// time from touch to centroid. An impact creates no energy, for any t and any restitution. If A presses the ball to its
+// stop, a force over the step, f = d/(b + h^2/2m), ends the step with the ball on the stop. From then on the ball
+// rests: the force keeps it there and does no work. In a field the ball is lifted only as far as the energy suffices
+// that the force has taken. There is one impact per step.
 
 #include <impact/law/impact_force.hpp>
 #include <impact/law/rebound.hpp>
@@ -30,9 +30,9 @@ struct Impulsive {
   // Radians of the main mass's own vibration in a step.
   static constexpr double longest_phase = 1;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
-  // Of the main mass's vibration during a contact, rad.
+  // How far the main oscillator advances during one contact, rad.
   static constexpr double longest_main_phase = 0.25;
-  // c h/M up to which an impact's response has the main damper in it.
+  // The largest c h/M for which an impact's response contains the main damper.
   static constexpr double largest_fading = 0.1;
   static constexpr double largest_field_share = 0.01;
   static constexpr bool is_instant(const Resolution& contact, double main_phase) {
@@ -48,7 +48,7 @@ struct Impulsive {
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
 
-    // A ball that rests is put where it lies.
+    // A ball at rest is placed where it lies.
     struct InstantAnswer : Answer<Gain> {
       static constexpr bool is_sudden = true;
 
@@ -74,8 +74,8 @@ struct Impulsive {
         Gain penetration, half_rate;  // and to penetration and half its rate
       } rest;
     };
-    // No impact within the bounds changes a speed by more than twice the bound, and no rest by more than what presses.
-    // What would is clamped at the push's unit, which takes the speed beyond its bound.
+    // Within the bounds no impact changes a speed by more than twice the bound, and no rest by more than the pressing
+    // force. More is clamped at the push's unit; the speed is then beyond its bound.
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       const double rate = terms.largest_rate * terms.step;
       largest.force_factor = 1;
@@ -99,8 +99,8 @@ struct Impulsive {
             Format::gain(impulse / ball_mass, 0, unit.push)}},
           Rebound<Format, ContactLaw>::make(terms, unit),
           ImpactForce<Format, ContactLaw>::make(terms, unit),
-          // What a force does to a free main mass over what it adds to the displacement per step, so that the rate is
-          // that of the derivation above.
+          // The response of a free main mass over the change of the displacement per step, so that the rate is that of
+          // the derivation above.
           Format::gain(h * h / (main_mass * flow.constant_increment()), unit.increment, unit.penetration),
           Format::gain(turn, 0, 0),
           Format::gain(fades ? fading : 0, 0, 0),
@@ -125,7 +125,7 @@ struct Impulsive {
 
     Phase phase;
     uint32_t rests;  // at rest on its stop after the last step
-    Value lies;      // and how far inside the stop
+    Value lies;      // and its depth in the stop
 
     constexpr void start(const Plan&, const Units&, const Standing<Value>& at) {
       phase = Phase::touching;
@@ -147,7 +147,7 @@ struct Impulsive {
       Reaction<Format> reaction{given.main, given.ball, step.penetration, {}, {}};
       if constexpr (Seen::is_recorded) {
         reaction.record.force = {given.ball.j0, Format::value(half(given.ball.j0))};
-        // The work at the mean rate: the change of the rate may be twice a Value.
+        // The work at the average rate; the change of the rate may be twice a Value.
         reaction.record.way = given.rate - given.ball.j0;
         reaction.record.rate = given.rate;
       }
@@ -155,7 +155,7 @@ struct Impulsive {
     }
 
    private:
-    // And the rate of penetration at which it came.
+    // And the rate of penetration before the impact.
     struct SplitImpulse {
       Impulse<Value> main, ball;
       Value rate;
@@ -163,7 +163,7 @@ struct Impulsive {
     template <class Seen>
     [[gnu::always_inline]] constexpr SplitImpulse impulse_of(const Plan& plan, const Units& units, Seen step) {
       const Value trial = step.penetration, rate = step.rate, travel = step.travel;
-      // A ball that came into the step at more than half the rate that it leaves it with has been sent by a correction.
+      // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
       const bool is_sent = is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate))),
                  has_rested = rests && phase == Phase::touching && !is_sent;
       rests = 0;
@@ -186,12 +186,12 @@ struct Impulsive {
                     Format::value(acceleration * Format::value(way.ratio(from)));
       if (!is_positive(travel) || !is_positive(speed)) speed = pace;
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
-      // Products of what may all be small beside the unit, which has room for what presses at the bounds.
+      // All factors may be small compared with their unit, which has room for the pressing force at the bounds.
       const auto unit = Format::own_unit(Format::spare_bits(acceleration, bounce.depth, rate, travel));
       const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(acceleration) * unit.own(bounce.depth));
       const Value half_rate = Format::value(half(rate));
       if (!is_positive(pressed - Format::value(half(own_rate * own_rate)))) {
-        // By the centroid the ball has gone on by its depth, and by what presses it meanwhile.
+        // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
         const Value hastened = unit.common(over(pressed, unit.own(travel))),
                     beyond =
                         trial - bounce.depth - Format::value(half(hastened * Format::value(way.ratio(bounce.depth))));
@@ -222,7 +222,7 @@ struct Impulsive {
       return given(plan, force, {}, inside - before);
     }
 
-    // A force that keeps the ball from going on by `way`, and half the rate that it leaves.
+    // The force that prevents the way `way`, and half of the rate after it.
     struct Support {
       Value force, half_rate;
     };
@@ -238,8 +238,8 @@ struct Impulsive {
       lies = left_inside(is_positive(trial - from) ? from : trial, weight, last, last);
       return given(plan, support.force, last, way);
     }
-    // A force over the step, against which the ball comes by `way`, and an impulse at its end. The energy that both
-    // take is that of one impulse at the rate J + (f way + last^2)/J.
+    // A force over the step, against which the ball moves by `way`, and an impulse at its end. Both take the energy of
+    // one impulse at the rate J + (f way + last^2)/J.
     [[gnu::always_inline]] static constexpr SplitImpulse given(const Plan& plan, Value force, Value last, Value way) {
       const Value impulse = force + last;
       const auto share = Format::quotient(positive_part(force), positive_part(impulse));
@@ -247,8 +247,8 @@ struct Impulsive {
               {impulse, Format::value(half(force))},
               impulse + Format::value(share * way) + (last - Format::value(share * last))};
     }
-    // Of a ball inside its stop by `depth`, how far it stays there: `impulse` times `more` has been taken from it,
-    // which pays for lifting it.
+    // The depth that is left of `depth` for a ball in its stop. The energy for lifting it is `impulse` times `more`,
+    // which was taken from it.
     [[gnu::always_inline]] static constexpr Value left_inside(Value depth, Value weight, Value impulse, Value more) {
       if (!is_positive(depth) || !is_positive(weight)) return Value{};
       const auto unit = Format::own_unit(Format::spare_bits(weight, depth, impulse, more));
@@ -257,7 +257,7 @@ struct Impulsive {
       if (!is_positive(price - paid)) return Value{};
       return depth - Format::value(depth * Format::quotient(positive_part(paid), positive_part(price)));
     }
-    // x / y for |x| < y, and 0 where the ball has come by less.
+    // x / y for |x| < y, and 0 if the ball has moved by less.
     static constexpr Value over(Value x, Value y) {
       const bool is_negative = !is_positive(x);
       if (!is_positive(y) || !is_positive(y - mirrored(x, is_negative))) return Value{};
@@ -269,7 +269,7 @@ struct Impulsive {
       return Format::value(positive_part(units.clamped(impulse, plan.largest_impulse)));
     }
 
-    // t h before the end of the step.
+    // The instant t h before the step's end.
     struct Instant {
       Value turned, faded, rate;  // (w0 t h)^2, c t h/M, Vi
 
@@ -281,7 +281,7 @@ struct Impulsive {
             rate(rate_at_end - Format::value(t * (acceleration - sixth(main_part))) +
                  Format::value(square(t) * (half_change - Format::value(half(sixth(half_change))))) +
                  Format::value(half(turned * main_rate))) {}
-      // Without what the damper has taken since.
+      // Without the damper's change since then.
       template <class Share>
       constexpr Value undamped(const Plan& plan, Share t, Value damped) const {
         const Value part = plan.acceleration * damped;

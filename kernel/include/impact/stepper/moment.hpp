@@ -19,12 +19,12 @@ namespace impact {
 
 struct Moment {
   static constexpr uint32_t kind = 1;  // a saved state is of one kind of stepper
-  // Radians of the main mass's own vibration in a step.
+  // The main oscillator's largest angle in a step, rad.
   static constexpr double longest_phase = 0.16;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
 
   static constexpr double fewest_steps = 5, precise_steps = 8;  // per Resolution::shortest_part
-  // Radians of the contact's own vibration, and its damping h c/mu, at the deepest penetration.
+  // The contact's own angle in a step, rad, and its damping h c/mu, at the deepest penetration.
   static constexpr double longest_contact_phase = 0.9, largest_damping = largest_damping_of_moment;
   static constexpr Range steps(const Resolution& contact) {
     using constant::smaller;
@@ -32,9 +32,10 @@ struct Moment {
                                longest_contact_phase / contact.pulsation),
                        largest_damping / (contact.damping + 1e-300))};
   }
-  // Of the energy of a Hooke-Newton impact without damping, at `precise_steps`: with the sixth power of the step.
+  // The error of the energy of an undamped Hooke-Newton impact at `precise_steps`, relative. It goes with the sixth
+  // power of the step.
   static constexpr double largest_gain = 1e-5;
-  // An impact gains no more than it loses, or 2.5e-6 of its energy: ten steps a contact.
+  // True if an impact gains no more than it loses, or 2.5e-6 of its energy (ten steps per contact).
   static constexpr double longest_passive_step(const Resolution& contact) {
     if (!contact.is_linear) return contact.shortest_part;
     const double e = contact.restitution, loss = constant::larger(1 - e * e, 2.5e-6);

@@ -12,11 +12,11 @@
 // which the plan has the number of passes that reaches the format's precision. In a stiff contact c is above 1, and
 // counts in a unit of its own.
 //
-// What a step within the bounds reaches, as lengths in a step: a flight ends within (D^2 + (5/4) (h V)^2)^(1/2) of a
-// stop, or in a contact of few steps within three ways h V, and comes no faster than V and what presses and rubs in a
-// step; and because h (v' - v) = h^2 (a + a')/2, a force changes the rate by no more than 4 h V and twice what presses
-// and rubs. A step that passes one of these is beyond the bound of speed. The units have room for them, and for a rate
-// that two such forces have lowered.
+// The largest values of a step within the bounds, as lengths per step. A flight ends at most (D^2 + (5/4) (h
+// V)^2)^(1/2) inside a stop, or 3 h V in a contact of few steps. Its rate is at most V plus the changes by pressing
+// forces and friction in a step. Because h (v' - v) = h^2 (a + a')/2, a force changes the rate by at most 4 h V plus
+// twice these changes. A step that passes one of these values is beyond the bound of speed. The units have room for
+// them, and for a rate that two such forces have lowered.
 //
 // A stop acts at the end of a step if the step without the new force ends inside it. Second order on smooth motion; a
 // contact that lasts a few steps only can gain energy, see the README's limits.
@@ -37,8 +37,8 @@ struct Pointwise {
   // A saved state is of one kind of stepper, and of one beta.
   static constexpr uint32_t kind = 34 | beta_numerator << 8 | beta_denominator << 16;
   static constexpr double beta = static_cast<double>(beta_numerator) / beta_denominator;
-  // Radians of the main mass's own vibration in a step: 2/sqrt(1 - 4 beta) is where the scheme turns unstable (Hughes
-  // 1987), for the average acceleration never.
+  // The main oscillator's largest angle in a step, rad. Beyond 2/sqrt(1 - 4 beta) the scheme is unstable (Hughes 1987);
+  // the average acceleration never is.
   static constexpr double longest_phase = 4 * beta < 1 ? 1.98 / constant::square_root(1 - 4 * beta) : 1e6;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return newmark_flow(scene, h, beta); }
 
@@ -52,8 +52,8 @@ struct Pointwise {
 
     struct Plan {
       Response<Gain> response;
-      Gain dx1_next, dx2_next;    // what the force still does to the displacement per step after the next step
-      Gain dx1_share, dx2_share;  // its share of the displacement that the next step will make
+      Gain dx1_next, dx2_next;    // the force's share in the displacement per step after the next step
+      Gain dx1_share, dx2_share;  // its share in the displacement of the next step
       Gain damping;               // c1 / (k1 h)
       struct {
         Value trial, rate, force;
@@ -71,7 +71,7 @@ struct Pointwise {
       double force;              // N
     };
     static constexpr Reach reach_of(const ContactTerms& terms) {
-      constexpr double slack = 1.001;  // for roundings; a bound just below a power of two keeps its unit
+      constexpr double slack = 1.001;  // for rounding; a bound just below a power of two keeps its unit
       const double h = terms.step, way = terms.largest_rate * h, changed = h * h * (terms.pressing + terms.rubbing),
                    mobility = h * h / terms.reduced_mass(), d = terms.largest_penetration,
                    flight = (terms.crosses ? 2 : 1) * way;
@@ -161,7 +161,7 @@ struct Pointwise {
     Value force;  // at the start of the step
     Phase phase;
 
-    // What a kept force has still to do is in the range of a displacement.
+    // The remaining effect of a kept force is in the range of a displacement.
     constexpr bool valid(const Plan& plan, const Units& units) const {
       return this->has_sound_damping() && units.is_sound(plan.dx1_share * force) &&
              units.is_sound(plan.dx2_share * force) && !is_positive(force - plan.largest.force) &&

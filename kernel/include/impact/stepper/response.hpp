@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What an impulse of the contact's force does to the state of both masses.
+// The response of both masses' states to an impulse of the contact's force.
 
 #include <impact/stepper/contact.hpp>
 
 namespace impact {
 
-// The ball as deep in its stop as `depth`, wherever the main mass is.
+// Places the ball at `depth` in its stop, relative to the main mass.
 template <class Units, class State, class Value>
 [[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left, Value depth) {
   auto place = units.stop(state.x1, left);
@@ -14,11 +14,12 @@ template <class Units, class State, class Value>
   state.x2 = place;
 }
 
-// What an impulse of the contact force within the step, and its moment, do to the state at the step's end. x1 and dx1
+// The change of the state at the step's end by an impulse of the contact force within the step, and by its moment. x1
+// and dx1
 // are the main mass's displacement and its displacement per step, x2 and dx2 the ball's. Signs are those of a push on
 // the right stop: x1 and dx1 grow, the others fall.
 //
-// `is_sudden` says of any response whether it may change the rate of penetration as no force over that step does.
+// `is_sudden` is true if a response may change the rate of penetration by more than a force over that step can.
 template <class Gain>
 struct Answer {
   static constexpr bool is_sudden = false;
@@ -39,18 +40,18 @@ struct Answer {
   }
 };
 
-// And to the penetration and its rate.
+// The change of the penetration and of its rate.
 template <class Gain>
 struct Response : Answer<Gain> {
   Gain penetration, rate, rate_by_moment;
 };
 
-// A mass's share of an impulse that both answer to, in Fixed32's LSB below 1, which would need a shift to the
+// One mass's share of an impulse on both. In Fixed32 it is at most an LSB below 1, since 1 would need a shift to the
 // left before the product.
 inline constexpr double largest_share = 1 - 0x1p-31;
 
-// The same to an impulse and a moment that count as what they do to the rate and to the penetration: the ball has its
-// share of them, with its sign, and the main mass the rest, of which dx1 counts what spring and damper do meanwhile.
+// The same for an impulse and a moment in units of their changes of rate and penetration. The ball has its share of
+// them, with its sign, and the main mass the rest; dx1 contains the effect of spring and damper meanwhile.
 template <class Gain>
 struct SharedResponse {
   static constexpr bool is_sudden = false;
@@ -69,7 +70,7 @@ struct SharedResponse {
   }
 };
 
-// What an impulse leaves of a penetration and of its rate.
+// The penetration and its rate after an impulse.
 template <class Response, class Value>
 [[gnu::always_inline]] constexpr Value penetration_after(const Response& response, Value penetration,
                                                          const Impulse<Value>& impulse) {

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The rate at which the ball comes to its stop, within the step in which it does: by the cubic of its free flight,
-// where the chord has the touch, with one correction. Derivation: kernel/docs/moment.md.
+// The rate at which the ball reaches its stop, within the step of the touch: by the cubic of its free flight at the
+// chord's instant of touch, with one correction. Derivation: kernel/docs/moment.md.
 
 #include <impact/numeric/formula.hpp>
 
 namespace impact {
 
-// How far the cubic, of the bend j and half the acceleration, is above its chord u steps before the step's end.
+// How far the cubic is above its chord, u steps before the step's end. `j` is the cubic's bend; the acceleration is
+// halved.
 template <class Format, class Share, class Value>
 [[gnu::always_inline]] constexpr Value above_chord(Share u, Value bend, Value half_acceleration) {
   const Value slope = Format::value(u * (bend + Format::value(u * bend) - half_acceleration));
   return slope - Format::value(u * slope);
 }
-// By how much of a step the touch is earlier than the chord has it, no more than a quarter: a touch that is farther
-// from it hardly moves. `way` is the divisor D, of which u = way.share(d).
+// The touch is earlier than the chord's by this part of a step, at most a quarter; a touch farther away hardly moves.
+// `way` is the divisor D, with u = way.share(d).
 template <class Format, class Way, class Share, class Value>
 [[gnu::always_inline]] constexpr Value earlier_than_chord(const Way& way, Share u, Value bend,
                                                           Value half_acceleration) {

@@ -4,7 +4,7 @@
 //
 //     f = (d1+^2 - d0+^2) / (2 (d1 - d0)) + C (d1+ - d0+)          d1 = trial - G f
 //
-// inside a contact this is linear in d1; as the ball enters or leaves it is a quadratic.
+// Inside a contact this is linear in d1. In a step in which the ball enters or leaves it is quadratic.
 
 #include <impact/law/hooke_newton.hpp>
 #include <impact/stepper/contact.hpp>
@@ -19,8 +19,8 @@ struct EnergyLinear : ContactDefaults {
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;
 
-  // A push counts as what it does to the displacement between the masses. And an impact of two free masses at the
-  // largest speed peaks at no less than 2^-9 of the penetrations' unit.
+  // A push is stored as its change of the displacement between the masses. An impact of two free masses at the largest
+  // speed reaches at least 2^-9 of the penetrations' unit.
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     ContactDefaults::room(terms, largest);
     largest.push *= constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();

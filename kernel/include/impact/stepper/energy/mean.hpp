@@ -16,9 +16,9 @@ struct MeanShape {
   using Factor = decltype(Format::constant(0));
   static constexpr double unit = 1;
 
-  // 14 bits of p go to z^2/5p: a step of the depth d with which a contact begins or ends has an n that is short by up
-  // to 2^-17/sqrt(d) of itself. It does (pi/N)^(5/2) of the impact's work, and so misses 2e-7 of its energy, whatever
-  // the speed.
+  // z^2/5p uses 14 bits of p. In the first or last step of a contact, with the depth d, n is too small by up to
+  // 2^-17/sqrt(d), relative. Such a step does (pi/N)^(5/2) of the impact's work, so the error is 2e-7 of its energy at
+  // any speed.
   static constexpr Factor inside(Root r, Root s, Value, Value) {
     const auto p = half(s + r);
     const auto z = half(difference(s, r));

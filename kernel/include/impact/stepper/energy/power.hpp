@@ -6,8 +6,7 @@
 //     f = n (1 + C (d1 - d0 + correction))        correction = G n u/3        u = C G n
 //     d1 = trial - G f - correction
 //
-// Where the plan knows the contact to be resolved (is_resolved), f is evaluated once, at a predicted end, and the ball
-// moves there:
+// If the contact is resolved (is_resolved), f is evaluated once, at a predicted end, and the ball moves there:
 //
 //     d1 = trial - (3 y1 - 3 y2 + y3)        y = G f + correction, of the three steps before; 0 before contact
 //
@@ -23,7 +22,7 @@
 
 namespace impact {
 
-// h c/mu that a resolved contact has at most, and one that lasts.
+// The largest h c/mu of a resolved contact, and of one that lasts.
 inline constexpr double largest_damping_of_energy = 1, largest_lasting_damping_of_energy = 0.2;
 
 template <class Format, class ContactLaw>
@@ -50,9 +49,10 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
 
-  // Whether a contact lasts 20 steps and u = h c/(2 mu) stays below 1/2, at the deepest penetration and at the peak of
-  // an elastic impact at the largest speed, which a damped one does not reach: N^2 = 8.1 over G (3/2) sqrt(d). And a
-  // contact that lasts has u of at most 1/10: where it carries what presses, with a damping set per impact anywhere.
+  // True if a contact lasts 20 steps, N^2 = 8.1/(G (3/2) sqrt(d)), and u = h c/(2 mu) stays below 1/2. Both hold at the
+  // deepest penetration and at the peak of an elastic impact at the largest speed, which a damped one does not reach.
+  // In a contact that lasts, because a force presses the ball, u is at most 1/10; with a damping set per impact
+  // everywhere.
   static constexpr bool is_resolved(const ContactTerms& terms) {
     const double mu = terms.reduced_mass(), h = terms.step, v = terms.largest_rate;
     const double peak = constant::power(1.25 * mu * v * v / terms.stiffness, 0.4);
@@ -63,9 +63,9 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return slope <= 0.02 && damping <= largest_damping_of_energy &&
            lasting_damping <= largest_lasting_damping_of_energy;
   }
-  // A ball whose stored energy is below an LSB is put out of a stiff contact, in a field a against its weight. From the
-  // depth d at which V is an LSB that gains up to this share of the fastest impact's energy: with g of stiff.hpp,
-  // g d = share (h v/2)^2.
+  // A ball whose stored energy is below an LSB is moved out of a stiff contact, in a field against its weight. From the
+  // depth d where V is an LSB this gains up to this share of the fastest impact's energy: with g of stiff.hpp, g d =
+  // share (h v/2)^2.
   static constexpr double largest_lift = 1e-4;
   static constexpr double finest_penetration(const ContactTerms& terms) {
     if (!(terms.field > 0)) return 0;
@@ -74,13 +74,13 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const double d = lift / (compliance * terms.ball_mass * terms.field);
     return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
   }
-  // No force can do more in a step than to send the ball back at its own speed and to carry what presses meanwhile, nor
-  // more than the law does at the deepest; what is stored there, W, counts as V times V/G (stiff.hpp), V^2 = G W. No
-  // penetration is more than an impact's or a few steps' way.
+  // In a step a force at most reverses the ball's speed and balances the pressing forces, and at most it is the law's
+  // at the deepest penetration. The energy W stored there is represented by V, V^2 = G W (stiff.hpp). A penetration is
+  // at most that of an impact, or the way of a few steps.
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     if (is_resolved(terms)) return ContactDefaults::room(terms, largest);
     largest.finest_penetration = finest_penetration(terms);
-    // In a field a stiff contact may leave the ball where its force does, deeper than its energy says (stiff.hpp).
+    // In a field a stiff contact may leave the ball deeper than its stored energy would have it (stiff.hpp).
     largest.is_as_deep_as_flight = terms.field > 0;
     const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
     largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
@@ -147,9 +147,9 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
       stored_rate() = plan.stiff.rate_at(at);
       return;
     }
-    // The step before and the one ahead as the law in their middle. A contact without a beginning gains or loses what
-    // its memory says of it: with y' and y'' the change in a step and that one's change, y y'' - y'^2/2 is lost. So y''
-    // is y'^2/(2 y), with y'/2 where that would be more.
+    // The law's force in the middle of the step before and of the step ahead. A contact that starts without a touch
+    // gains or loses the energy that its memory implies: with y' the change in a step and y'' the change of that, y y''
+    // - y'^2/2 is lost. So y'' is set to y'^2/(2 y), and to y'/2 if that would be more.
     const auto y = [&](Value d, Value way) {
       const auto within = positive_part(d);
       return pushed(plan, Mean::of(Format::root(Format::value(within)) * within), way).j1;

@@ -12,10 +12,10 @@
 
 namespace impact {
 
-// To what a constant force does to the displacement between the masses, twice (j0): the ball has its share of it, and
-// the main mass the rest, of whose displacement per step, dx1, spring and damper meanwhile take a little. The ball ends
-// where the penetration is smaller by j1, which a position correction makes another number than j0/2: it moves the ball
-// alone, and changes no rate. A stiff contact's correction is the reaction's shift.
+// The response to j0, twice the change of the displacement between the masses by a constant force. The ball has its
+// share of it, and the main mass the rest; spring and damper slightly reduce dx1 meanwhile. The ball ends where the
+// penetration is smaller by j1. A position correction makes j1 differ from j0/2: it moves only the ball and changes no
+// rate. In a stiff contact the correction is the reaction's shift.
 template <class Format>
 struct ConstantForceGains {
   using Value = typename Format::Value;
@@ -38,7 +38,7 @@ struct ConstantForceGains {
     units.push(state.dx2, -ball_part);
     if (is_sudden) units.displace(state.x2, -mirrored(reaction.shift, left));
   }
-  // For the features, whose work is the force's by the contact's way.
+  // For features, which compute the work from the force and the contact's way.
   [[gnu::always_inline]] constexpr void record(Reaction<Format>& reaction, typename Format::Energy stored,
                                                Value way) const {
     const Value own_force = force * reaction.main.j0;
@@ -64,7 +64,7 @@ struct ConstantForceResponse {
         dx2(2 * x2) {}
 
   constexpr double penetration() const { return x1 + x2; }
-  // Of a force, twice, in metres.
+  // Twice the response to a force, m.
   constexpr double impulse() const { return 2 * penetration(); }
 
   template <class Format>

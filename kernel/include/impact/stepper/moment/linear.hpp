@@ -6,8 +6,8 @@
 //
 //     f^(n) = d^(n) + C d^(n+1)        d^(n+2) = (a, j, 0, ..) - G f^(n)
 //
-// The plan sums this Taylor series over a whole step; one in which the ball comes or goes finds that instant and sums
-// the series up to it.
+// The plan sums this Taylor series over a whole step. In a step of touch or separation, that instant is found and the
+// series is summed up to it.
 
 #include <impact/law/hooke_newton.hpp>
 #include <impact/stepper/contact.hpp>
@@ -74,7 +74,7 @@ struct MomentLinear : ContactDefaults {
     const bool is_tension = !is_positive(units.elastic(penetration) + plan.damping * rate);
     phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
-  // A ball that was let go is on its way out: deeper the stop would push it with all that a correction put in.
+  // A released ball moves out. Deeper in, the stop would return the energy that a correction has put in.
   constexpr Value resume(const Plan&, const Units&, const Standing<Value>& at) {
     if (phase != Phase::released || !is_positive(at.penetration - penetration)) penetration = at.penetration;
     rate = at.rate;
@@ -164,7 +164,7 @@ struct MomentLinear : ContactDefaults {
     }
   }
 
-  // The impulse of a force that acts from the series' start for the time t, then not for the rest of the step.
+  // The impulse of a force that acts from the series' start for the time t, and not for the rest of the step.
   template <class Time>
   [[gnu::always_inline]] static constexpr Impulse<Value> impulse_until(const Series& from, Time t) {
     const Value j0 = Format::value(at<1>(from.f, t) * t);
@@ -184,7 +184,8 @@ struct MomentLinear : ContactDefaults {
     return settle(plan, trial, trial_rate, impulse_until(from, t));
   }
 
-  // `end`: what vanishes, at the end of the step had the contact lasted; a first guess of when comes from the chord.
+  // `end` is the value of the vanishing quantity at the step's end, if the contact had lasted. The chord gives a first
+  // guess of the instant.
   [[gnu::always_inline]] constexpr Impulse<Value> leave(const Plan& plan, const Units& units, Value trial,
                                                         Value trial_rate, Value end) {
     const Value change = trial_rate - rate, curving = twice_value(trial - penetration - rate);
@@ -206,7 +207,7 @@ struct MomentLinear : ContactDefaults {
   }
   static constexpr Value twice_value(Value x) { return x + x; }
 
-  // Pushed in again before it was out: the force grows from zero, to first order in time.
+  // The ball is pushed in again before it was out: the force grows from zero, to first order in time.
   [[gnu::always_inline]] constexpr Impulse<Value> pressed_again(const Plan& plan, const Units& units, Value trial,
                                                                 Value trial_rate) {
     const Value start = units.elastic(penetration) + plan.damping * rate;

@@ -12,7 +12,7 @@
 //     leaving   the mirror image of entering, with r, d0 and -L
 //     predicted J0 = f + f'/2        J1 = f/2 + f'/6        f' = (3/2) r K (1 + C v) v + K C d0^(3/2) (g - f)
 //
-// One Newton step corrects what d1 missed. No impulse pulls (of_push).
+// One Newton step corrects the error of d1. No impulse pulls (of_push).
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/contact.hpp>
@@ -21,7 +21,7 @@
 
 namespace impact {
 
-// h c/mu that the step tolerates: kernel/docs/moment.md.
+// The largest h c/mu of a step: kernel/docs/moment.md.
 inline constexpr double largest_damping_of_moment = 2.5;
 
 template <class Format, class ContactLaw>
@@ -38,10 +38,10 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Factor stiffness, part_stiffness;  // K, 2 K/5
     Weight damping, part_damping;      // K C, 2 K C/5
     Weight sixth_damping;              // K C/6, by what an impulse does to a rate
-    Gain back;                         // from a moment to what spring and damper answer to it in the next step
+    Gain back;                         // from a moment to the response of spring and damper in the next step
     Gain force;                        // 1/K: from an impulse to the force's own impulse
     int travel_bits, change_bits;      // from impulses to penetrations, from increments to impulses
-    int ahead_bits;  // by which K goes to the left before an impulse that counts coarser multiplies it
+    int ahead_bits;                    // K's shift to the left before it is multiplied by an impulse in a coarser unit
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -70,7 +70,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   static constexpr ContactTraits traits =
       moment_traits(ContactLaw::is_damped_per_impact, ContactLaw::is_damped_per_impact);
 
-  // While touching, at the start of the step: the change is that of the rate in a step around it, by all but contact.
+  // While touching, at the step's start. The change is that of the rate in a step around it, without contact.
   Value penetration, change;
   Root root;
   Phase phase;
@@ -124,7 +124,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return stay(plan, trial, g, d, predicted.taken);
   }
 
-  // Taylor's step: J1, and what contact takes of the rate by the step's end, f + f'/2.
+  // The Taylor step: J1, and contact's change of the rate until the step's end, f + f'/2.
   struct Prediction {
     Value moment, taken;
   };
@@ -138,7 +138,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return {moment, moment + moment + third_rise};
   }
 
-  // `taken` is what contact takes of the rate in the predicted step, g - (v1 - v0).
+  // `taken` is contact's change of the rate in the predicted step, g - (v1 - v0).
   [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value taken) {
     const auto end = Format::known_root(d);
     const auto s = end.at_point();
@@ -223,7 +223,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
                  UnknownRoot{});
   }
 
-  // Where the contact stands after the step, its root by one that is known nearby.
+  // The contact after the step; its root is computed from a known one nearby.
   template <class Known>
   [[gnu::always_inline]] constexpr Impulse<Value> ended(const Plan& plan, Value trial, Impulse<Value> impulse,
                                                         const Known& known) {
@@ -240,15 +240,15 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     static constexpr Root beside(Value x) { return Format::root(x); }
   };
 
-  // What an impulse does to the penetration, in its unit.
+  // An impulse's change of the penetration, in the penetration's unit.
   static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_bits); }
-  // K times an impulse: K goes to the left by ahead_bits first, and the product to the right by these and travel's,
-  // so that no bits are lost.
+  // K times an impulse. K is shifted to the left by ahead_bits first, and the product to the right by these and
+  // travel's, so that no bits are lost.
   static constexpr Value ahead(const Plan& plan, Value factor) { return Format::moved(factor, -plan.ahead_bits); }
   static constexpr Value behind(const Plan& plan, Value product) {
     return Format::moved(product, plan.travel_bits + plan.ahead_bits);
   }
-  // (steepness + K C d^(3/2)) missed, what J0 misses with the penetration at the end.
+  // (steepness + K C d^(3/2)) missed: the error of J0 by that of the penetration at the end.
   template <class Steepness, class Shape>
   [[gnu::always_inline]] constexpr Value by_missed(const Plan& plan, Steepness steepness, Shape shape,
                                                    Value missed) const {
@@ -267,7 +267,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     else
       return Format::product(plan.sixth_damping, dv, shape);
   }
-  // (2/5) K C d^(5/2), what damping takes of a step that comes or goes.
+  // (2/5) K C d^(5/2), the damping's share in a step of touch or separation.
   template <class Shape>
   [[gnu::always_inline]] constexpr Value part_damping(const Plan& plan, Shape shape, Value d) const {
     if constexpr (ContactLaw::is_damped_per_impact)

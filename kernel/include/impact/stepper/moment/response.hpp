@@ -41,9 +41,9 @@ struct MomentResponse {
             Format::gain(ball + scale * g0, 0, unit.penetration),
             Format::gain(scale * hg1, 0, unit.penetration)};
   }
-  // The change of penetration by a moment.
+  // The change of the penetration by a moment.
   constexpr double mobility(const ContactTerms& terms) const { return 1 / terms.ball_mass + gx; }
-  // For impulses that count as what they do to the penetration.
+  // For impulses in units of their change of the penetration.
   template <class Format>
   constexpr SharedResponse<typename Format::Weight> shared(const ContactTerms& terms, const LinearFlow& flow,
                                                            const UnitExponents& unit) const {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The moment-fitted step with n sub-steps while in contact, for a contact of few steps or of a part of one. Derivation:
-// kernel/docs/moment.md. What the contact's impulses have done so far is carried along apart for each mass,
+// The moment-fitted step with n sub-steps in contact, for contacts of few steps or of less than one. Derivation:
+// kernel/docs/moment.md. The effect of the contact's impulses so far is accumulated separately for each mass,
 //
 //     ball        displacement D += R/n                    R: rate, per step
 //     main mass   (X, U) by its own exact flow over a sub-step, linear_flow.hpp
 //
-// so that a sub-step's trial is the free quartic at its end less X + D. Sub-steps before the touch and after the ball
-// has left are skipped. Fourth order in h/n, for a main mass that turns by less than a radian in h.
+// so that a sub-step's trial is the free quartic at its end less X + D. Sub-steps before the touch and after the
+// separation are skipped. It is of fourth order in h/n for w0 h < 1.
 
 #include <stddef.h>
 
@@ -19,13 +19,13 @@
 
 namespace impact {
 
-// As many sub-steps as are named, or by default as the shortest contact needs (parts_for).
+// `named` is the number of sub-steps; by default the shortest contact determines it (parts_for).
 template <int named = 0>
 struct SubsteppedMoment {
   static constexpr int most = named == 0 ? 512 : named;
   static_assert(most >= 2 && most <= 512 && (most & (most - 1)) == 0, "a power of two from 2 to 512");
   static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
-  // So that the shortest contact has precise_parts sub-steps, and any is within Moment's range.
+  // The number that gives the shortest contact precise_parts sub-steps, and every contact Moment's range.
   static constexpr int precise_parts = 20;
   static constexpr int parts_for(const Resolution& contact, double step) {
     const double longest = constant::smaller(contact.shortest_part / precise_parts, Moment::steps(contact).most);
@@ -33,11 +33,11 @@ struct SubsteppedMoment {
     while (n < most && step > n * longest) n *= 2;
     return n;
   }
-  // The quartic misses the main mass's displacement by (w0 h)^5/13000 of its amplitude.
+  // The quartic's error of the main mass's displacement is (w0 h)^5/13000 of its amplitude.
   static constexpr double longest_phase = 0.32;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
-  // A contact that ends within a step must not be followed by one at the other stop. An undamped ball that is hardly
-  // ever free gains up to 1 % in 2000 impacts at the longest phase, and twice that where it crosses in a step.
+  // After a contact that ends within a step, none may follow at the other stop in that step. An undamped ball that is
+  // hardly ever free gains up to 1 % in 2000 impacts at the longest phase, and twice that if it crosses in a step.
   static constexpr double fewest_steps_across = 1.5;
   static constexpr Range steps(const Resolution& contact) {
     return {0, constant::smaller(most * Moment::steps(contact).most, contact.crossing / fewest_steps_across)};
@@ -53,8 +53,8 @@ struct SubsteppedMoment {
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
 
-    // As Answer, but that the ball's part of an impulse that counts as what it does to both masses keeps all its
-    // bits: a heavy ball's may have none in a push.
+    // Like Answer, but the ball's share of an impulse keeps all its bits: a heavy ball's share may be below an LSB of a
+    // push.
     struct StepAnswer : Answer<Gain> {
       template <class State>
       [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
@@ -65,19 +65,20 @@ struct SubsteppedMoment {
         units.displace(state.dx2, this->dx2, -ball.j0);
       }
     };
-    // Power laws' impulses are changes of the relative rate, Hooke-Newton's count in forces and become that.
+    // Impulses of the power laws are changes of the relative rate. Hooke-Newton's are in units of force and are
+    // converted.
     static constexpr bool is_linear = ContactLaw::is_linear;
     static constexpr int exponent_of(int n) { return constant::exponent_above(n + 0.5) - 1; }
     // The main mass's flow over k sub-steps, less (1 k/n; 0 1).
     struct Stride {
       Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
     };
-    // The main mass's own rates v0 and v1 at both ends of a free step, its way w and half of the drive's change F in it
-    // are bound by v0 = along w - back v1 + across F: the combination of which neither x1 nor a constant force is part.
+    // In a free step the main mass's rates v0 and v1 at both ends, its way w and half of the drive's change F satisfy
+    // v0 = along w - back v1 + across F. This combination contains neither x1 nor a constant force.
     struct StartRate {
       Gain by_way, by_rate, by_change;
 
-      // What the ball's rate of penetration at the step's start is above that of a rate linear in time.
+      // The rate of penetration at the step's start less that of a rate that is linear in time.
       constexpr Value bend(Value way, Value rate, Value half_change) const {
         return by_way * way + by_rate * rate + by_change * half_change;
       }
@@ -96,24 +97,24 @@ struct SubsteppedMoment {
       int exponent;                                            // n = 2^exponent
       Gain part, square;                                       // 1/n, 1/n^2
       Stride strides[static_cast<size_t>(exponent_of(most))];  // over 1, 2, 4, .. sub-steps
-      Gain by_impulse, by_moment;                              // from forces to what they do to rate and penetration
-      Gain main_x, main_u, main_u_by_moment, ball;             // the masses' shares of it
+      Gain by_impulse, by_moment;                              // from forces to their changes of rate and penetration
+      Gain main_x, main_u, main_u_by_moment, ball;             // the masses' shares in these
       int increment_bits;                                      // from increments to penetrations
       Gain force;                                              // from the ball's impulse to the force's impulse
       int travel_bits;
     };
-    // An impulse counts by what it does in a sub-step. A step's n impulses change the rate by no more than n^2 of them,
-    // or than twice the largest; a prediction may be as far off again.
+    // An impulse is in units of its effect in a sub-step. The n impulses of a step change the rate by at most n^2 of
+    // these, or twice the largest rate. A prediction may be off by as much again.
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       Inner::room(in_a_part(terms), largest);
-      // The displacements of both masses have room together.
+      // There is room for the sum of both masses' displacements.
       if (terms.is_linear) largest.push *= constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
       const double n = parts_for(resolution_of<ContactLaw>(terms), terms.step);
       largest.push = constant::larger(largest.push,
                                       2 * constant::smaller(2 * terms.largest_rate * terms.step, n * n * largest.push));
     }
-    // The way in a sub-step has 20 bits: a penetration's bound far above what an impact reaches leaves fewer,
-    // and then what its impulses round makes energy.
+    // The way in a sub-step has 20 bits. With a bound of penetration far above that of an impact it has fewer, and then
+    // the rounding of impulses creates energy.
     static constexpr double finest_penetration(const ContactTerms& terms) {
       return 0x1p-20 * terms.largest_rate * in_a_part(terms).step;
     }
@@ -201,7 +202,7 @@ struct SubsteppedMoment {
       const Quartic free(trial, step.rate, trial - at, start_rate, plan.quartic * by_spring);
       int i = 0;
       if (begins) skip_flight(plan, free, i, at);
-      Sums sums{};  // what the impulses have done
+      Sums sums{};  // the effect of the impulses so far
       const int n = 1 << plan.exponent;
       while (i < n) {
         ++i;
@@ -236,7 +237,7 @@ struct SubsteppedMoment {
       auto reaction = reaction_of<Format>(Impulse<Value>{sums.u, sums.x});
       reaction.ball = {sums.w, sums.y};
       if constexpr (Seen::is_recorded) {
-        // J0 (v0 + v1)/2 is all of a free pair's work, however the force runs.
+        // J0 (v0 + v1)/2 is all of a free pair's work, for any course of the force.
         const Value force = plan.force * reaction.ball.j0;
         reaction.record.force = {force, Format::value(half(force))};
         if (this->phase == Phase::touching)
@@ -247,8 +248,8 @@ struct SubsteppedMoment {
     }
 
    private:
-    // Free of the stop: the penetration s steps before the step's end, d - v s + a s^2/2 - j s^3 + q s^4, by the
-    // penetrations and rates at both ends and the main mass's fourth derivative, -w0^2 times its acceleration.
+    // In free flight: the penetration s steps before the step's end, d - v s + a s^2/2 - j s^3 + q s^4. It follows from
+    // the penetrations and rates at both ends and the main mass's fourth derivative, -w0^2 times its acceleration.
     struct Quartic {
       Value end, rate, half_acceleration, bend, quartic;
 
@@ -277,8 +278,8 @@ struct SubsteppedMoment {
       }
       constexpr Value acceleration() const { return half_acceleration + half_acceleration; }
     };
-    // Of the main mass (x, u) by its own flow, of the ball by what the impulses did to both (y, w), of which it has its
-    // share: displacements, and rates per step.
+    // Displacements and rates per step: (x, u) of the main mass by its own flow, and (y, w) by the impulses on both
+    // masses, of which the ball has its share.
     struct Sums {
       Value x, u, y, w;
 
@@ -297,11 +298,11 @@ struct SubsteppedMoment {
         y = y + j1;
         w = w + j0;
       }
-      // What both have of the penetration, and of its rate.
+      // The share of both in the penetration and in its rate.
       constexpr Value way(const Plan& plan) const { return Format::moved(x + plan.ball * y, plan.travel_bits); }
       constexpr Value rate(const Plan& plan) const { return Format::moved(u + plan.ball * w, plan.travel_bits); }
     };
-    // On to a sub-step or two before the touch.
+    // Advances to a sub-step or two before the touch.
     static constexpr void skip_flight(const Plan& plan, const Quartic& free, int& i, Value& at) {
       const Value travel = free.end - at;
       if (is_positive(at) || !is_positive(travel)) return;

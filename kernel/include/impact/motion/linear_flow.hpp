@@ -21,10 +21,11 @@ struct DriveShares {
 };
 
 // How a drive's force changes within a step, as changes of the displacement per step. In this order: the share by the
-// force at the step's end less the true share; half of the change by the slope at the end; half of the change.
+// force at the step's end less the true share; half of the change by the slope at the end; half of the change; the
+// second difference.
 template <class Value>
 struct DriveChange {
-  Value to_end, half, half_chord;
+  Value to_end, half, half_chord, bend;
 };
 
 // The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.

@@ -79,7 +79,7 @@ struct Sampled {
     // The change of the drive in the last step.
     constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, typename Format::Value last) const {
       const auto half_change = plan.increment_throughout * (Format::value(half(sample)) - Format::value(half(last)));
-      return {plan.increment_before * sample - plan.increment_before * last, half_change, half_change};
+      return {plan.increment_before * sample - plan.increment_before * last, half_change, half_change, {}};
     }
     constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>& from,
                                                             const Plan<Format>&, const Handover<Format>& to) const {

@@ -132,7 +132,7 @@ struct Sine {
       const auto next = plan.increment * Format::reading(oscillator.value_head()),
                  now = plan.increment * Format::reading(heads.last),
                  last = plan.increment * Format::reading(heads.before_last);
-      return {{}, Format::value(quarter(next - last)), Format::value(half(now - last))};
+      return {{}, Format::value(quarter(next - last)), Format::value(half(now - last)), next - now - (now - last)};
     }
     // The force now, over twice the amplitude.
     constexpr typename Format::Value force(const Plan<Format>& plan) const {

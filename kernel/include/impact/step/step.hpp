@@ -33,7 +33,7 @@ struct Step {
 
   // The parts of the drive's change that the contact reads.
   struct SeenChange {
-    Value to_end, half;
+    Value to_end, half, bend;
   };
 
   // `force` and `acceleration` are the samples at the step's end. They are read only if drive or field are sampled.
@@ -49,7 +49,7 @@ struct Step {
       SeenChange change{};
       if constexpr (traits.sees_change || Model::records) {
         const auto of_drive = m.state.drive.change(m.plan.drive, drive_before);
-        change = {of_drive.to_end, traits.starts_from_rate ? of_drive.half_chord : of_drive.half};
+        change = {of_drive.to_end, traits.starts_from_rate ? of_drive.half_chord : of_drive.half, of_drive.bend};
       }
       contact(m, increment, main_travel, change);
     } else if (!m.flight_is_in_range()) {
@@ -134,12 +134,14 @@ struct Step {
     if constexpr (traits.reads_rate || Model::records) approach.rate = m.relative_rate(left);
     approach.travel = mirrored(m.way_flown(main_travel), left);
     approach.before = approach.penetration - approach.travel;
-    if constexpr (traits.starts_from_rate)
+    if constexpr (traits.starts_from_rate) {
+      approach.bend = -mirrored(change.bend, left);
       if (state.contact.phase == Phase::apart)
         approach.rate_before =
             approach.rate_at_start() +
             mirrored(plan.contact.start_rate.bend(plan.units.displacement(main_travel), main_rate(m), change.half),
                      left);
+    }
     if constexpr (traits.sees_change) increment = increment + change.to_end;
     if constexpr (traits.is_instantaneous) {
       approach.half_change = -mirrored(change.half, left);

@@ -64,10 +64,11 @@ struct ApproachInField : Approach<Value> {
   static constexpr bool is_in_field = true;
   Value ball_increment;  // the ball's part of the increment
 };
-// Either of them, with the rate at the step's start, for a contact that begins.
+// Either of them, for a contact that follows the flight within the step.
 template <class Seen, class Value>
 struct ApproachFromStart : Seen {
-  Value rate_before;
+  Value rate_before;  // at the step's start, where a contact begins
+  Value bend;         // second difference of the drive's increments
 };
 // Either of them, for impacts that take no time.
 template <class Seen, class Value>

@@ -22,8 +22,8 @@ namespace impact {
 // `named` is the number of sub-steps; by default the shortest contact determines it (parts_for).
 template <int named = 0>
 struct SubsteppedMoment {
-  static constexpr int most = named == 0 ? 512 : named;
-  static_assert(most >= 2 && most <= 512 && (most & (most - 1)) == 0, "a power of two from 2 to 512");
+  static constexpr int most = named == 0 ? 16384 : named;
+  static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0, "a power of two from 2 to 16384");
   static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
   // The number that gives the shortest contact precise_parts sub-steps, and every contact Moment's range.
   static constexpr int precise_parts = 20;
@@ -92,7 +92,7 @@ struct SubsteppedMoment {
     struct Plan {
       StepAnswer response;
       StartRate start_rate;
-      Gain quartic;  // (w0 h)^2/24
+      Gain quartic, drive_quartic;  // (w0 h)^2/24, and by what the drive adds in a step
       typename Inner::Plan inner;
       int exponent;                                            // n = 2^exponent
       Gain part, square;                                       // 1/n, 1/n^2
@@ -147,6 +147,8 @@ struct SubsteppedMoment {
                         Format::gain(share, unit.recoil, unit.penetration)}};
       plan.start_rate = start_rate_of(flow, unit);
       plan.quartic = Format::gain(terms.main_stiffness * terms.step * terms.step / (24 * terms.main_mass), 0, 0);
+      plan.drive_quartic = Format::gain(terms.step * terms.step / (24 * terms.main_mass * flow.constant_increment()),
+                                        unit.increment, unit.penetration);
       plan.inner = Inner::make_plan(sub, part, unit);
       if constexpr (!is_linear) plan.inner.change_bits = unit.recoil - unit.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);
@@ -199,7 +201,8 @@ struct SubsteppedMoment {
       const Value start_rate = begins ? step.rate_before : step_rate;
       Value by_spring = start_rate - step.rate;
       if constexpr (Seen::is_in_field) by_spring = by_spring + units.increment_of_rate(step.ball_increment);
-      const Quartic free(trial, step.rate, trial - at, start_rate, plan.quartic * by_spring);
+      const Quartic free(trial, step.rate, trial - at, start_rate,
+                         plan.quartic * by_spring + plan.drive_quartic * step.bend);
       int i = 0;
       if (begins) skip_flight(plan, free, i, at);
       Sums sums{};  // the effect of the impulses so far

@@ -5,7 +5,7 @@ import { short } from './numbers.mjs';
 // Lines of [what, value], or one that says what is missing. What the parts of a scene add is counted with Hunt-Crossley,
 // and so are stiff stops.
 export function costOf(table, part, scene, stepper) {
-  if (table.length === 0) return [['Not measured', 'build/report/step_budget.csv was not there when this page was made; sh toolchains/bootstrap.sh report makes it']];
+  if (table.length === 0) return [['Not measured', 'This page was made without build/report/step_budget.csv. Run sh toolchains/bootstrap.sh report to make it.']];
   const numeric = scene.numeric === 'float64' ? 'fixed32' : scene.numeric, law = lawOf(scene), names = namesOf(scene);
   const counted = (ofLaw, parts) => countedIn(table.filter((row) => row.target === part.target && row.law === ofLaw && row.newmark === stepper && row.numeric === numeric && row.drive === ['sine', ...parts].join('+')));
   const own = counted(law, []), curved = counted('hunt-crossley', []);
@@ -16,11 +16,11 @@ export function costOf(table, part, scene, stepper) {
   const memory = ['flash', 'ram', 'stack'].filter((kind) => own.bytes[kind]);
   const words = names.flatMap((name) => ({ gravity: ['weight'], base: scene.gravity !== 0 ? ['weight', 'base'] : ['base'], friction: ['friction'] }[name])).join(', ').replace(/, (?=\w+$)/, ' and ');
   return [
-    ...(numeric !== scene.numeric ? [['Format', 'Fixed32, Float64 being for hosts']] : []),
+    ...(numeric !== scene.numeric ? [['Format', 'Fixed32, since Float64 is for hosts']] : []),
     ['Free flight', `${short(free.mean, 4)} instructions, at most ${free.most}`],
     ['In contact', `${short(contact.mean, 4)} instructions, at most ${contact.most}`],
-    ...(iterating ? [['Stiff stops', `at most ${iterating.most} instructions, at a stop 10^4 times as stiff`]] : []),
-    ...(names.length > 0 ? [['Parts', `${words}, counted ${law === 'hunt-crossley' ? 'with the rest' : 'with Hunt-Crossley and added'}`]] : []),
+    ...(iterating ? [['Stiff stops', `at most ${iterating.most} instructions, at stops that are 10^4 times as stiff`]] : []),
+    ...(names.length > 0 ? [['Parts', `${words}, ${law === 'hunt-crossley' ? 'counted in the same runs' : 'counted with Hunt-Crossley and added'}`]] : []),
     ['Worst step', `about ${Math.round(cycles)} cycles (${part.cycles} an instruction, assumed), ${short(1e6 * cycles / part.clock)} \u00b5s, ${short(100 * cycles / part.clock / scene.step)} % of the period`],
     ...memory.map((kind) => [{ flash: 'Flash', ram: 'RAM', stack: 'Stack' }[kind], `${own.bytes[kind]} bytes${names.length > 0 ? `, without ${words}` : ''}`]),
   ];

@@ -13,7 +13,7 @@ import { Run } from './run.mjs';
 import { argumentsOf, commandOf, filesOf, initialScene, usualDamping, valueNamed } from './scene.mjs';
 import { runTrajectories, verdictOf } from './self_test.mjs';
 import { Sweep } from './sweep.mjs';
-import { numbersRow, sentenceOf } from './words.mjs';
+import { findingsOf, numbersRow, sentenceOf } from './words.mjs';
 
 const find = (id) => document.getElementById(id);
 const slice = 6, sweepSlice = 4, drawSlice = 8;  // ms of a frame, from its start: what is drawn is painted after that
@@ -269,9 +269,10 @@ class Page {
     find('numbers').tBodies[0].replaceChildren(...this.ready.map((run) => numbersRow(run)));
     const summary = this.ready.map((run) => sentenceOf(run, this.compares)).join(' ') || `No run: ${this.runs.a.refusal.option} ${this.runs.a.refusal.value} is refused.`;
     if (find('summary').textContent !== summary) find('summary').textContent = summary;  // else it would be read out again
+    for (const [plot, text] of Object.entries(findingsOf(this.ready, this.compares))) find(`found-${plot}`).textContent = text;
     find('link').textContent = location.href;
     const tooLong = ['a', 'b'].flatMap((letter) => filesOf(Object.entries(this.sceneOf(letter)))).filter((name) => name && this.kernel.files.inLink(name) === null);
-    find('link-note').textContent = tooLong.length ? `Too long for a link: ${[...new Set(tooLong)].join(', ')}. Keep the file, and choose it again there.` : '';
+    find('link-note').textContent = tooLong.length ? `Too long for a link: ${[...new Set(tooLong)].join(', ')}. Save the file, and choose it again where you open the link.` : '';
     for (const [letter, run] of Object.entries(this.runs)) {
       const options = run.isReady ? argumentsOf(run.scene, this.initial, run.every, this.kernel.files) : [];
       find(`files-${letter}`).replaceChildren(...filesOf(options).map((name) => this.#fileButton(name)));

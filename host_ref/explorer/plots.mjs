@@ -147,7 +147,7 @@ export class RestitutionPlot extends Plot {
 
 export class SweepPlot extends Plot {
   constructor(figure) {
-    super(figure, { x: { label: 'pulsation of the drive, rad/s' }, y: { label: 'largest |x1|, mm', scale: 1e3 } });
+    super(figure, { x: { label: 'angular frequency of the drive, rad/s' }, y: { label: 'largest |x1|, mm', scale: 1e3 } });
   }
   // `curves`: one per run, with bare and own points.
   draw(sweep, runs) {

@@ -6,7 +6,7 @@ export const groups = [
   { title: 'Contact', values: [
     { name: 'law', label: 'Contact law', choices: { 'hunt-crossley': 'Hunt-Crossley', 'hertz': 'Hertz', 'hooke-newton': 'Hooke-Newton' } },
     { name: 'contact-stiffness', label: 'Stiffness of a stop, k1', unit: (scene) => scene.law === 'hooke-newton' ? 'N/m' : 'N/m^1.5', least: 1e2, most: 1e12, log: true },
-    { name: 'damping-by', label: 'Damping of a stop by', choices: { 'c1': 'its coefficient c1', 'restitution': 'a restitution, exactly', 'paper': "a restitution, the paper's (2.3), (2.9)", 'hunt-crossley': "each impact's speed: Hunt-Crossley, (2.9)", 'herbert-mcwhannell': "each impact's speed: Herbert-McWhannell", 'lee-wang': "each impact's speed: Lee-Wang", 'lankarani-nikravesh': "each impact's speed: Lankarani-Nikravesh", 'flores': "each impact's speed: Flores", 'hu-guo': "each impact's speed: Hu-Guo", 'exact': "each impact's speed: exactly" }, shown: (scene) => scene.law !== 'hertz' },
+    { name: 'damping-by', label: 'Damping of a stop is set by', choices: { 'c1': 'its coefficient c1', 'restitution': 'a restitution, exactly', 'paper': "a restitution, the paper's (2.3), (2.9)", 'hunt-crossley': "each impact's speed: Hunt-Crossley, (2.9)", 'herbert-mcwhannell': "each impact's speed: Herbert-McWhannell", 'lee-wang': "each impact's speed: Lee-Wang", 'lankarani-nikravesh': "each impact's speed: Lankarani-Nikravesh", 'flores': "each impact's speed: Flores", 'hu-guo': "each impact's speed: Hu-Guo", 'exact': "each impact's speed: exactly" }, shown: (scene) => scene.law !== 'hertz' },
     { name: 'contact-damping', label: 'Damping, c1', unit: (scene) => scene.law === 'hooke-newton' ? 'N s/m' : 'N s/m^2.5', least: 1, most: 1e12, log: true, shown: (scene) => scene.law !== 'hertz' && scene['damping-by'] === 'c1' },
     { name: 'restitution', label: 'Restitution, e', unit: () => '', least: 0.05, most: 1, shown: (scene) => scene.law !== 'hertz' && scene['damping-by'] !== 'c1' },
     { name: 'impact-speed', label: 'at an impact speed of', unit: () => 'm/s', least: 0.01, most: 10, log: true, shown: (scene) => scene.law !== 'hertz' && ['restitution', 'paper'].includes(scene['damping-by']) },
@@ -23,15 +23,15 @@ export const groups = [
   { title: 'Drive', values: [
     { name: 'drive', label: 'Drive', choices: { 'sine': 'a sine', 'none': 'none', 'drive-file': 'samples of the force', 'base-file': "samples of the base's displacement" } },
     { name: 'drive-amplitude', label: 'Amplitude', unit: () => 'N', least: 0.1, most: 1000, log: true, shown: (scene) => scene.drive === 'sine' },
-    { name: 'drive-pulsation', label: 'Pulsation', unit: () => 'rad/s', least: 1, most: 1000, log: true, shown: (scene) => scene.drive === 'sine' },
-    { name: 'drive-file', label: 'Force, a sample a step', samples: 'N', shown: (scene) => scene.drive === 'drive-file' },
-    { name: 'base-file', label: 'Displacement of the base, a sample a step', samples: 'm', shown: (scene) => scene.drive === 'base-file' },
+    { name: 'drive-pulsation', label: 'Angular frequency', unit: () => 'rad/s', least: 1, most: 1000, log: true, shown: (scene) => scene.drive === 'sine' },
+    { name: 'drive-file', label: 'Force, one sample per step', samples: 'N', shown: (scene) => scene.drive === 'drive-file' },
+    { name: 'base-file', label: 'Displacement of the base, one sample per step', samples: 'm', shown: (scene) => scene.drive === 'base-file' },
   ] },
   { title: 'Weight, base, friction', values: [
     { name: 'gravity', label: 'Weight (upright: -9.81)', unit: () => 'm/s\u00b2', least: -20, most: 20 },
     { name: 'ball-friction', label: 'Dry friction of the ball', unit: () => 'N', least: 1e-3, most: 100, log: true, zero: true },
-    { name: 'base', label: 'The base accelerates', choices: { still: 'no', example: 'as on a machine that runs up', samples: 'as samples say' } },
-    { name: 'base-acceleration-file', label: 'Acceleration of the base, a sample a step', samples: 'm/s\u00b2', shown: (scene) => scene.base === 'samples' },
+    { name: 'base', label: 'The base accelerates', choices: { still: 'no', example: 'like a machine that runs up', samples: 'by samples' } },
+    { name: 'base-acceleration-file', label: 'Acceleration of the base, one sample per step', samples: 'm/s\u00b2', shown: (scene) => scene.base === 'samples' },
   ] },
   { title: 'Start', values: [
     { name: 'x1', label: 'Main mass at x1', unit: () => 'm', least: -0.1, most: 0.1 },
@@ -40,7 +40,7 @@ export const groups = [
     { name: 'v2', label: 'with the velocity v2', unit: () => 'm/s', least: -2, most: 2 },
   ] },
   { title: 'Computation', values: [
-    { name: 'newmark', label: 'Stepper', choices: { 'auto': 'auto: by the rule', 'moment': 'moment-fitted', 'moment-4': 'moment-fitted, 4 sub-steps', 'moment-8': 'moment-fitted, 8 sub-steps', 'moment-n': 'moment-fitted, sub-steps as many as it needs', 'energy': 'energy-consistent', 'impulsive': 'impulsive', 'average': "average acceleration (the paper's)", 'linear': 'linear acceleration', 'fox-goodwin': 'Fox-Goodwin', 'central': 'central difference' } },
+    { name: 'newmark', label: 'Stepper', choices: { 'auto': "auto: the kernel's rule", 'moment': 'moment-fitted', 'moment-4': 'moment-fitted, 4 sub-steps', 'moment-8': 'moment-fitted, 8 sub-steps', 'moment-n': 'moment-fitted, as many sub-steps as required', 'energy': 'energy-consistent', 'impulsive': 'impulsive', 'average': "average acceleration (the paper's)", 'linear': 'linear acceleration', 'fox-goodwin': 'Fox-Goodwin', 'central': 'central difference' } },
     { name: 'numeric', label: 'Number format', choices: { 'fixed32': 'Fixed32', 'float32': 'Float32', 'float32-plain': 'Float32Plain', 'float64': 'Float64 (host)' } },
     { name: 'step', label: 'Step, h', unit: () => 's', least: 2e-6, most: 1e-2, log: true },
     { name: 'duration', label: 'Simulated time', unit: () => 's', least: 0.1, most: 20, log: true },

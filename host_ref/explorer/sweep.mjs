@@ -30,7 +30,7 @@ export class Sweep {
     const scene = scenes.find(({ drive, duration, step }) => drive !== 'sine' || duration / step > mostStepsPerPoint);
     if (!scenes.length) return;
     if (scene) {
-      this.note = scene.drive !== 'sine' ? 'there is no sine to sweep' : `more than ${mostStepsPerPoint} steps a point: impact-sim --sweep`;
+      this.note = scene.drive !== 'sine' ? 'there is no sine to sweep' : `a point takes more than ${mostStepsPerPoint} steps: use impact-sim --sweep`;
       return;
     }
     for (const order of coarseFirst(pointCount))

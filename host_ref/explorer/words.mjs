@@ -10,6 +10,20 @@ export function sentenceOf(run, isCompared) {
   return `${who} main mass reaches ${short(1e3 * largest)} mm${beside}. ${impacts} impacts${dissipated < 0 ? `, which create ${short(-dissipated)} J` : ''}.${fault && ` Stopped by a fault: ${fault}.`}`;
 }
 
+// What a plot shows of the runs, as its heading, by the plot's name.
+export function findingsOf(runs, isCompared) {
+  const ofEach = (text) => runs.map((run) => `${isCompared ? `${run.letter.toUpperCase()}: ` : ''}${text(run, run.totals())}`).join('; ');
+  const energies = ({ dissipated, rubbed, energyError }) =>
+    `Contact ${dissipated < 0 ? 'creates' : 'dissipates'} ${short(Math.abs(dissipated))} J${rubbed > 0 ? `, friction ${short(rubbed)} J` : ''}; the balance closes within ${short(Math.abs(energyError), 2)} J`;
+  const energyOf = (letter) => runs.filter((run) => run.letter === letter).map((run) => energies(run.totals())).join('');
+  return {
+    displacement: ofEach((run, { largest }) => `${short(1e3 * largest)} mm at most${run.hasBare ? `, ${short(1e3 * run.bareLargest())} mm without absorber` : ''}`),
+    loop: ofEach((run, { peakForce }) => `${short(peakForce)} N at most`),
+    restitution: ofEach((run, { impacts }) => `${impacts} impacts`),
+    'energy-a': energyOf('a'), 'energy-b': energyOf('b'),
+  };
+}
+
 export function numbersRow(run) {
   const { largest, impacts, peakForce, dissipated, rubbed, energyError } = run.totals();
   const numbers = [1e3 * largest, 1e3 * run.bareLargest(), 100 * run.attenuation(), impacts, peakForce, dissipated, rubbed, energyError];

@@ -40,14 +40,14 @@ function showTable(id, title, file, columns, rows) {
 }
 showTable('advantage-table', 'The cheapest way to an error', 'error_vs_time.csv', ['target', 'law', 'error, m', 'kernel, per simulated second', 'best baseline', 'ratio'], ways.rows);
 showTable('coupled-table', 'Coupled scenes in numbers', 'coupled.csv', ['law', 'stepper', 'format', 'scenes', 'faults', 'largest energy gain'], coupledRows(tables.coupled));
-showTable('stability-table', 'In numbers, over the cells that the plan accepts', 'stability.csv',
+showTable('stability-table', 'Free impacts in numbers, over the cells that the plan accepts', 'stability.csv',
   ['law', 'stepper', 'format', 'accepted cells of 247', 'largest restitution error', 'largest energy gain'], stabilityRows(tables.stability));
 showTable('parts-table', 'Errors and orders with each part, against the reference', 'parts_accuracy.csv',
-  ['part', 'stepper', 'format', ...partSteps.map((step, i) => `${i === 0 ? 'error, m, at ' : ''}${1e3 * step} ms`), 'order', 'ledger open by, J'], partsRows(tables.parts_accuracy));
+  ['part', 'stepper', 'format', ...partSteps.map((step, i) => `${i === 0 ? 'error, m, at ' : ''}${1e3 * step} ms`), 'order', 'error of the energy balance, J'], partsRows(tables.parts_accuracy));
 showTable('budget-table', 'Every part, law and format', 'step_budget.csv',
   ['part', 'law', 'format', 'free, mean', 'largest', '1 kHz', '10 kHz', '50 kHz', 'flash', 'RAM', 'stack'], budget.rows);
-showTable('choice-table', 'The same as a table, for Hunt-Crossley', 'stability.csv',
-  ['CPU', 'rate', 'stop, N/m<sup>3/2</sup>', 'stepper', 'format', 'worst step of the period', 'restitution error', 'cheaper y<sup>3/2</sup>'], choiceRows(tables.step_budget, tables.stability, parts));
+showTable('choice-table', 'The choice as a table, for Hunt-Crossley', 'stability.csv',
+  ['CPU', 'rate', 'stop, N/m<sup>3/2</sup>', 'stepper', 'format', 'longest step, of the period', 'restitution error', 'cheaper y<sup>3/2</sup>'], choiceRows(tables.step_budget, tables.stability, parts));
 
 // Pictures. Black and gray are ink and grid; the others are Okabe and Ito's colours, which colour-blind readers tell apart;
 // dash and marker differ as well.
@@ -117,7 +117,7 @@ const pictures = {
   restitution: () => ({ height: 460, x: { label: 'stated restitution', range: [0, 1] }, y: { label: 'restitution that comes out', range: [0, 1] },
     series: Object.entries({ exact: { colour: ink }, 'hu-guo': { colour: blue, dash: '6 3' }, flores: { colour: sky, dash: '8 3 2 3' }, 'hunt-crossley': { colour: vermilion }, 'herbert-mcwhannell': { colour: orange, dash: '6 3' }, 'lankarani-nikravesh': { colour: green, dash: '8 3 2 3' }, 'lee-wang': { colour: purple } })
       .map(([name, style]) => ({ name, width: 2, ...style, points: tables.restitution.filter((row) => row.damping === name).map((row) => ({ x: number(row.stated), y: (number(row.restitution_min) + number(row.restitution_max)) / 2 })) })) }),
-  attenuation: () => ({ x: { label: 'pulsation of the drive, rad/s' }, y: { label: 'attenuation, %', range: [-100, 100] }, rules: [{ y: 0 }],
+  attenuation: () => ({ x: { label: 'angular frequency of the drive, rad/s' }, y: { label: 'attenuation, %', range: [-100, 100] }, rules: [{ y: 0 }],
     series: [['level', false, { colour: blue }], ['level', true, { colour: sky, dash: '6 3' }], ['upright', false, { colour: vermilion }], ['upright', true, { colour: orange, dash: '6 3' }]].map(([rig, rubs, style]) => ({ name: rubs ? `${rig}, friction` : rig, width: 2.4, ...style,
       points: tables.attenuation.filter((row) => row.rig === rig && number(row.ball_friction_N) > 0 === rubs).map((row) => ({ x: number(row.pulsation), y: clamped(100 * number(row.attenuation), -100, 100),
         text: `${rig}, friction ${row.ball_friction_N} N · ${row.pulsation} rad/s · swing ${short(1e3 * row.swing_m)} mm, ${short(1e3 * row.swing_without_m)} without the ball · attenuation ${short(100 * row.attenuation, 2)} %` })) })) }),

@@ -20,7 +20,7 @@ case $kind in
     sanitize=address,undefined flags='-DIMPACT_BUDGETS="budgets.csv"' libraries="$* -lpthread"
     sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) ;;
 esac
-compiled=-O0 && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || compiled="-O1 -gline-tables-only"
+compiled="-O0 -Dalways_inline=unused" && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || compiled="-O1 -gline-tables-only"
 # $compiled, $sources and $libraries are lists.
 clang++ -std=c++17 $compiled -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize-recover=all \
   $flags -I "$project" -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* One absorber's scene for C: a library that impact_c_library() in c/impact_c.cmake makes of a rig header, or any build
-   that compiles c/impact_c.cpp with IMPACT_C_RIG naming it. The header is `#include <impact/absorber.hpp>`, a Rig and
-   `using Absorber = impact::Absorber<Rig, ...>;`, as impact-sim --rig writes it.
+/* The absorber of one scene for C. impact_c_library() in c/impact_c.cmake makes the library of a rig header. So does any
+   build that compiles c/impact_c.cpp with the header's name in IMPACT_C_RIG. The header has `#include
+   <impact/absorber.hpp>`, a Rig and `using Absorber = impact::Absorber<Rig, ...>;`, as impact-sim --rig writes it.
 
        impact_absorber absorber;
        impact_init(&absorber);
        void timer_interrupt(void) { impact_step(&absorber); write_dac(impact_displacement(&absorber)); }
 
-   Of the rig this header must be told, and impact_c.cpp checks: IMPACT_C_FLOAT for Float32 and Float32Plain,
-   IMPACT_C_SAMPLED for a Sampled drive, IMPACT_C_BASE for the part BaseAcceleration, IMPACT_C_CONTACT_FORCE and
-   IMPACT_C_SNAPSHOTS for the features ContactForce and Snapshots.
+   Define what the rig has; impact_c.cpp checks it: IMPACT_C_FLOAT for Float32 and Float32Plain, IMPACT_C_SAMPLED for a
+   Sampled drive, IMPACT_C_BASE for the part BaseAcceleration, IMPACT_C_CONTACT_FORCE and IMPACT_C_SNAPSHOTS for the
+   features ContactForce and Snapshots.
 
-   One context steps, an interrupt or a task, and calls all these functions but two: impact_get_fault and
-   impact_get_snapshot may be called from any. The library needs no runtime of C++, and of C's memcpy and memset. Rust's
-   bindgen reads the same header. */
+   One context steps, an interrupt or a task. Only it calls these functions, with two exceptions: any context may call
+   impact_get_fault and impact_get_snapshot. The library needs no C++ runtime, and from C's library memcpy and memset.
+   Rust's bindgen reads the same header. */
 #ifndef IMPACT_C_H
 #define IMPACT_C_H
 
@@ -24,7 +24,7 @@
 extern "C" {
 #endif
 
-/* The state of an absorber: opaque, of at most this many bytes, a plain multiple of 8. It differs from rig to rig. */
+/* The opaque state of an absorber has at most this many bytes, a multiple of 8. The number depends on the rig. */
 #ifndef IMPACT_C_BYTES
 #define IMPACT_C_BYTES 256
 #endif
@@ -32,7 +32,7 @@ typedef struct {
   uint64_t opaque[IMPACT_C_BYTES / 8];
 } impact_absorber;
 
-/* A native number: SI in floating point; in Fixed32 a fraction of a unit, which is 2^31. */
+/* A native number: SI in floating point; in Fixed32 2^31 means one unit, see impact_displacement_unit and so on. */
 #ifdef IMPACT_C_FLOAT
 typedef float impact_number;
 #define IMPACT_C_NUMBER float
@@ -81,7 +81,7 @@ typedef enum {
 } impact_fault;
 
 void impact_init(impact_absorber*);  /* call it first: until then an absorber of zeros has the fault plan */
-void impact_reset(impact_absorber*); /* goes back to the initial state and clears the fault */
+void impact_reset(impact_absorber*); /* returns to the initial state and clears the fault */
 
 /* Advances by one step. A sample is the value at the step's end, in the units below. */
 #if defined(IMPACT_C_SAMPLED) && defined(IMPACT_C_BASE)

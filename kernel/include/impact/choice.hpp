@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Which stepper is right for a scene and a step: one rule, from how the step resolves the contacts that the bounds
-// allow (law/resolution.hpp). N is the number of steps per contact of the fastest impact (under strong damping: of its
-// shortest part, Resolution::shortest_part), w0 tc the radians of the main mass's own vibration during it. The first
-// that holds:
+// The rule for the stepper of a scene and a step, by how the step resolves the contacts that the bounds allow
+// (law/resolution.hpp). N is the number of steps per contact of the fastest impact; under strong damping it is that of
+// its shortest part, Resolution::shortest_part. w0 tc is how far, in rad, the main oscillator advances during it. The
+// first line that holds:
 //
 //     N >= 20                    Moment             fourth order
 //     n N >= 8                   SubsteppedMoment<> with n sub-steps, a power of two: fourth order; where n is no more
-//                                                   than the caller allows, and Impulsive is not expected to miss less
+//                                                   than the caller allows, and no smaller error is expected of Impulsive
 //     N >= 8                     Moment
 //     w0 tc <= 0.05              Impulsive          the law's own restitution, at an instant
 //     n N >= 8                   SubsteppedMoment<> with up to 16 sub-steps
@@ -16,16 +16,16 @@
 //     h c1/mu = 2, or a field in a long contact:
 //     w0 tc <= 0.25              Impulsive
 //
-// Moment and SubsteppedMoment are passed over where the plan would refuse them: where the step is long beside the main
-// mass's vibration, or beside the stiffness or the damping of the deepest contact, with sub-steps also where the ball
-// can cross the clearance within a step and a half. Impulsive is, where weight or a base that shakes is not little
-// during a contact. Where Moment would be right but for a Hooke-Newton contact that loses less than it may create, the
-// choice is EnergyConsistent, and no line below is asked; SubsteppedMoment is passed over there. Where nothing fits it
-// is EnergyConsistent too, and the plan refuses it.
+// A stepper that the plan would reject is passed over. For Moment and SubsteppedMoment that is a step that is too long
+// for the main mass's vibration, or for stiffness or damping of the deepest contact. With sub-steps it is also a ball
+// that can cross the clearance within a step and a half. For Impulsive it is weight or a shaken base that is not small
+// during a contact. A Hooke-Newton contact may lose less energy than the step may create. Then SubsteppedMoment is
+// passed over, and EnergyConsistent is chosen in place of Moment. If no line holds the choice is EnergyConsistent, and
+// the plan rejects it.
 //
-// A step costs n steps of Moment where the ball stays pressed, and those of 20 to 60 sub-steps in an impact. Chosen
-// allows no sub-steps, for a core whose period is short: where there is time, name SubsteppedMoment<>. impact-sim
-// allows as many as there are.
+// A step with sub-steps costs n steps of Moment while the ball is pressed, and 20 to 60 in an impact. For the sake of
+// cores with a short period, Chosen does not allow sub-steps in the second line. If there is time, name
+// SubsteppedMoment<>. impact-sim allows as many as the format does.
 
 #include <impact/law/resolution.hpp>
 #include <impact/plan/source.hpp>
@@ -40,10 +40,10 @@ namespace impact {
 
 enum class Choice { moment, sub_steps, energy, impulsive };
 
-// What a motion of half a second with some impacts a cycle is expected to be off by, in metres of the main mass; ten
-// times as much with Hertz, whose impacts amplify. What an impact's restitution misses, of whose bound a motion has a
-// quarter, and what the main mass turns in a step are shares of its swing. An impact at an instant misses what happens
-// while it lasts, whatever the step. The factors are measured (stiff_test.cpp).
+// The expected error of the main mass's displacement, m, in a motion of half a second with some impacts per cycle. With
+// Hertz, whose impacts amplify errors, it is ten times as much. It is a share of the main mass's swing, from the error
+// of an impact's restitution (a quarter of its bound) and from the main mass's angle in a step. Impulsive's error comes
+// from the duration of the contact, whatever the step. The factors are measured (stiff_test.cpp).
 constexpr double expected_error(Choice choice, const Resolution& contact, double step) {
   const double turn = contact.main_pulsation * step, square = turn * turn;
   const double in_flight = contact.is_linear ? 1e-3 * square : square * square;
@@ -61,8 +61,8 @@ constexpr double expected_error(Choice choice, const Resolution& contact, double
   return contact.swing * (constant::smaller(0.05, 2 * part * part) + 0.1 * square);
 }
 
-// w0 tc of an impact at an instant, and w0 h with sub-steps, in radians: the latter below SubsteppedMoment's own, so
-// that heavy balls without damping gain less than 1 % where a search finds most.
+// The largest w0 tc for Impulsive, and the largest w0 h with sub-steps, rad. The latter is below SubsteppedMoment's own
+// limit, so that heavy balls without damping gain less than 1 % in the worst scene of a search.
 inline constexpr double longest_instant = 0.05, longest_sub_stepped_phase = 0.25;
 
 constexpr Choice choice_for(const Resolution& contact, double step, int most_sub_steps = 1) {
@@ -116,7 +116,7 @@ struct StepperOf<Choice::energy> {
   using Type = EnergyConsistent;
 };
 
-// Moment where a value is out of its own range: there is nothing to choose by, and the absorber's refusal names it.
+// Moment if a value is out of its own range: then the rule has no input, and the absorber's message names the value.
 template <class Rig, class ContactLaw>
 constexpr Choice choice_of() {
   static_assert(
@@ -135,8 +135,8 @@ template <class Rig, class ContactLaw>
 using ChosenFor = typename StepperOf<choice_of<Rig, ContactLaw>()>::Type;
 }  // namespace detail
 
-// The rule's stepper, by the rig and the law of the absorber that names it: Chosen<>. Of another rig, for an absorber
-// AtRunTime: Chosen<Rig, Law>.
+// Chosen<> is the rule's stepper for the rig and the law of the absorber that names it. For an absorber AtRunTime name
+// Chosen<Rig, Law> of a rig.
 template <class Rig = void, class ContactLaw = void>
 struct Chosen : detail::ChosenFor<Rig, ContactLaw> {
   using Type = detail::ChosenFor<Rig, ContactLaw>;
@@ -145,7 +145,7 @@ template <>
 struct Chosen<void, void> {};
 
 namespace detail {
-// The stepper that an absorber's third argument means.
+// The stepper for an absorber's third argument.
 template <class Stepper, class Rig, class ContactLaw>
 struct StepperFor {
   using Type = Stepper;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Why a plan was refused, and what would do. Where a value is out of its own range, that range (status.hpp). Where it
-// is only the values together that leave no room, the first value that can be changed alone so that the plan is made: a
+// Why a plan is rejected, and which value would be accepted. If a value is out of its own range, the answer is that
+// range (status.hpp). If only the values together are at fault, it is the first value that can be changed alone: a
 // start, a field or a dry friction that is named, then
 //
 //     step, the refused value, displacement_bound, speed_bound, penetration_bound, contact_stiffness, contact_damping,
 //     main_stiffness, main_damping, clearance, ball_mass, main_mass
 //
-// and the ends of the accepted range around the nearest value that does: found by halving and doubling, then by
-// bisection, over plans that are made. Both ends are accepted. Where no single value does, the ends of the range in
-// which another value is at fault than the first.
+// The answer has the ends of the accepted range around the nearest accepted value. They are found by halving and
+// doubling, then by bisection, by making plans. Both ends are accepted. If no single value suffices, they are the ends
+// of the range in which another value is at fault.
 
 #include <stdint.h>
 
@@ -68,16 +68,16 @@ constexpr double* Values::find(Parameter parameter) {
   return row.in_scene ? &(scene.*row.in_scene) : row.in_bounds ? &(bounds.*row.in_bounds) : &step;
 }
 
-// The value that a plan was refused for, and what it may be beside the others (drive_pulsation also 0). Where the first
-// value at fault is so at any size, `allowed` is its range in any scene, which then holds it.
+// The value for which a plan is rejected, and its accepted range with the other values (drive_pulsation may also be 0).
+// If the first value at fault is so at any size, `allowed` is its range in any scene, and contains the value.
 struct Explanation {
   Parameter parameter;
   double value;
   Range allowed;
-  bool is_enough = true;  // or another value is refused then
+  bool is_enough = true;  // false: with an allowed value another value is rejected
 };
 
-// By the status alone. Where `allowed` holds the value, it is the values together that leave no room.
+// Explains by the status alone. If `allowed` contains the value, the values together are at fault.
 constexpr Explanation explain(PlanStatus status, Values values) {
   using constant::larger;
   using constant::magnitude;
@@ -105,7 +105,7 @@ constexpr Explanation explain(PlanStatus status, Values values) {
       said.allowed.least = slowest_drive(values.step);
       break;
     case PlanStatus::initial_displacement:
-      // Of two within their range, for a ball that is too deep in a stop, the larger.
+      // For a ball that is too deep in a stop, with both in range: the larger of them.
       if (said.allowed.holds(said.value) && magnitude(scene.x1) > magnitude(scene.x2)) return of(Parameter::x1);
       break;
     case PlanStatus::displacement_bound:

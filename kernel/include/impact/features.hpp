@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What an absorber can record. A feature that its type does not name costs nothing.
+// The features: what an absorber can record. A feature that its type does not name costs nothing.
 
 #include <stdint.h>
 
@@ -32,11 +32,12 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
 //     dissipated.total() * plan.force_scale * plan.units.si_penetration_unit()
 //     drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit()
 //
-// An entry keeps all bits of its products, so Fixed32 rounds none, however slow the contact is beside its bounds. In
-// Float32 each is rounded by 2^-24 of itself.
+// An entry keeps all bits of its products, so Fixed32 does not round, however slow the contact is compared with its
+// bounds. In Float32 the rounding of each is 2^-24, relative.
 //
-// Neither has what the step itself takes of the energy: with Impulsive (w0 t h)^4/12 of the main mass's share in each
-// impact (docs/impulsive.md), with EnergyConsistent in a field what a stiff contact's position correction does.
+// Neither contains the energy that the method itself takes. With Impulsive it is (w0 t h)^4/12 of the main mass's share
+// in each impact (docs/impulsive.md). With EnergyConsistent in a field it is that of a stiff contact's position
+// correction.
 //
 // What is dissipated never falls
 //
@@ -97,7 +98,7 @@ struct EnergyLedger {
     own.stored = stored_now(plan, state);
     own.dissipated.add(before - own.stored);
   }
-  // What the stop that the ball is in holds.
+  // The energy that the ball's stop stores.
   template <class Plan, class State>
   static constexpr auto stored_now(const Plan& plan, const State& state) {
     using Format = typename Plan::FormatType;
@@ -106,7 +107,7 @@ struct EnergyLedger {
     return Plan::LawType::template stored<Format>(plan.units,
                                                   plan.units.penetration(mirrored(state.x2 - state.x1, state.at_left)));
   }
-  // Whether a state from elsewhere can be gone on with.
+  // True if a restored state is valid.
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
@@ -118,7 +119,7 @@ struct EnergyLedger {
   }
 };
 
-// The rate of an impact at an instant, and 0 in a step in which the ball rests on its stop or flies on inside it.
+// The rate of an impact that takes no time, and 0 in a step in which the ball rests on its stop or flies inside it.
 template <class Contact, class Step>
 constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
   using Value = decltype(step.rate);

@@ -27,8 +27,8 @@ enum class Stops { both, left, right, none };
 // `allow` keeps the law as the paper writes it, with separation at zero penetration. The other laws never pull.
 enum class Tension { clamp, allow };
 
-// The value of a contact_damping that nobody stated: the paper's c1, one bit up. With HuntCrossley and the default
-// contact_stiffness it means 19560. With another stiffness or with HookeNewton the plan is rejected.
+// The default of contact_damping, which marks it as not stated: the paper's c1 plus one bit. With HuntCrossley and the
+// default contact_stiffness it means 19560. With another stiffness or with HookeNewton the plan is rejected.
 inline constexpr double unstated_damping = 19560.0 + 0x1p-38;
 
 // The values that a scene states, in SI units. status.hpp has the range of each, 1e-9 to 1e9 kg for a mass; a value
@@ -56,14 +56,14 @@ struct Scene {
 
 // The largest values that the scene may reach, in SI units. The plan checks its step against them, and a state that
 // passes them raises a fault, in every format. Fixed32 derives its units from them: tighter bounds give a finer
-// resolution. The defaults suit the paper's scene under every law; with Hertz, which loses nothing, for ten minutes (in
-// three hours the ball reaches 2.7 m/s). Scene::drive_amplitude counts in the units and in the deepest penetration
-// under every drive.
+// resolution. The defaults suit the paper's scene with every law. With Hertz, which loses no energy, they suit ten
+// minutes (in three hours the ball reaches 2.7 m/s). Scene::drive_amplitude enters the units and the deepest
+// penetration with every drive.
 struct Bounds {
   double displacement = 0.1;     // of the main mass, and of a ball that has one stop, m
   double speed = 2.0;            // of either mass, m/s
   double penetration = 0;        // into a stop, m; 0: the deepest that the others lead to, law/depth.hpp
-  double force = 10.0;           // of the samples of a Sampled drive, N; the plan has room for it under any drive
+  double force = 10.0;           // of the samples of a Sampled drive, N; the plan reserves room for it with any drive
   double base_acceleration = 0;  // of the samples of BaseAcceleration, which requires it, m/s^2
 };
 

@@ -7,7 +7,8 @@
 //
 //     N >= 20                    Moment             fourth order
 //     n N >= 8                   SubsteppedMoment<> with n sub-steps, a power of two: fourth order; where n is no more
-//                                                   than the caller allows, and no smaller error is expected of Impulsive
+//                                                   than the caller allows, and Impulsive is not expected to have
+//                                                   less error
 //     N >= 8                     Moment
 //     w0 tc <= 0.05              Impulsive          the law's own restitution, at an instant
 //     n N >= 8                   SubsteppedMoment<> with up to 16 sub-steps

@@ -21,12 +21,12 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr uint32_t kind = 0;  // a saved state is of one kind of format
   using Units = Fixed32Units;
   using Oscillator = IntegerOscillator;
-  // A call of the contact costs less than the registers that a free step would have to save for it.
+  // Calling the contact costs less than saving the registers that inlining it would need in a free step.
   static constexpr bool calls_contact = true;
   static constexpr bool has_spare_registers = false;
   static constexpr bool is_real = false;
 
-  // weight x y, with the weight's shift after both.
+  // weight x y, with the weight's shift after both products.
   template <int bits>
   static constexpr Value product(Weight weight, Value x, Unsigned<bits> y) {
     const int ahead = weight.bits_ahead(), after = weight.shift + ahead;
@@ -42,19 +42,19 @@ struct Fixed32 : Fixed32Numbers {
     return {shifted_product(to_left(x.raw, ahead), sum.raw, 3)};
   }
 
-  // In [0, 1); what is not, for a stepper far outside its range, is clamped there.
+  // In [0, 1). Other values, of a stepper far outside its range, are clamped.
   static constexpr Unsigned<32> constant(double x) {
     return {x > 0 ? static_cast<uint32_t>(impact::constant::smaller(x * 4294967296.0 + 0.5, 4294967295.0)) : 0};
   }
   static constexpr Short short_constant(double x) { return {static_cast<uint32_t>(x * 65536.0 + 0.5)}; }
-  // Of a number below 1.
+  // For a number below 1.
   template <int bits>
   static constexpr Unsigned<32> factor(Unsigned<bits> x) {
     return with_bits<32>(x);
   }
-  // gain * x of a state in range, for a gain >= 0, in fewer instructions than the gain's own product. To the right it
-  // rounds down: what adds one such term and takes away another rounds to nearest on average. To the left it rounds to
-  // nearest within a sixth of the product's LSB, by the one or two bits of x that are worth about half of that: the
+  // gain * x for a state in range and a gain >= 0, in fewer instructions than the gain's own product. A shift to the
+  // right rounds down; a sum of one such term less another rounds to nearest on average. A shift to the left rounds to
+  // nearest within a sixth of the product's LSB, from the one or two bits of x that are worth about half of it. The
   // product's lower word is not needed.
   [[gnu::always_inline]] static constexpr Value term(Gain gain, Value x) {
     if (gain.mantissa == 0) return {0};
@@ -63,8 +63,8 @@ struct Fixed32 : Fixed32Numbers {
     const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) + half_lsb);
     return {to_left(high_product(ahead, gain.mantissa), -gain.shift)};
   }
-  // gain * x, where it may be less than an LSB: to the right it rounds by chance, as the lower word of a state
-  // says, so that on average nothing is lost. Rounded down, a weak damper takes half an LSB in each step.
+  // gain * x, which may be less than an LSB. A shift to the right rounds at random, by the lower word of a state, so
+  // that on average nothing is lost. Rounded down, a weak damper would take half an LSB in each step.
   [[gnu::always_inline]] static constexpr Value dithered_term(Gain gain, Value x, Long chance) {
     if (gain.mantissa == 0 || gain.shift <= 0) return term(gain, x);
     const auto carried = static_cast<int32_t>(static_cast<uint32_t>(chance.raw) >> (32 - gain.shift));
@@ -100,7 +100,7 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Value largest_sample(double) { return {INT32_MAX}; }
   static constexpr bool is_within(Value, Value) { return true; }
   static constexpr Value clamped_to(Value x, Value, Value) { return x; }
-  // For a state from elsewhere. A sum has room for 2^31 more of the largest Values.
+  // True if a restored sum has room for 2^31 more of the largest Values.
   static constexpr bool is_sound(Gain gain) { return gain.shift >= -32 && gain.shift < 31; }
   static constexpr bool is_sound(Value) { return true; }
   static constexpr bool is_sound(Energy) { return true; }
@@ -110,8 +110,8 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
   static constexpr int32_t native(Value reading) { return reading.raw; }
-  // A fraction as a Value, clamped to the ends of its range; 0 for no number. A constant counts in 2^31 - 1, so that 1
-  // is a Value; a float, whose 2^31 - 1 is 2^31, in that.
+  // A fraction as a Value, clamped to the ends of its range; 0 for what is no number. The unit of a constant is 2^31 -
+  // 1, so that 1 is a Value. That of a float is 2^31, since a float has no 2^31 - 1.
   static constexpr Value sample(double fraction) {
     return {fraction >= 1    ? INT32_MAX
             : fraction <= -1 ? -INT32_MAX
@@ -124,7 +124,7 @@ struct Fixed32 : Fixed32Numbers {
             : fraction > -1  ? static_cast<int32_t>(fraction * 2147483648.0f)
                              : 0};
   }
-  // Whether a sample of this fraction was clamped, roundings aside, or is no number.
+  // True if a sample of this fraction was clamped by more than rounding, or is no number.
   template <class Real>
   static constexpr bool is_clamped(Value sample, Real fraction) {
     const bool is_at_an_end = sample.raw == INT32_MAX || sample.raw == -INT32_MAX || sample.raw == 0;
@@ -144,7 +144,7 @@ struct Fixed32 : Fixed32Numbers {
     return {
         opaque(numerator.raw < denominator.raw ? quotient_q32<b <= 31>(numerator.raw, denominator.raw) : ~UINT32_C(0))};
   }
-  // A divisor of several numbers.
+  // A divisor that is used several times.
   struct Divisor {
     int32_t own;
     uint32_t inverse;
@@ -157,14 +157,14 @@ struct Fixed32 : Fixed32Numbers {
                          ? (high_product(ahead, inverse) << 1) | ((ahead * inverse) >> 31)
                          : ~UINT32_C(0))};
     }
-    // Of a number beyond the divisor as of the divisor.
+    // A larger number is treated as the divisor.
     constexpr Signed<29> ratio(Value x) const {
       const int32_t clamped = x.raw > own ? own : x.raw < -own ? -own : x.raw;
       const auto ahead = to_left(clamped, zeros - 1);
       return {opaque(high_product(ahead, opaque(static_cast<int32_t>(inverse >> 1))))};
     }
   };
-  // 0 < x < 1; what a state beyond its bounds makes of x is clamped there.
+  // 0 < x < 1; beyond that, from a state beyond its bounds, x is clamped.
   static constexpr Divisor divisor(Unsigned<31> x) {
     if (x.raw - 1 >= INT32_MAX) x.raw = INT32_MAX;
     const int zeros = normalise<1>(x.raw);
@@ -192,7 +192,7 @@ struct Fixed32 : Fixed32Numbers {
     const auto one = static_cast<uint32_t>(half_one.raw);
     return value(x * Unsigned<32>{quotient_q32(one, one + (static_cast<uint32_t>(y.raw) >> 1))});
   }
-  // A root t of a decreasing function, moved by its value over its steepness.
+  // One Newton step for a root t of a decreasing function: by its value over its steepness.
   static constexpr Unsigned<32> corrected(Unsigned<32> t, Value value, Unsigned<31> steepness) {
     const bool later = value.raw > 0;
     const auto raw = static_cast<uint32_t>(value.raw);
@@ -205,13 +205,13 @@ struct Fixed32 : Fixed32Numbers {
     constexpr int32_t quarter = 1 << 29;
     return {x.raw > quarter ? quarter : x.raw < -quarter ? -quarter : x.raw};
   }
-  // k of 2^bits parts of 1, for k below that; and how many of them x has, rounded down.
+  // k of 2^bits parts of 1, for k below 2^bits; and the number of parts in x, rounded down.
   static constexpr Unsigned<32> parts(int k, int bits, Gain) { return {static_cast<uint32_t>(k) << (32 - bits)}; }
   static constexpr int parts_of(Value x, int bits, Gain) { return x.raw >> (31 - bits); }
   static constexpr Value times(Value x, int k) {
     return {static_cast<int32_t>(static_cast<uint32_t>(x.raw) * static_cast<uint32_t>(k))};
   }
-  // By how many bits the numbers may move to the left and stay below a quarter.
+  // By how many bits the numbers can be shifted to the left and stay below a quarter.
   template <class... Values>
   static constexpr int spare_bits(Values... x) {
     const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };
@@ -261,7 +261,7 @@ struct Fixed32 : Fixed32Numbers {
     IMPACT_EXPECT(x.raw >= 0);
     return {x.raw == 0 ? 0 : square_root_q31(static_cast<uint32_t>(x.raw) << 1)};
   }
-  // The root of x > 0, and with it those of numbers near x.
+  // The root of x > 0, and from it those of numbers near x.
   struct KnownRoot : KnownSquareRoot {
     constexpr Root at_point() const { return {root}; }
     constexpr Root beside(Value z) const { return {root_beside(z.raw)}; }
@@ -270,7 +270,7 @@ struct Fixed32 : Fixed32Numbers {
     IMPACT_EXPECT(x.raw > 0);
     return {KnownSquareRoot::of(x.raw)};
   }
-  // Of a state from elsewhere: whether the square is within a quarter, by which no step's prediction misses.
+  // For a restored state: true if the square is within a quarter, since no step's prediction has a larger error.
   static constexpr bool is_root_beside(Root root, Value x) {
     const auto apart = static_cast<int32_t>((high_square(root.raw) << 1) - static_cast<uint32_t>(x.raw));
     return root.raw > 0 && root.raw <= UINT32_C(1) << 31 && x.raw > 0 && apart <= 1 << 29 && apart >= -(1 << 29);

@@ -21,7 +21,7 @@ struct Fixed32Numbers {
       IMPACT_EXPECT(is_in_64_bits(Wide{raw} + other.raw));
       raw += other.raw;
     }
-    // Modulo 2^64: states that have just left their range are looked at before they are clamped.
+    // Modulo 2^64, since states that have just left their range are read before they are clamped.
     friend constexpr Long operator-(Long a, Long b) {
       IMPACT_EXPECT(is_in_64_bits(Wide{a.raw} - b.raw));
       return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
@@ -31,7 +31,7 @@ struct Fixed32Numbers {
     constexpr bool is_negative() const { return raw < 0; }
   };
 
-  // A sum of energies without end and without rounding: 2^33 of the largest fit.
+  // A sum of energies without rounding, with room for 2^33 of the largest.
   struct Tally {
     uint32_t low, middle;
     int32_t high;
@@ -65,7 +65,7 @@ struct Fixed32Numbers {
         }
         return {(high_product(x.raw, gain.mantissa) + (1 << (bits - 1))) >> bits};
       }
-      // To the left before the product as far as it cannot overflow, to keep the product's low bits.
+      // Shifted to the left before the product as far as it cannot overflow, to keep the product's low bits.
       const int after = bits < -2 ? 2 : -bits;
       const auto ahead = to_left(x.raw, -bits - after);
       const int32_t product = is_power_of_two ? ahead : rounded_high_product(ahead, gain.mantissa);
@@ -73,7 +73,7 @@ struct Fixed32Numbers {
     }
   };
 
-  // A gain of numbers that it may carry out of range: what would leave it is clamped at its end.
+  // A gain whose product may be out of range; it is clamped there.
   struct ClampedGain : Gain {
     friend constexpr Value operator*(ClampedGain gain, Value x) {
       if (gain.shift >= -1) return static_cast<const Gain&>(gain) * x;
@@ -82,7 +82,7 @@ struct Fixed32Numbers {
       const int32_t clamped = product > quarter ? quarter : product < -quarter ? -quarter : product;
       return {to_left(clamped, 2)};
     }
-    // Of a number that is known not to be negative.
+    // For a number that is known not to be negative.
     friend constexpr Value operator*(ClampedGain gain, Unsigned<31> x) {
       const auto known = static_cast<int32_t>(x.raw);
       if (gain.shift >= -1) return static_cast<const Gain&>(gain) * Value{known};
@@ -97,7 +97,7 @@ struct Fixed32Numbers {
     constexpr int32_t product(int32_t x) const { return rounded_high_product(to_left(x, -2 - shift), mantissa); }
   };
 
-  // A gain that rounds down where it shifts left, by one bit to the middle of two: two instructions less.
+  // A gain that rounds down if it shifts to the left, to the middle of two values; it takes two instructions less.
   struct Weight : Gain {
     // To the left before a product that keeps its upper word only: a mantissa of a half leaves x, of a product within
     // 1, one bit more than that.
@@ -115,7 +115,7 @@ struct Fixed32Numbers {
   static constexpr Gain gain(double factor, int from, int to) {
     const double scaled = factor * constant::power_of_two(from - to);
     if (scaled == 0) return {0, 0};
-    // No number that it multiplies stays in range: a stepper far outside its own.
+    // No product stays in range: the stepper is far outside its own.
     if (!(constant::magnitude(scaled) < 0x1p31)) return {scaled < 0 ? -INT32_MAX : INT32_MAX, -32};
     int e = constant::exponent_above(constant::magnitude(scaled));
     int64_t mantissa = constant::nearest(scaled * constant::power_of_two(31 - e));
@@ -131,7 +131,7 @@ struct Fixed32Numbers {
     const Gain found = gain(factor, from, to);
     return found.shift < 30 ? Weight{found} : Weight{};
   }
-  // A Value that counts in 2^from as one that counts in 2^(from + bits).
+  // Converts a Value in units of 2^from to units of 2^(from + bits).
   static constexpr Value moved(Value x, int bits) {
     IMPACT_EXPECT(bits >= 0 || to_left(x.raw, -bits) >> -bits == x.raw);
     if constexpr (is_wide)
@@ -140,9 +140,9 @@ struct Fixed32Numbers {
   }
 
   static constexpr Value lsb() { return {1}; }
-  // A small difference: none where it is no more than what its terms are rounded by.
+  // A small difference; 0 if it is within the rounding of its terms.
   static constexpr Value beyond_rounding(Value x) { return {static_cast<uint32_t>(x.raw) + 4 > 8 ? x.raw : 0}; }
-  // Numbers in a unit 2^bits times as fine for a while, where bits < 0 as coarse.
+  // Numbers in a temporary unit that is 2^bits times as fine, or as coarse for bits < 0.
   struct OwnUnit {
     int left, right;
 
@@ -153,7 +153,7 @@ struct Fixed32Numbers {
 
   // At most 1.
   static constexpr Gain at_most_one(Gain gain) { return gain.shift < -1 ? Gain{INT32_MAX, -1} : gain; }
-  // A gain over 2^bits, below 1/2, rounded down: a shift that is known to go right.
+  // A gain over 2^bits, below 1/2, rounded down: its shift is known to be to the right.
   struct Fraction {
     int32_t mantissa;
     int shift;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The units of Fixed32: the powers of two that a plan gives each quantity, from the largest values of its scene, and
-// the shifts by which Values and states of one unit become those of another.
+// The units of Fixed32: the powers of two that a plan chooses for each quantity from the largest values of its scene,
+// and the shifts that convert Values and states from one unit to another.
 //
 //     position x = raw * 2^(position - 63); its upper word is a Value. 2^position is twice the bound or more, so that a
 //     state that passes its bound is seen before anything wraps.
@@ -16,11 +16,11 @@ struct Fixed32Units {
   using Value = Fixed32Numbers::Value;
   using Long = Fixed32Numbers::Long;
 
-  // Every unit is the least that holds its bound, but for room: what is added to a state in range, at most half of its
-  // own unit, must not wrap it before it is looked at again (a displacement and a drive's sample to a position, three
-  // increments at a change of plan to a displacement, in a contact two pushes to a displacement or one and a position
-  // correction to a position). Where a quantity is large beside the positions' bound, their unit grows to leave that
-  // room.
+  // Every unit is the smallest that holds its bound with some room. An addition to a state in range, at most half of
+  // its own unit, must not wrap it before the next check. These are a displacement and a drive's sample to a position;
+  // three increments at a change of plan to a displacement; in a contact two pushes to a displacement, or one push and
+  // a position correction to a position. If a quantity is large compared with the positions' bound, their unit grows to
+  // leave that room.
   static constexpr UnitExponents exponents(const UnitBounds& bounds) {
     using constant::exponent_above;
     UnitExponents e{};
@@ -35,14 +35,13 @@ struct Fixed32Units {
                          e.displacement + 1, e.penetration + 1, e.push + 2};
     for (const int exponent : least)
       if (e.position < exponent) e.position = exponent;
-    // A quantity counts in 2^-31 of a position's unit at the finest: its Value then ends with the position's
-    // LSB.
+    // The finest unit of a quantity is 2^-31 of a position's unit: its Value then ends with the position's LSB.
     int* const others[] = {&e.displacement, &e.increment, &e.push, &e.penetration};
     for (int* const own : others)
       if (*own < e.position - 31) *own = e.position - 31;
     if (e.displacement <= e.increment) e.displacement = e.increment + 1;
     e.recoil = e.push - 1;
-    // An LSB of a position changes the next step an eighth as much by the damper as by the spring, or less.
+    // Through the damper an LSB of a position changes the next step at most an eighth as much as through the spring.
     e.damped = bounds.is_lightly_damped ? e.position : e.displacement;
     return e;
   }

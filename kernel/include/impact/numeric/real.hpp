@@ -22,7 +22,7 @@ namespace impact {
 constexpr float size(float x) { return __builtin_fabsf(x); }
 constexpr double size(double x) { return __builtin_fabs(x); }
 
-// The sign's bit, without a comparison.
+// The sign bit, without a comparison.
 template <class Real>
 constexpr bool has_sign(Real x) {
   if (__builtin_is_constant_evaluated()) return x < 0;
@@ -44,8 +44,8 @@ struct PlainState {
   constexpr double total() const { return static_cast<double>(sum); }
 };
 
-// A state with what its last addition rounded off (Kahan 1965): sum + rest keeps some 40 bits through millions of small
-// increments.
+// A state with the rounding error of its last addition (Kahan 1965): sum + rest keeps some 40 bits through millions of
+// small increments.
 template <class Real>
 struct CompensatedState {
   Real sum, rest;
@@ -59,7 +59,8 @@ struct CompensatedState {
   }
   // The difference of the sums is exact between half of `least` and twice of it, and rounded to its own LSB beyond.
   constexpr Real value_beyond(CompensatedState least) const { return (sum - least.sum) + (rest - least.rest); }
-  // With what the difference of the sums rounds off (Knuth's two-sum): the ball's is a penetration small beside it.
+  // With the rounding error of the difference of the sums (Knuth's two-sum), because a penetration is small compared
+  // with the sums.
   friend constexpr CompensatedState operator-(CompensatedState a, CompensatedState b) {
     const Real difference = a.sum - b.sum, taken = a.sum - difference, left = difference + taken;
     return {difference, (a.sum - left) + (taken - b.sum) + (a.rest - b.rest)};
@@ -72,7 +73,7 @@ struct CompensatedState {
   constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
 };
 
-// The bits of a number's magnitude, which are in the order of the magnitudes, with infinity and then NaN above all.
+// The bits of a number's magnitude. They have the order of the magnitudes, with infinity and then NaN above all.
 template <class Real>
 inline auto magnitude_bits(Real x) {
   return bits_of(x) << 1;
@@ -92,7 +93,7 @@ struct RealFormat {
   using Tally = CompensatedState<Real>;
   using Oscillator = OscillatorType;
   static constexpr bool calls_contact = false;
-  // A step in contact can keep the state in registers: of the 32 that an FPU has, but for x86's 16.
+  // True if a step in contact can keep the state in registers: an FPU has 32 of them, x86 only 16.
 #if defined(IMPACT_HAS_FPU) && !defined(__SSE2__)
   static constexpr bool has_spare_registers = true;
 #else
@@ -126,7 +127,7 @@ struct RealFormat {
     static constexpr double velocity_unit(double) { return 1; }
     static constexpr Value as_displacement(Value rate) { return rate; }
     static constexpr Value increment_of_rate(Value increment) { return increment; }
-    // What is added from outside: no more than the limit, and nothing where it is no number.
+    // An addition from outside: clamped to the limit, and 0 if it is no number.
     static constexpr bool clamp(Real& x, Real limit) {
       if (is_within(x, limit)) return false;
       x = x > 0 ? limit : x < 0 ? -limit : 0;
@@ -137,7 +138,7 @@ struct RealFormat {
     static constexpr void add_position(Long& x, Value by) { x.add(by); }
     static constexpr void add_displacement(Long& w, Value by) { w.add(by); }
 
-    // Further than two positions in range are apart.
+    // More than the distance of two positions in range.
     static constexpr double out_of_reach(const UnitExponents&) { return 0x1p22; }
 
     static constexpr Long state(double x) {
@@ -170,7 +171,7 @@ struct RealFormat {
     static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
     static constexpr Value relative(Long difference) { return difference.value(); }
     static constexpr Value relative(Long x, Long other) { return x.value_beyond(other); }
-    // In a step, to the resolution of a Value: however sum and rest share a displacement.
+    // The change in a step, to the resolution of a Value, for any division of a displacement into sum and rest.
     static constexpr Value travel(Long x, Long other) { return x.value() - other.value(); }
     constexpr Value penetration(Long relative_displacement) const { return relative_displacement.value_beyond(gap); }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
@@ -183,7 +184,7 @@ struct RealFormat {
     static constexpr Value clamped_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }
     static constexpr bool is_within(Long x, Real limit) { return is_within(x.sum, limit); }
-    // False for what is no number, too.
+    // Also false for what is no number.
     static constexpr bool is_within(Real x, Real limit) {
       if (__builtin_is_constant_evaluated()) return size(x) <= limit;
       return magnitude_bits(x) <= magnitude_bits(limit);
@@ -197,7 +198,7 @@ struct RealFormat {
       x.sum = clamped;
       return true;
     }
-    // For a state from elsewhere, whose parts may be anything.
+    // For a restored state, whose parts may be anything.
     static constexpr bool is_sound(Long x) { return is_within(x.value(), 2 * x.sum); }
     static constexpr bool is_sound(Value x) { return is_within(x, static_cast<Real>(0x1p20)); }
     static constexpr Value one() { return 1; }
@@ -215,14 +216,14 @@ struct RealFormat {
     const double scaled = factor * constant::power_of_two(from - to), most = static_cast<double>(largest_gain);
     return static_cast<Real>(constant::larger(-most, constant::smaller(scaled, most)));
   }
-  // gain * x; nothing where a constant gain is 0, which a compiler multiplies out for the sake of -0 and NaN.
+  // gain * x. For a constant gain of 0 there is no product, which a compiler would keep because of -0 and NaN.
   static constexpr Value term(Gain gain, Value x) { return gain == 0 ? 0 : gain * x; }
   static constexpr Value dithered_term(Gain gain, Value x, const Long&) { return term(gain, x); }
   // Of a power of two.
   static constexpr Value moved_term(Gain gain, Value x) { return gain * x; }
   static constexpr Gain largest_gain =
       sizeof(Real) == sizeof(float) ? static_cast<Real>(0x1p100) : static_cast<Real>(0x1p900);
-  // gain in [0, 128). An impact at no speed at all has the damping of one at hardly any.
+  // gain in [0, 128). An impact at the speed 0 has the damping of a very slow one.
   static constexpr Gain gain_over(Gain gain, Value divisor) {
     constexpr auto least = static_cast<Real>(0x1p-92);
     return gain / (divisor > least ? divisor : least);
@@ -238,7 +239,7 @@ struct RealFormat {
   static constexpr OwnUnit own_unit(int) { return {}; }
   static constexpr Gain at_most_one(Gain gain) { return gain; }
   static constexpr Gain fraction(Gain gain, int) { return gain; }
-  // A converter's counts are numbers like others.
+  // A converter's counts need no conversion.
   static constexpr int count_exponent = 0;
   static constexpr Value counted(int32_t counts) { return static_cast<Real>(counts); }
   static constexpr double most_counts(double) { return 0x1p31; }
@@ -255,7 +256,7 @@ struct RealFormat {
   static constexpr Value clamped_to(Value x, Value bound, Value if_no_number) {
     return x > bound ? bound : x < -bound ? -bound : if_no_number;
   }
-  // For a state from elsewhere: far from infinity.
+  // For a restored state: true if it is far from infinity.
   static constexpr bool is_sound(Real x) { return magnitude_bits(x) < magnitude_bits(largest_gain); }
   static constexpr bool is_sound(Tally tally) { return is_sound(tally.value()); }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent - 31; }
@@ -279,7 +280,7 @@ struct RealFormat {
     constexpr auto quarter = static_cast<Real>(0.25);
     return x > -quarter ? (x < quarter ? x : quarter) : -quarter;
   }
-  // k of as many parts of 1 as `part` says; and how many of them x has, between -1 and 1.
+  // k parts of 1, each of the size `part`; and the number of parts in x, between -1 and 1.
   static constexpr Real parts(int k, int, Gain part) { return static_cast<Real>(k) * part; }
   static constexpr int parts_of(Real x, int, Gain part) { return static_cast<int>(x / part); }
   static constexpr Real times(Real x, int k) { return x * static_cast<Real>(k); }
@@ -289,10 +290,10 @@ struct RealFormat {
   using Balance = Real;
   static constexpr Balance balance(double a) { return static_cast<Real>(constant::larger(a, 1e-30)); }
   static constexpr Real share(Real x, Balance a) { return x / (x + a); }
-  // Of what a rounding may leave below 0.
+  // For a number that rounding may leave below 0.
   static constexpr Real root_of_product(Real x) { return root(positive_part(x)); }
   static constexpr Real root(Real x) { return correct_root(x); }
-  // The root of x > 0, and with it those of numbers near x, which an FPU takes anew.
+  // The root of x > 0. An FPU computes those of numbers near x anew.
   struct KnownRoot {
     Real root;
 
@@ -326,7 +327,7 @@ struct RealFormat {
   static constexpr Real short_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real square_over_five(Real z, Real p) { return z * z / (5 * p); }
   static constexpr Real over_one_plus(Real x, Real y, Real) { return x / (1 + y); }
-  // A root t of a decreasing function, from 0 to 1, moved by its value over its steepness.
+  // One Newton step for a root t in 0 to 1 of a decreasing function: by its value over its steepness.
   static constexpr Real corrected(Real t, Real value, Real steepness) {
     if (!(steepness > 0)) return t;
     const Real next = t + value / steepness;

@@ -32,9 +32,13 @@ struct Step {
   using Rub = FrictionImpulse<Model>;
 
   // The parts of the drive's change that the contact reads.
-  struct SeenChange {
-    Value to_end, half, bend;
+  struct ChangeAtEnd {
+    Value to_end, half;
   };
+  struct ChangeFromStart : ChangeAtEnd {
+    Value bend;
+  };
+  using SeenChange = typename detail::Either<traits.starts_from_rate, ChangeFromStart, ChangeAtEnd>::Type;
 
   // `force` and `acceleration` are the samples at the step's end. They are read only if drive or field are sampled.
   static constexpr void step(Model& m, Value force, Value acceleration) {
@@ -49,7 +53,9 @@ struct Step {
       SeenChange change{};
       if constexpr (traits.sees_change || Model::records) {
         const auto of_drive = m.state.drive.change(m.plan.drive, drive_before);
-        change = {of_drive.to_end, traits.starts_from_rate ? of_drive.half_chord : of_drive.half, of_drive.bend};
+        change.to_end = of_drive.to_end;
+        change.half = traits.starts_from_rate ? of_drive.half_chord : of_drive.half;
+        if constexpr (traits.starts_from_rate) change.bend = of_drive.bend;
       }
       contact(m, increment, main_travel, change);
     } else if (!m.flight_is_in_range()) {

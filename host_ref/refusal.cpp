@@ -8,7 +8,7 @@
 namespace impact::host {
 namespace {
 
-// With which a range holds, where the command does not state them. A moved base's force depends on the step.
+// The bounds that a range depends on and the command does not state. A moved base's force depends on the step.
 std::string bounds_text(const Settled& settled) {
   std::string text;
   for (const ParameterEntry& row : parameters) {
@@ -19,27 +19,29 @@ std::string bounds_text(const Settled& settled) {
   return text;
 }
 
-// What a step is too long for: status.hpp, law/resolution.hpp.
+// The reason why a step is too long: status.hpp, law/resolution.hpp.
 std::string limit_of_step(const Settled& settled) {
   const Request& request = settled.request;
   const Scene& scene = request.scene;
   switch (settled.planned.status) {
     case PlanStatus::clearance:
-      return "with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a step, at " +
+      return "with weight, a shaken base or friction the ball may cross at most a quarter of the clearance in a step, "
+             "at " +
              short_text(request.bounds->speed) + " m/s";
     case PlanStatus::steps_per_contact:
-      return "a contact lasts " + short_text(resolution(request).contact_time) + " s, of which " +
-             std::string(name_of(request.stepper)) + " asks a number of steps; auto picks by the step";
+      return "a contact lasts " + short_text(resolution(request).contact_time) + " s, for which " +
+             std::string(name_of(request.stepper)) + " needs more steps; auto takes a stepper that suits the step";
     case PlanStatus::step:
       if (scene.drive_pulsation * request.step > 3) return "at most 3 rad of the drive";
-      if (scene.main_damping * request.step > scene.main_mass) return "no longer than the damper's M/c";
-      return "a part of the main mass's own vibration, of " + short_text(natural_pulsation(scene)) + " rad/s";
+      if (scene.main_damping * request.step > scene.main_mass) return "at most M/c, for the damper";
+      return "a part of a period of the main mass's own vibration, of " + short_text(natural_pulsation(scene)) +
+             " rad/s";
     default:
       return {};
   }
 }
 
-// What a range does not say of itself. Of bounds that were found, so that it is accepted as it is printed.
+// The conditions of a range. They name the bounds that were found, so that the range is accepted as it is printed.
 std::string condition_of(const Explanation& found, const Settled& settled) {
   const Request& request = settled.request;
   std::string text;
@@ -60,10 +62,10 @@ Refusal refusal_of(const Settled& settled) {
     const bool is_long = contact.main_phase > Impulsive::longest_main_phase;
     return {"newmark", std::string(name_of(request.stepper)),
             is_long ? "auto: the contact lasts " + short_text(contact.main_phase) +
-                          " rad of the main mass's vibration, impulsive holds up to " +
+                          " rad of the main mass's vibration, impulsive allows up to " +
                           short_text(Impulsive::longest_main_phase)
                     : "auto: weight and base add " + short_text(contact.field_share) +
-                          " of the fastest impact's speed while it lasts, impulsive holds up to " +
+                          " of the fastest impact's speed during the contact, impulsive allows up to " +
                           short_text(Impulsive::largest_field_share)};
   }
   const Explanation found = explain(Values{request.scene, *request.bounds, request.step}, [&](const Values& values) {
@@ -80,8 +82,8 @@ Refusal refusal_of(const Settled& settled) {
   in_float.numeric = Numeric::float64;
   if (!found.is_enough && plan(in_float).status == PlanStatus::ok)
     return {"numeric", std::string(name_of(request.numeric)),
-            "float64: no single value makes room in this format" + bounds_text(settled)};
-  if (found.allowed.holds(found.value)) return {option, value, "with these other values none"};
+            "float64: in this format changing a single value does not suffice" + bounds_text(settled)};
+  if (found.allowed.holds(found.value)) return {option, value, "none with these other values"};
   const auto [least, most] = texts_within(found.allowed.least, found.allowed.most);
   // An own range is looked at before all others, as the options' are.
   const bool is_own = found.parameter != Parameter::step && !range_of(found.parameter).holds(found.value),
@@ -91,7 +93,7 @@ Refusal refusal_of(const Settled& settled) {
            : may_be_off ? "0, or "
                         : "") +
               least + " to " + most + condition_of(found, settled) +
-              (found.is_enough ? "" : " (another value is to change too)")};
+              (found.is_enough ? "" : " (another value must change too)")};
 }
 
 }  // namespace impact::host

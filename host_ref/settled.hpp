@@ -23,6 +23,8 @@ Resolution resolution(const Request& request);
 int sub_steps(const Request& request);
 // By how much the restitution of the fastest impact that the bounds allow misses the law's; NaN where no formula says.
 double restitution_error(const Request& request);
+// m, of x1, by the formula of the kernel's rule; NaN for a stepper that the rule never takes.
+double expected_error_of(const Request& request);
 // By the plan's rule. What more sub-steps than these round in Fixed32 is more than Impulsive misses.
 constexpr int most_in_fixed32 = 64;
 Stepper chosen(const Request& request, int most_sub_steps = SubsteppedMoment<>::most);

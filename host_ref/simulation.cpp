@@ -19,7 +19,7 @@ std::string rough_text(double value) {
   return value < 100 ? rounded_text(value, 3) : rounded_text(std::round(value), 15);
 }
 
-// What the rule chooses from, the cheaper first.
+// The rule's candidates, the cheaper first.
 struct Candidate {
   Stepper stepper;
   Choice choice;
@@ -37,9 +37,9 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
   };
   if (choice == Choice::impulsive) {
     if (contact.main_phase > longest_instant)
-      return beyond("a contact's radians of the main mass's vibration are ", contact.main_phase, longest_instant);
+      return beyond("the main oscillation's angle in a contact, rad, is ", contact.main_phase, longest_instant);
     if (contact.field_share > Impulsive::largest_field_share)
-      return beyond("what weight and base add to an impact's speed is ", contact.field_share,
+      return beyond("the share that weight and base add to an impact's speed is ", contact.field_share,
                     Impulsive::largest_field_share);
     return "a contact is resolved";
   }
@@ -48,28 +48,28 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
   const double turn = contact.main_pulsation * h, phase = contact.pulsation * h / n, damping = contact.damping * h / n,
                steps = n * contact.shortest_part / h,
                longest = is_divided ? longest_sub_stepped_phase : Moment::longest_phase;
-  if (turn > longest) return beyond("the main mass's radians in a step are ", turn, longest);
+  if (turn > longest) return beyond("w0 h is ", turn, longest);
   if (is_divided && h * SubsteppedMoment<>::fewest_steps_across > contact.crossing)
     return "the ball can cross the clearance in a step and a half";
   if (steps < Moment::precise_steps)
     return "steps per contact are " + rough_text(steps) + ", at least " + rough_text(Moment::precise_steps);
   if (phase > Moment::longest_contact_phase)
-    return beyond("the deepest contact's radians in a step are ", phase, Moment::longest_contact_phase);
+    return beyond("the deepest contact's angle in a step, rad, is ", phase, Moment::longest_contact_phase);
   if (damping > Moment::largest_damping)
     return beyond("the deepest contact's damping h c/mu is ", damping, Moment::largest_damping);
   if (request.numeric == Numeric::fixed32 && n > most_in_fixed32)
     return std::to_string(n) + " sub-steps are rounded too often, at most " + std::to_string(most_in_fixed32);
   if (is_divided && contact.shortest_part >= SubsteppedMoment<>::precise_parts * h)
-    return "dearer, and not needed from " + std::to_string(SubsteppedMoment<>::precise_parts) + " steps per contact on";
+    return "it costs more and is not required from " + std::to_string(SubsteppedMoment<>::precise_parts) +
+           " steps per contact on";
   return "a contact loses less than it may create";
 }
 
 // The error that the choice is expected to have, and why the next better stepper is passed over.
 std::string expected_text(const Request& request, const Resolution& contact) {
   const auto error_of = [&](Choice choice) { return expected_error(choice, contact, request.step); };
-  double own = 0, next = -1;
-  for (const auto& [stepper, choice] : candidates)
-    if (stepper == request.stepper) own = error_of(choice);
+  const double own = expected_error_of(request);
+  double next = -1;
   std::string line = ", expected error " + rounded_text(own, 1) + " m";
   const Candidate* better = nullptr;
   for (const Candidate& other : candidates)
@@ -134,6 +134,12 @@ Refusal refusal_of_parts(const Request& request) {
 }
 
 }  // namespace
+
+double expected_error_of(const Request& made) {
+  for (const auto& [stepper, choice] : candidates)
+    if (stepper == made.stepper) return expected_error(choice, resolution(made), made.step);
+  return std::nan("");
+}
 
 long step_count(const Request& request) { return std::lround(request.duration / request.step); }
 

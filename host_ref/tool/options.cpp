@@ -73,14 +73,15 @@ Option number(const ParameterEntry& row) {
   const Field<double> field = [&row](Settings& settings) -> double& { return value_in(settings.request, row); };
   const std::string name = option_of(row);
   Option option = number(name, row.unit, row.range, field, row.meaning);
-  if (row.in_bounds) option.initial = "half as much again as a float64 run reaches";
+  if (row.in_bounds) option.initial = "1.5 times what a float64 run reaches";
   for (const auto& [of, initial] :
-       {std::pair("step",
-                  "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 (said on "
-                  "standard error). It has a restitution within about 1e-05 of the law's, 30 steps a period and 100 in "
-                  "all"),
+       {std::pair(
+            "step",
+            "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 with a "
+            "restitution within about 1e-05 of the law's, 30 steps per period and 100 in all; it is said on standard "
+            "error"),
         {"contact-damping", "19560 for hunt-crossley, 20.81 for hooke-newton (the paper's)"},
-        {"restitution", "not used: --contact-damping; stated, it sets that, exactly for the law"}})
+        {"restitution", "not used; if stated, it determines --contact-damping, exactly for the law"}})
     if (name == of) option.initial = initial;
   return option;
 }
@@ -140,69 +141,71 @@ const std::vector<Option>& options() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all = {
         choice("law", laws, field(&Request::law), "contact law"),
-        choice("newmark", steppers, field(&Request::stepper),
-               "time stepper (auto: the plan's rule, said on standard error; the next four: classical Newmark with "
-               "pointwise contact; moment-4 and moment-8: with as many sub-steps in contact; moment-n: with as many as "
-               "it needs)"),
-        choice("numeric", numerics, field(&Request::numeric), "number format (float32: with compensated state)"),
+        choice(
+            "newmark", steppers, field(&Request::stepper),
+            "time stepper. auto is the kernel's rule and says its choice on standard error. average to central are "
+            "Newmark's "
+            "classical schemes. moment-4 and moment-8 have as many sub-steps in contact, moment-n as many as required"),
+        choice("numeric", numerics, field(&Request::numeric),
+               "number format; the state of float32 is compensated, that of float32-plain is not"),
         number("duration", "s", {0, 1e7}, field(&Request::duration),
                "simulated time, rounded to whole steps, at most 1e9 of them")
             .by_default("1, or as long as the samples of a file last")};
     for (const ParameterEntry& row : parameters) all.push_back(number(row));
     const std::vector<Option> others = {
 
-        choice("stops", stops_kinds, field(&Scene::stops), "stops that are there"),
+        choice("stops", stops_kinds, field(&Scene::stops), "stops that the ball can reach"),
 
         number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed),
-               "speed at which hunt-crossley is to show that restitution; the other laws do not read it"),
+               "speed at which hunt-crossley has the restitution of --restitution; the other laws do not read it"),
         flag("paper-damping", field(&Settings::paper_damping), true,
              "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
         choice(
             "damping", dampings, field(&Request::damping),
-            "of hunt-crossley. All but constant set it at each impact from its own speed and --restitution E, by the "
-            "formula of that name (hunt-crossley, or per-impact: the paper's (2.9)); exact: E is what comes out"),
+            "how hunt-crossley's damping is set. constant: by --contact-damping. The others set it at each impact, "
+            "from "
+            "its speed and --restitution E, by the formula of that name; hunt-crossley and per-impact are the paper's "
+            "(2.9). Only with exact does an impact have the restitution E"),
         choice("tension", tensions, field(&Scene::tension),
-               "allow: a stop may pull until the penetration ends; clamp: it lets go at zero force"),
+               "for hooke-newton. allow: a stop may pull until the penetration ends; clamp: it releases the ball at "
+               "zero force"),
 
-        choice("drive", drives, field(&Request::drive),
-               "force on the main mass; sampled: the sine as one sample a step, for a --rig that takes samples"),
-        file(
-            "drive-file", field(&Settings::drive_file), true,
-            "force samples instead, one a line and step: line n holds the force in N at the end of step n; 0 at t = 0"),
-        file(
-            "base-file", field(&Settings::base_file), true,
-            "displacement samples of the base in m instead, line n at the end of step n; 0 at t = 0: the force k z + c "
-            "z' "
-            "of spring and damper on the main mass, in absolute coordinates"),
+        choice(
+            "drive", drives, field(&Request::drive),
+            "force on the main mass. sampled passes the sine as one sample per step, for a --rig that takes samples"),
+        file("drive-file", field(&Settings::drive_file), true,
+             "force samples in place of the sine, one line per step: line n has the force in N at the end of step n; 0 "
+             "at t = 0"),
+        file("base-file", field(&Settings::base_file), true,
+             "displacement samples z of the base in m, line n at the end of step n; 0 at t = 0. They act as the force "
+             "k z + c z' on the main mass; displacements are absolute"),
         file("base-acceleration-file", field(&Settings::base_acceleration_file), true,
-             "acceleration samples of the base in m/s^2, line n at the end of step n; 0 at t = 0: displacements are "
-             "then "
+             "acceleration samples of the base in m/s^2, line n at the end of step n; 0 at t = 0. Displacements are "
              "relative to the base"),
         count("every", field(&Settings::every), "write every N-th step, the initial state first"),
-        file("output", field(&Settings::output), false, "replaced as a whole when the run ends")
+        file("output", field(&Settings::output), false, "file of the rows; it is replaced when the run ends")
             .by_default("standard output"),
         file("plot", field(&Settings::plot), false,
-             "draw the main mass's displacement with and without absorber as SVG (with gnuplot)"),
+             "draw the main mass's displacement with and without absorber as SVG; needs gnuplot"),
         file("rig", field(&Settings::rig), false,
-             "write the run as a header for firmware: scene, bounds, step, law, stepper, drive and format as the run "
-             "used "
-             "them, and an absorber that makes the run's bits"),
-        file(
-            "summary", field(&Settings::summary), false,
-            "write one line of JSON with what the run has come to: impacts, peaks, shares of the bounds, errors, cost"),
-        {"part", "NAME", "say what a step costs on this part", known_parts(), "", false,
+             "write a header for firmware with the run's scene, bounds, step and types; its absorber computes the same "
+             "bits"),
+        file("summary", field(&Settings::summary), false,
+             "write the run's results as one line of JSON: impacts, peaks, shares of the bounds, errors, cost"),
+        {"part", "NAME", "print the instructions of a step on this part", known_parts(), "", false,
          [](Settings& settings, const std::string& text) {
            settings.part = text;
            return !text.empty() && text.find(',') == text.npos && (known_parts() + ",").find(text + ",") != text.npos;
          }},
-        flag("quiet", field(&Settings::is_quiet), false, "say nothing on standard error but refusals and faults"),
+        flag("quiet", field(&Settings::is_quiet), false, "print only refusals and faults on standard error"),
         file("sweep", field(&Settings::sweep), false,
-             "one scene a line of a CSV whose header names options; the other options hold for all; a summary row a "
-             "scene, on all cores; goes on where an interrupted run with the same --output stopped"),
-        {"shard", "I/N", "with --sweep: every N-th scene, beginning with the I-th", "I/N, whole numbers, 1 <= I <= N",
-         "1/1", false, store_shard},
+             "run one scene per line of a CSV whose header names options, on all cores, and write one summary row per "
+             "scene. The other options apply to all. With --output an interrupted sweep continues"),
+        {"shard", "I/N", "with --sweep: run every N-th scene, beginning with the I-th",
+         "I/N, whole numbers, 1 <= I <= N", "1/1", false, store_shard},
         flag("benchmark", field(&Settings::benchmark), false,
-             "instead of a scene: nanoseconds a step on this machine for each law, stepper and number format")};
+             "run no scene, but print the nanoseconds per step on this machine for each law, stepper and number "
+             "format")};
     all.insert(all.end(), others.begin(), others.end());
     return all;
   }();

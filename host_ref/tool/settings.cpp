@@ -32,7 +32,7 @@ double damping_from(const Settings& settings, const std::string& restitution) {
   const auto damping = damping_of(settings.request, settings.impact_speed, settings.paper_damping);
   if (damping) return *damping;
   throw BadInput("--restitution", restitution,
-                 settings.request.law == Law::hertz ? "1 with --law hertz, which loses nothing" : "0 < E <= 1");
+                 settings.request.law == Law::hertz ? "1 with --law hertz, which loses no energy" : "0 < E <= 1");
 }
 
 double default_damping(Law law) {
@@ -101,7 +101,7 @@ void settle(Settings& settings, const Given& given) {
   const bool per_impact = request.damping != Damping::constant;
   refuse_unless(!per_impact || (has("restitution") && request.law == Law::hunt_crossley), "damping",
                 "constant; others with --restitution and --law hunt-crossley");
-  refuse_unless(!per_impact, "impact-speed", "with --damping constant: the others take each impact's own");
+  refuse_unless(!per_impact, "impact-speed", "with --damping constant: the others use each impact's own speed");
   refuse_unless(!per_impact || request.damping == Damping::hunt_crossley, "paper-damping",
                 "with --damping constant or hunt-crossley, which is (2.9)");
   request.damping_is_by_restitution = has("restitution") && !per_impact;
@@ -133,16 +133,18 @@ void settle(Settings& settings, const Given& given) {
                      std::to_string(lines) + " as the other file has, or a --duration");
   if (has_file && !has("duration")) request.duration = static_cast<double>(lines) * request.step;
   if (has_file && !has("step"))
-    settings.remarks.push_back(std::to_string(lines) + " samples, one each " + short_text(request.step) +
+    settings.remarks.push_back(std::to_string(lines) + " samples, one per " + short_text(request.step) +
                                " s (--step): " + short_text(static_cast<double>(lines) * request.step) + " s");
   if (request.is_shaken && request.drive == DriveKind::sine && !has("drive") && !has("drive-amplitude") &&
       !has("drive-pulsation"))
-    settings.remarks.push_back("beside the base a sine drives with " + short_text(scene.drive_amplitude) + " N at " +
-                               short_text(scene.drive_pulsation) + " rad/s; the base alone: --drive none");
+    settings.remarks.push_back("besides the base, a sine drives the main mass with " +
+                               short_text(scene.drive_amplitude) + " N at " + short_text(scene.drive_pulsation) +
+                               " rad/s; for the base alone state --drive none");
   const bool is_sine = request.drive == DriveKind::sine && scene.drive_amplitude > 0;
   if (is_sine && has("drive-pulsation") && scene.drive_pulsation > 0 && scene.drive_pulsation < 2 * pi)
     settings.remarks.push_back("--drive-pulsation " + short_text(scene.drive_pulsation) + " rad/s is " +
-                               short_text(scene.drive_pulsation / (2 * pi)) + " Hz: hertz times 6.2832 are rad/s");
+                               short_text(scene.drive_pulsation / (2 * pi)) +
+                               " Hz; to state hertz multiply them by 6.2832");
   // A file of samples and a stepper that was named are for a step that the user knows.
   settings.is_step_automatic = !has("step") && !has_file && request.stepper == Stepper::automatic;
   if (settings.is_step_automatic) request.step = automatic_step(request);

@@ -67,7 +67,7 @@ std::vector<std::string> Summary::lines() const {
   const Request& made = outcome_.made;
   const Scene& scene = made.scene;
   std::vector<std::string> lines;
-  // What a person measured, from what was stated: a wrong unit shows here.
+  // Measurable quantities, computed from the stated ones: a wrong unit shows here.
   const double w0 = std::sqrt(scene.main_stiffness / scene.main_mass);
   std::string machine = "the ball weighs " + percent(scene.ball_mass / scene.main_mass) + " of the main mass";
   if (w0 > 0)
@@ -75,8 +75,8 @@ std::vector<std::string> Summary::lines() const {
                percent(scene.main_damping / (2 * scene.main_mass * w0)) + " of critical damping";
   lines.push_back(machine);
   if (last_.impacts == 0 && scene.stops != Stops::none)
-    lines.push_back("NO IMPACT: the ball has not met a stop, each " + three_digits(scene.clearance / 2) +
-                    " m from the middle (--clearance is the whole way, in m)");
+    lines.push_back("NO IMPACT: the ball has not reached a stop. Each stop is " + three_digits(scene.clearance / 2) +
+                    " m from the middle (--clearance is the ball's whole free travel, in m)");
   if (last_.impacts > 0) {
     const double e = restitution_at(made, fastest_impact_);
     lines.push_back(std::to_string(last_.impacts) + (last_.impacts == 1 ? " impact" : " impacts") +
@@ -84,8 +84,8 @@ std::vector<std::string> Summary::lines() const {
                     three_digits(e));
     if (settings_.is_damping_unstated && e > 0.95)
       lines.push_back(
-          "--contact-damping is not stated, and its default belongs to the default --contact-stiffness: "
-          "the stops are nearly elastic");
+          "--contact-damping is not stated. Its default belongs to the default --contact-stiffness, so here the stops "
+          "are nearly elastic");
   }
   std::string peaks = "the main mass reaches " + three_digits(largest_x1_) + " m and " + three_digits(largest_v1_) +
                       " m/s, the ball " + three_digits(largest_x2_) + " m and " + three_digits(largest_v2_) + " m/s";
@@ -98,7 +98,7 @@ std::vector<std::string> Summary::lines() const {
     const double bits = std::floor(std::log2(made.bounds->displacement / reach));
     if (bits >= 6)
       lines.push_back("--bound-displacement " + three_digits(made.bounds->displacement) +
-                      " m is so wide that fixed32 loses " + three_digits(bits) + " bits of a displacement");
+                      " m is so wide that fixed32 loses " + three_digits(bits) + " bits of every displacement");
   }
   if (last_.impacts > 0) {
     const double depth =
@@ -115,7 +115,7 @@ std::vector<std::string> Summary::lines() const {
   }
   if (!settings_.part.empty()) {
     const StepCost cost = step_cost(settings_.part, made);
-    lines.push_back(cost.contact == 0 ? "no budget of such a step on " + settings_.part
+    lines.push_back(cost.contact == 0 ? "the cost of this step on " + settings_.part + " was not measured"
                                       : "a step on " + settings_.part + ": up to " + std::to_string(cost.free) +
                                             " instructions in flight, " + std::to_string(cost.contact) +
                                             " in contact (the paper's scene)");
@@ -154,6 +154,7 @@ std::string Summary::json(const char* fault) const {
   number("step_s", made.step);
   number("steps_per_contact", resolution(made).steps_per_contact(made.step));
   number("restitution_error", restitution_error(made));
+  number("expected_error_m", expected_error_of(made));
   number("share_of_displacement_bound", larger(largest_x1_, largest_x2_) / made.bounds->displacement);
   number("share_of_speed_bound", larger(largest_v1_, largest_v2_) / made.bounds->speed);
   if (!settings_.part.empty()) {

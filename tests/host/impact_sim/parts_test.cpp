@@ -58,13 +58,14 @@ TEST_F(ImpactSim, SaysWhatASampleFileIsTakenFor) {
   using testing::Not;
   write(file("a"), "1\n2\n3\n4\n");
   const std::string all_open = run("--base-acceleration-file a").err;
-  EXPECT_THAT(all_open, HasSubstr("4 samples, one each 0.0001 s (--step): 0.0004 s\n"));
-  EXPECT_THAT(all_open, HasSubstr("beside the base a sine drives with 10 N at 40 rad/s; the base alone: --drive none"));
+  EXPECT_THAT(all_open, HasSubstr("4 samples, one per 0.0001 s (--step): 0.0004 s\n"));
+  EXPECT_THAT(all_open, HasSubstr("besides the base, a sine drives the main mass with 10 N at 40 rad/s; for the base "
+                                  "alone state --drive none"));
   const std::string stated = run("--base-acceleration-file a --step 1e-3 --drive none").err;
   EXPECT_THAT(stated, Not(HasSubstr("samples")));
   EXPECT_THAT(stated, Not(HasSubstr("sine")));
   EXPECT_THAT(run("--base-acceleration-file a --step 1e-3 --drive-amplitude 3").err, Not(HasSubstr("sine")));
-  EXPECT_THAT(run("--drive-file a").err, HasSubstr("4 samples, one each 0.0001 s"));
+  EXPECT_THAT(run("--drive-file a").err, HasSubstr("4 samples, one per 0.0001 s"));
 }
 
 // As a spreadsheet writes it.

@@ -111,7 +111,7 @@ TEST_F(ImpactSim, ARigAtResonanceIsTakenWhateverItsDuration) {
 TEST_F(ImpactSim, ARefusalSaysThatTheBallCrossesTheClearance) {
   const std::string
       said =
-          " (with weight, a shaken base or friction the ball is to cross no quarter of the clearance in a "
+          " (with weight, a shaken base or friction the ball may cross at most a quarter of the clearance in a "
           "step, at ",
       fast = std::string(upright) + "--main-damping 0 --numeric fixed32 --duration 5 ";
   EXPECT_THAT(run(fast + "--v1 1 --v2 90").err, HasSubstr(said + "90 m/s)"));
@@ -190,10 +190,11 @@ TEST_F(ImpactSim, ANameOfAnotherChoiceIsNotFarOff) {
 
 TEST_F(ImpactSim, ARefusedStepSaysWhatItIsTooLongFor) {
   EXPECT_THAT(run("--step 0.09").err, HasSubstr("(at most 3 rad of the drive)"));
-  EXPECT_THAT(run("--step 0.05").err, HasSubstr("(a part of the main mass's own vibration, of 31.6228 rad/s)"));
-  EXPECT_THAT(run("--main-stiffness 10 --main-damping 30 --step 0.05").err, HasSubstr("the damper's M/c)"));
+  EXPECT_THAT(run("--step 0.05").err,
+              HasSubstr("(a part of a period of the main mass's own vibration, of 31.6228 rad/s)"));
+  EXPECT_THAT(run("--main-stiffness 10 --main-damping 30 --step 0.05").err, HasSubstr("at most M/c, for the damper)"));
   EXPECT_THAT(run("--newmark moment --contact-stiffness 1e9 --step 1e-3").err,
-              HasSubstr(" s, of which moment asks a number of steps; auto picks by the step)"));
+              HasSubstr(" s, for which moment needs more steps; auto takes a stepper that suits the step)"));
 }
 
 TEST_F(ImpactSim, HelpHasAShortName) { EXPECT_EQ(run("-h").out, run("--help").out); }

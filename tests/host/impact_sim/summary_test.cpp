@@ -56,7 +56,7 @@ TEST_F(ImpactSim, SaysLoudlyThatNothingWasHit) {
 }
 
 TEST_F(ImpactSim, AdvisesOfWhatMayBeMeantOtherwise) {
-  EXPECT_THAT(run("--newmark moment --duration 0.1 --drive-pulsation 5").err, HasSubstr("hertz times 6.2832"));
+  EXPECT_THAT(run("--newmark moment --duration 0.1 --drive-pulsation 5").err, HasSubstr("multiply them by 6.2832"));
   EXPECT_THAT(run("--newmark moment --duration 1 --numeric fixed32 --bound-displacement 20").err,
               HasSubstr("fixed32 loses 9 bits"));  // 20 m for the 30 mm of the ball
   const std::string stiff = "--duration 2 --contact-stiffness 1e7 --step 1e-4 ";
@@ -79,10 +79,19 @@ TEST_F(ImpactSim, ShowsWhatWasMeasured) {
   EXPECT_NEAR(std::stod(result.err.substr(at + 14)), depth, 0.005 * depth);
 }
 
+// Standard error says the expected error in one digit.
+TEST_F(ImpactSim, SummarizesTheExpectedError) {
+  const std::string said = run("--step 1e-3 --duration 0.1 --summary summary.json").err;
+  const size_t at = said.find("expected error ");
+  ASSERT_NE(at, std::string::npos) << said;
+  const double shown = std::stod(said.substr(at + 15));
+  EXPECT_NEAR(number_of(read(file("summary.json")), "expected_error_m"), shown, 0.5 * shown);
+}
+
 TEST_F(ImpactSim, SaysWhatAStepCostsWhereItIsKnown) {
   const std::string fixed = "--newmark moment --duration 0.1 --numeric fixed32 ";
   EXPECT_THAT(run(fixed + "--part cortex-m3").err, HasSubstr("a step on cortex-m3: up to "));
-  EXPECT_THAT(run("--newmark moment --duration 0.1 --part cortex-m3").err, HasSubstr("no budget of such a step"));
+  EXPECT_THAT(run("--newmark moment --duration 0.1 --part cortex-m3").err, HasSubstr("was not measured"));
   const Result refused = run(fixed + "--part pdp-11");
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("cortex-m0, "));

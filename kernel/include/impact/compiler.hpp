@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What GCC 12 must be told about a step, in one place. Each was measured by `ctest -R step_cost` on the target named.
+// Hints for GCC 12 about a step, in one place. Each was measured by `ctest -R step_cost` on the target named.
 //
 //     call boundary     Format::calls_contact: a step in contact is a call of its own (call_contact in
 //                       step/step.hpp). Otherwise a free step saves the registers of the contact: Cortex-M, RISC-V.

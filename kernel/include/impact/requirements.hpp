@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the kernel needs of a compiler, said at once. A missing header ends the compilation: no other error follows.
+// The kernel's requirements for a compiler, checked first. A missing header ends the compilation, so no other error
+// follows.
 
 #if defined(__clang__) ? __clang_major__ < 9 : !defined(__GNUC__) || __GNUC__ < 9
 #error "impact needs GCC 9 or Clang 9, or a later one (Arduino's SAMD and Renesas cores bring GCC 7)"

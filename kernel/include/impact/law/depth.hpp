@@ -7,9 +7,8 @@
 //     of the relative motion      W <= mu V^2/2 + P d                        P = mu (k x + c v + F)/M
 //     the ball's momentum         W <= W0 + m V^2 + (m a + R) d
 //
-// where v, x and F are the bounds of speed, displacement and drive, a that of a field and R the ball's dry friction. A
-// hundredth is added for rounding. Bounds::penetration, where it is stated, limits it further. Derivation:
-// docs/contact.md.
+// v, x and F are the bounds of speed, displacement and drive, a is that of a field, and R the ball's dry friction. One
+// per cent is added for rounding. Bounds::penetration, if stated, limits it further. Derivation: docs/contact.md.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>
@@ -34,7 +33,7 @@ constexpr double depth_of(double stiffness, double energy, double press, bool is
 
 }  // namespace detail
 
-// Of the main mass where nothing but a force of `drive` newtons touches it, m/s^2.
+// The main mass's largest acceleration without contact, with a force of `drive` newtons, m/s^2.
 constexpr double largest_acceleration(const Scene& scene, const Bounds& bounds, double drive) {
   return (scene.main_stiffness * bounds.displacement + scene.main_damping * bounds.speed + drive) / scene.main_mass;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One impact of two free masses, no spring, damper or drive on either, in closed form: how fast they come apart, after
-// what time, and where in time the force's impulse has its centroid. In double, for the plan. Formulas and derivation:
-// kernel/docs/contact.md, with psi(y) = exp(y) - 1 - y. Bound: relative 1e-5 for e >= 0.3, 2e-4 at most.
+// One impact of two free masses, without spring, damper or drive, in closed form: the restitution, the contact time,
+// and the centroid of the force's impulse in time. In double, for the plan. Formulas and derivation:
+// kernel/docs/contact.md, with psi(y) = exp(y) - 1 - y. Bound of the relative error: 1e-5 for e >= 0.3, otherwise 2e-4.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/constant_math.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The damping of a power law as a gain of the rate of penetration: c1 / (k1 h) from the plan, or set at each impact
-// from its own speed. A contact that begins slowly and is then driven in faster leaves the range that 1 + c1/k1 v has
-// in Fixed32, the first power of two above 2 a and 1 + a: there c1/k1 v is clamped, between half that range and the
-// whole.
+// The damping of a power law as a gain of the rate of penetration: c1/(k1 h) from the plan, or set at each impact from
+// its speed. In Fixed32 1 + c1/k1 v has a range up to the first power of two above 2 a and 1 + a. A contact that begins
+// slowly and is then driven in faster would leave it. There c1/k1 v is clamped, between half of that range and all of
+// it.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>
@@ -11,23 +11,23 @@
 
 namespace impact {
 
-// The plan's part: c1 / (k1 h), or the damping ratio a, which the impact's speed divides.
+// The plan's part: c1/(k1 h), or the damping ratio a, which is divided by the impact's speed.
 template <class Format, class ContactLaw>
 constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const UnitExponents& unit) {
   if (ContactLaw::is_damped_per_impact) return Format::gain(terms.damping_ratio, 0, terms.damping_exponent);
   return Format::gain(terms.damping_time / terms.step, unit.penetration, terms.damping_exponent);
 }
 
-// The largest damping z = h c/mu that a step tolerates. An impact at the rate V is damped by a/V: a slow one that is
-// pressed in far beyond its own speed goes on as one whose z is `largest`, one that a correction has put to the
-// penetration d as one whose z there is at most a quarter of that. Derivation: kernel/docs/contact.md.
+// The largest damping z = h c/mu that a step tolerates. An impact at the rate V has the damping a/V. A slow impact that
+// is pressed in far deeper continues with the damping whose z is `largest`. A contact that a correction has put to the
+// penetration d continues with a z there of at most a quarter of that. Derivation: kernel/docs/contact.md.
 template <class Format, bool is_per_impact>
 struct DampingLimit {
   static constexpr DampingLimit make(const ContactTerms&, const UnitExponents&, double) { return {}; }
 };
 template <class Format>
 struct DampingLimit<Format, true> {
-  // Of the impact whose z is `largest`, and of one that a correction has put there, over d^(3/2).
+  // For the impact whose z is `largest`, and for one after a correction, over d^(3/2).
   typename Format::ClampedGain rate, corrected_rate;
 
   static constexpr DampingLimit make(const ContactTerms& terms, const UnitExponents& unit, double largest) {
@@ -50,7 +50,7 @@ template <class Format, bool is_per_impact>
 struct ImpactDamping {
   using Damping = typename Format::Weight;
 
-  // Of the contact under way.
+  // The damping of the contact under way.
   template <class Plan>
   static constexpr auto damping(const Plan& plan) {
     return plan.damping;
@@ -69,16 +69,16 @@ struct ImpactDamping<Format, true> {
     return own_damping;
   }
   constexpr bool has_sound_damping() const { return Format::is_sound(own_damping); }
-  // An impact without speed is one without damping, and so is a contact under way at the start.
+  // An impact without speed has no damping, nor has a contact under way at the start.
   constexpr void begin(typename Format::Gain share, typename Format::Value rate) {
     own_damping = {is_positive(rate) ? Format::gain_over(share, rate) : typename Format::Gain{}};
   }
-  // What a step tolerates of it, at d^(3/2).
+  // Clamps it to what a step tolerates, at d^(3/2).
   template <class Limit, class Shape>
   constexpr void limit(const Limit& limit, typename Format::Gain share, Shape shape) {
     hold_above(share, limit.rate * Format::value(shape));
   }
-  // And where a correction has put it.
+  // The same after a correction.
   template <class Plan>
   constexpr void hold_damping(const Plan& plan, typename Format::Value at, typename Format::Value rate) {
     auto least = plan.limit.corrected_rate * Format::value(Format::root(at) * without_sign(at));
@@ -87,7 +87,7 @@ struct ImpactDamping<Format, true> {
   }
 
  private:
-  // As an impact at this rate at least: c1 V/k1 of that is a where it is its own.
+  // Like an impact at this rate or faster.
   constexpr void hold_above(typename Format::Gain share, typename Format::Value least) {
     if (is_positive(least) && !is_positive(share * Format::sample(1) - own_damping * least))
       own_damping = {Format::gain_over(share, least)};

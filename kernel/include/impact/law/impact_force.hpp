@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The force of an impact that a step takes at an instant, as its law has it. Formulas:
-// kernel/docs/impulsive.md. Peak and mean go with the speed of approach as V^(6/5), or Hooke-Newton's as V.
+// The law's force in an impact that takes no time in a step. Formulas: kernel/docs/impulsive.md. Peak and mean are
+// proportional to V^(6/5) of the closing speed, with Hooke-Newton to V.
 // Hunt-Crossley's factors follow a = c1 V/k1 by straight lines between the exact values at even steps of y = a/(2 + a),
 // of 1/16. Bound: 5 % for e >= 0.05, of which V^(4/5) has 1 %.
 
@@ -61,7 +61,7 @@ struct HuntCrossleyForces {
 template <class Format>
 inline constexpr HuntCrossleyForces<Format> hunt_crossley_forces{};
 
-// Speeds count as in Rebound. A force is a native number of `unit` newtons.
+// Speeds have the unit of Rebound. A force is a native number of `unit` newtons.
 template <class Format, class ContactLaw>
 struct ImpactForce {
   using Value = typename Format::Value;
@@ -103,8 +103,8 @@ struct ImpactForce {
       return {high, low};
     }
   }
-  // `step` is the mean force over a step, as contacts count it, along x. Where an impact made it, `speed` is the
-  // impact's, and 0 otherwise.
+  // `step` is the average force over a step along x, in the contact's unit. `speed` is that of the impact that made it,
+  // or 0.
   constexpr ForceOfImpact<Value> of(const Rebound<Format, ContactLaw>& rebound, Value step, Value speed) const {
     const bool is_left = is_negative(step);
     if (!is_positive(speed) || !is_positive(mirrored(step, is_left))) return {of_step * step, of_step * step};

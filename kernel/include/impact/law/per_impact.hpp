@@ -4,8 +4,8 @@
 //
 //     Fc = delta^(3/2) (k1 + c1 delta')        c1 = a k1/v0
 //
-// and differ in the damping ratio a, a function of e = Scene::restitution, alone. The restitution that comes out hangs
-// on a only (free_impact.hpp): it is the same at every speed, and e itself under `Exact`.
+// and differ only in the damping ratio a, a function of e = Scene::restitution. The restitution of an impact depends on
+// a only (free_impact.hpp): it is the same at every speed. With `Exact` it is e.
 //
 //     stated e                 0.1    0.3    0.5    0.7    0.9    from e on
 //     HuntCrossleyPerImpact   0.516  0.581  0.663  0.768  0.909      0.01
@@ -16,9 +16,9 @@
 //     HuGuo                   0.074  0.271  0.488  0.697  0.900      0.0148
 //     Exact                   0.100  0.300  0.500  0.700  0.900      0.01
 //
-// A plan refuses an e below (PlanStatus::restitution): that of a beyond damping_ratio_range. The formulas stand side by
-// side in Machado, Moreira, Flores & Lankarani, Mech. Mach. Theory 53 (2012), but for Hu & Guo's, and in Rodrigues da
-// Silva, Marques, Tavares da Silva & Flores, Mech. Mach. Theory 167 (2022).
+// A plan with a smaller e is rejected (PlanStatus::restitution), because its a is beyond damping_ratio_range. Machado,
+// Moreira, Flores & Lankarani, Mech. Mach. Theory 53 (2012) compare all formulas but Hu & Guo's. Rodrigues da Silva,
+// Marques, Tavares da Silva & Flores, Mech. Mach. Theory 167 (2022) compare all.
 //
 // A law of your own: struct Mine : HuntCrossleyPerImpact { static constexpr double damping_ratio(double e) {..} };
 
@@ -27,7 +27,7 @@
 
 namespace impact {
 
-// Hunt & Crossley, J. Appl. Mech. 42 (1975); the paper's (2.9). Right for small losses.
+// Hunt & Crossley, J. Appl. Mech. 42 (1975); the paper's (2.9). It is right for small losses.
 struct HuntCrossleyPerImpact : HuntCrossley {
   static constexpr bool is_damped_per_impact = true;
   static constexpr double damping_ratio(double e) { return 1.5 * (1 - e); }

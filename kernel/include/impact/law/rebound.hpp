@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What an impact of the speed V does, as the impulsive step needs it, from the closed forms of free_impact.hpp:
+// An impact at the speed V for the impulsive step, from the closed forms of free_impact.hpp:
 //
 //     loss(V)  = (1 - e)/2, so that the impulse is mu (1 + e) V = 2 mu (V - loss V)
 //     depth(V) = V centroid(V): how far the ball would still go before the centroid of the force's impulse
@@ -50,7 +50,7 @@ template <class ContactLaw>
 constexpr bool restitution_falls_with_speed =
     ContactLaw::is_damped && !ContactLaw::is_linear && !ContactLaw::is_damped_per_impact;
 
-// Of one restitution for all speeds.
+// For laws with one restitution at all speeds.
 template <class Format, class ContactLaw, bool = restitution_falls_with_speed<ContactLaw>>
 struct Rebound {
   using Value = typename Format::Value;
@@ -100,7 +100,7 @@ struct Rebound<Format, ContactLaw, true> {
   }
 };
 
-// m, for the fastest impact; damping makes it less.
+// m, for the fastest impact; damping reduces it.
 template <class ContactLaw>
 constexpr double deepest_rebound(const ContactTerms& terms) {
   const FreeImpact impact = ContactLaw::is_linear ? free_impact<HookeNewton>(terms, terms.largest_rate)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How finely a step resolves a contact: what decides which steppers a scene allows, and which is right (choice.hpp). A
-// plan promises for every state within its bounds, so that each number is of the worst of them. What each is, and why
-// damping makes part of a contact shorter than the whole: kernel/docs/contact.md.
+// How finely a step resolves a contact. This decides which steppers a plan accepts, and which one the rule takes
+// (choice.hpp). A plan's promises hold for every state within its bounds, so each number is that of the worst state.
+// kernel/docs/contact.md defines them, and says why damping makes part of a contact shorter than the whole.
 
 #include <impact/law/free_impact.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -15,12 +15,12 @@ struct Resolution {
   bool is_linear;
   double contact_time;        // s
   double restitution;         // the law's own, 0 to 1
-  double shortest_part;       // s, of which the moment-fitted step errs alike at alike steps, for e from 0.05 to 1
-  double main_phase;          // radians of the main mass's own vibration during the contact
+  double shortest_part;       // s; the moment-fitted step's error depends on the steps in it, for e from 0.05 to 1
+  double main_phase;          // rad, how far the main oscillator advances during the contact
   double main_pulsation;      // w0, rad/s
   double pulsation, damping;  // omega, rad/s, and c/mu, 1/s, at the deepest penetration
-  double lasting_damping;     // c/mu, 1/s, where the stop alone carries what presses; per impact anywhere
-  double crossing;            // s; for one stop never
+  double lasting_damping;     // c/mu, 1/s, where the stop alone balances the pressing force; per impact anywhere
+  double crossing;            // s, from stop to stop; `never` for one stop
   double field_share;         // (1 + m/M) a tc/V of weight and base
   double swing;               // m, of the main mass by an impact at Bounds::speed: mu V/M, over its pulsation
 
@@ -30,7 +30,7 @@ struct Resolution {
 // The steps of a stepper that takes any contact, s.
 inline constexpr Range any_step{0, 1};
 
-// What the contact's terms alone say of it.
+// The numbers that follow from the contact's terms alone.
 template <class ContactLaw>
 constexpr Resolution resolution_of(const ContactTerms& terms) {
   const FreeImpact impact = free_impact<ContactLaw>(terms, terms.largest_rate);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a contact needs to make its constants, in SI units, and how its forces are counted.
+// The input for a contact's constants, in SI units, and the unit of its forces.
 //
-// Penetrations count in 2^penetration metres and rates in the same unit per step. A force counts in
+// The unit of penetrations is 2^penetration metres, that of rates the same per step. The unit of a force is
 //
 //     force_unit = k1 2^(power penetration) 2^force newtons,    power = 1 (Hooke-Newton) or 3/2,
 //
-// so that k1 and the step length vanish from the contact's formulas: impulses are in force_unit h, moments of a force
-// (the integral of (h - s) f(s) over the step) in force_unit h^2.
+// so that k1 and the step length vanish from the contact's formulas. Impulses are in force_unit h, and moments of a
+// force, the integral of (h - s) f(s) over the step, in force_unit h^2.
 
 #include <impact/law/depth.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -23,15 +23,15 @@ struct ContactTerms {
   double damping_time = 0;  // c1 / k1, s (Hooke-Newton) or s/m
   double ball_mass = 0;     // m, kg
   double main_mass = 0, main_stiffness = 0, main_damping = 0;
-  double largest_penetration = 0, largest_rate = 0;  // that units have room for, m and m/s
-  double deepest = 0;                                // that the bounds allow, m: depth.hpp
-  double deepest_start = 0;                          // and that they allow a ball which starts apart, m
+  double largest_penetration = 0, largest_rate = 0;  // that the units have room for, m and m/s
+  double deepest = 0;                                // the deepest penetration that the bounds allow, m: depth.hpp
+  double deepest_start = 0;                          // the same for a ball that starts apart, m
   double pressing = 0;                               // the main mass's largest acceleration, m/s^2: set by the plan
   double rubbing = 0;                                // dry friction's on both masses, m/s^2: set by the plan
   double field = 0;                                  // the largest acceleration of a field, m/s^2: set by the plan
   double force_unit = 0;                             // N
-  int damping_exponent = 0;                          // of the damping term: c1/k1 delta' counts in 2^damping_exponent
-  double damping_ratio = 0;                          // a = c1 v0/k1, where it is set at each impact of a speed v0
+  int damping_exponent = 0;                          // the unit of the damping term c1/k1 delta' is 2^damping_exponent
+  double damping_ratio = 0;                          // a = c1 v0/k1, if it is set at each impact from its speed v0
   bool clamped = true;
   bool crosses = false;  // the ball can cross the clearance within a step
 
@@ -41,13 +41,13 @@ struct ContactTerms {
   constexpr double damping_at(double d) const {
     return damping_time * stiffness * (is_linear ? 1 : to_the_power(d)) / reduced_mass();
   }
-  // And where a power law's stop alone balances an acceleration: k1 d^(3/2) = mu press, or at the deepest.
+  // c/mu where a power law's stop alone balances an acceleration: k1 d^(3/2) = mu press, or at the deepest penetration.
   constexpr double damping_under(double press) const {
     return constant::smaller(damping_at(deepest), damping_time * press);
   }
 };
 
-// Whether a law reads a c1 that nobody stated, beside a stiffness or a law that is not the default one.
+// True if a law reads a c1 that is not stated, and stiffness or law is not the default.
 template <class ContactLaw>
 constexpr bool lacks_damping(const Scene& scene) {
   const bool is_read = ContactLaw::is_damped && !ContactLaw::is_damped_per_impact,
@@ -76,14 +76,14 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   terms.largest_rate = 2 * bounds.speed;
   terms.damping_ratio = damping_ratio<ContactLaw>(scene);
   terms.clamped = scene.tension == Tension::clamp;
-  // A damping set per impact as that of an impact at the largest speed.
+  // A damping set per impact is that of an impact at the largest speed.
   if (ContactLaw::is_damped)
     terms.damping_time = ContactLaw::is_damped_per_impact ? terms.damping_ratio / terms.largest_rate
                                                           : scene.contact_damping / terms.stiffness;
   const double damping = terms.is_linear ? 0 : terms.damping_time * terms.largest_rate;
   terms.deepest = terms.deepest_start = deepest_penetration(scene, bounds, terms.is_linear, damping, 0);
   const double start = constant::smaller(initial_penetration(scene), terms.deepest_start);
-  // A contact that is under way at the start has no impact to set its damping.
+  // A contact that is under way at the start has no impact that could set its damping.
   if (start > 0)
     terms.deepest =
         deepest_penetration(scene, bounds, terms.is_linear, ContactLaw::is_damped_per_impact ? 0 : damping, start);

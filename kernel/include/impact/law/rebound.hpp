@@ -87,9 +87,9 @@ struct Rebound<Format, ContactLaw, true> {
     return {Format::gain(impact.centroid / terms.step, 0, 0), Format::gain(1 / scale, 0, 0),
             Format::constant(2 / a / scale)};
   }
-  // y of an impact's speed.
+  // y of an impact's speed > 0.
   [[gnu::always_inline]] constexpr auto damped_share(Value speed) const {
-    const auto share = positive_part(speed_share * speed);
+    const auto share = without_sign(speed_share * speed);
     return Format::quotient(share, share + damping_share);
   }
   constexpr Bounce<Value> at(Value speed) const {

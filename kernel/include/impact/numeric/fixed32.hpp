@@ -144,6 +144,13 @@ struct Fixed32 : Fixed32Numbers {
     return {
         opaque(numerator.raw < denominator.raw ? quotient_q32<b <= 31>(numerator.raw, denominator.raw) : ~UINT32_C(0))};
   }
+  // x / y, y > 0; nothing where that is no Value.
+  static constexpr Value signed_quotient(Value x, Value y) {
+    const bool is_left = x.raw < 0;
+    const Value size = mirrored(x, is_left);
+    if (size.raw >= y.raw) return {};
+    return mirrored(value(quotient(without_sign(size), without_sign(y))), is_left);
+  }
   // A divisor that is used several times.
   struct Divisor {
     int32_t own;
@@ -191,6 +198,12 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Value over_one_plus(Value x, Value y, Value half_one) {
     const auto one = static_cast<uint32_t>(half_one.raw);
     return value(x * Unsigned<32>{quotient_q32(one, one + (static_cast<uint32_t>(y.raw) >> 1))});
+  }
+  // t + by, from 0 to 1.
+  static constexpr Unsigned<32> moved_share(Unsigned<32> t, Signed<29> by) {
+    const auto step = static_cast<uint32_t>(by.raw < 0 ? -by.raw : by.raw) << 3;
+    if (by.raw < 0) return {t.raw < step ? 0 : t.raw - step};
+    return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
   }
   // One Newton step for a root t of a decreasing function: by its value over its steepness.
   static constexpr Unsigned<32> corrected(Unsigned<32> t, Value value, Unsigned<31> steepness) {

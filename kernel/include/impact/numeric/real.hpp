@@ -316,6 +316,7 @@ struct RealFormat {
   static constexpr Real quotient(Real numerator, Real denominator) {
     return numerator < denominator ? numerator / denominator : 1;
   }
+  static constexpr Real signed_quotient(Real x, Real y) { return x / y; }
   struct Divisor {
     Real own;
 
@@ -329,8 +330,11 @@ struct RealFormat {
   static constexpr Real over_one_plus(Real x, Real y, Real) { return x / (1 + y); }
   // One Newton step for a root t in 0 to 1 of a decreasing function: by its value over its steepness.
   static constexpr Real corrected(Real t, Real value, Real steepness) {
-    if (!(steepness > 0)) return t;
-    const Real next = t + value / steepness;
+    return steepness > 0 ? moved_share(t, value / steepness) : t;
+  }
+  // t + by, from 0 to 1.
+  static constexpr Real moved_share(Real t, Real by) {
+    const Real next = t + by;
     return next > 0 ? (next < 1 ? next : 1) : 0;
   }
 };

@@ -163,17 +163,18 @@ struct Impulsive {
     template <class Seen>
     [[gnu::always_inline]] constexpr SplitImpulse impulse_of(const Plan& plan, const Units& units, Seen step) {
       const Value trial = step.penetration, rate = step.rate, travel = step.travel;
-      // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
-      const bool is_sent = is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate))),
-                 has_rested = rests && phase == Phase::touching && !is_sent;
-      rests = 0;
-      phase = is_positive(trial) ? Phase::touching : Phase::apart;
-      if (!is_positive(trial)) return {{}, {}, rate};
+      const Value before = trial - travel;
       constexpr bool is_in_field = Seen::is_in_field;
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
-      const Value before = trial - travel, from = is_positive(before) ? before : Value{};
-      if (has_rested) return rest(plan, trial, lies, {}, weight, support(plan, units, trial - lies, rate));
+      const bool has_rested = rests && phase == Phase::touching;
+      rests = 0;
+      phase = Phase::apart;
+      if (!is_positive(trial)) return {{}, {}, rate};
+      phase = Phase::touching;
+      // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
+      if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
+        return rest(plan, trial, lies, {}, weight, support(plan, units, trial - lies, rate));
       if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
@@ -182,9 +183,14 @@ struct Impulsive {
       }
       const Value pace = is_positive(travel) ? travel : rate;
       const auto way = Format::divisor(without_sign(pace));
-      Value speed = rate_at_touch<Format>(way, way.share(without_sign(trial)), travel, rate, acceleration, 0) -
-                    Format::value(acceleration * Format::value(way.ratio(from)));
-      if (!is_positive(travel) || !is_positive(speed)) speed = pace;
+      const Value half_acceleration = Format::value(half(acceleration)),
+                  bend = Format::beyond_rounding(travel - rate + half_acceleration);
+      Value speed = pace;
+      if (is_positive(travel)) {
+        Value at_touch = rate_at_touch<Format>(way, way.share(without_sign(trial)), travel, rate, acceleration, 0);
+        if (is_positive(before)) at_touch = at_touch - Format::value(acceleration * Format::value(way.ratio(before)));
+        if (is_positive(at_touch)) speed = at_touch;
+      }
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
       // All factors may be small compared with their unit, which has room for the pressing force at the bounds.
       const auto unit = Format::own_unit(Format::spare_bits(acceleration, bounce.depth, rate, travel));
@@ -192,15 +198,12 @@ struct Impulsive {
       const Value half_rate = Format::value(half(rate));
       if (!is_positive(pressed - Format::value(half(own_rate * own_rate)))) {
         // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
-        const Value hastened = unit.common(over(pressed, unit.own(travel))),
+        const Value hastened = unit.common(Format::signed_quotient(pressed, unit.own(pace))),
                     beyond =
                         trial - bounce.depth - Format::value(half(hastened * Format::value(way.ratio(bounce.depth))));
         if (!is_positive(beyond)) return {{}, {}, rate};
-        const auto chord = Format::quotient(positive_part(beyond), positive_part(travel));
-        const Value half_acceleration = Format::value(half(acceleration)),
-                    bend = Format::beyond_rounding(travel - rate + half_acceleration);
-        const auto t =
-            Format::corrected(chord, above_chord<Format>(chord, bend, half_acceleration), without_sign(pace));
+        const auto chord = way.share(without_sign(beyond));
+        const auto t = Format::moved_share(chord, way.ratio(above_chord<Format>(chord, bend, half_acceleration)));
         const Instant at(plan, t, rate, acceleration, main_part, plan.acceleration * step.half_change, step.main_rate);
         const Value touch_rate = at.rate - hastened;
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
@@ -212,6 +215,7 @@ struct Impulsive {
           return at.split(t, impulse);
         }
       }
+      const Value from = is_positive(before) ? before : Value{};
       const Support on_the_stop = support(plan, units, trial - from, rate);
       const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(half(quarter(half_rate))));
       if (!sends_back) return rest(plan, trial, from, from - before, weight, on_the_stop);
@@ -256,13 +260,6 @@ struct Impulsive {
                   paid = Format::value(unit.own(impulse) * unit.own(more));
       if (!is_positive(price - paid)) return Value{};
       return depth - Format::value(depth * Format::quotient(positive_part(paid), positive_part(price)));
-    }
-    // x / y for |x| < y, and 0 if the ball has moved by less.
-    static constexpr Value over(Value x, Value y) {
-      const bool is_negative = !is_positive(x);
-      if (!is_positive(y) || !is_positive(y - mirrored(x, is_negative))) return Value{};
-      return mirrored(Format::value(Format::quotient(positive_part(mirrored(x, is_negative)), positive_part(y))),
-                      is_negative);
     }
     static constexpr Value no_more(Value x, Value most) { return is_positive(x - most) ? most : x; }
     static constexpr Value clamped(const Plan& plan, const Units& units, Value impulse) {

@@ -271,12 +271,17 @@ using Budgeted = List<
     Configuration<HuntCrossley, Impulsive, Fixed32, Sine>, Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
     Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
     Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>;
-// In images of their own: what a compiler inlines depends on what else is there.
+// In images of their own: what a compiler inlines depends on what else is there. Impacts at an instant in floating
+// point are for cores with an FPU.
 using BudgetedWithParts =
     List<Configuration<HuntCrossley, Moment, Fixed32, Sine, Gravity>,
          Configuration<HuntCrossley, Moment, Fixed32, Sine, BaseAcceleration>,
          Configuration<HuntCrossley, Moment, Fixed32, Sine, DryFriction>,
-         WithAllParts<Fixed32, HuntCrossley, Moment, Sine>, WithAllParts<Float32Plain, HuntCrossley, Moment, Sine>>;
+         WithAllParts<Fixed32, HuntCrossley, Moment, Sine>, WithAllParts<Float32Plain, HuntCrossley, Moment, Sine>,
+#if defined(__ARM_FP)
+         Configuration<HuntCrossley, Impulsive, Float32Plain, Sine>,
+#endif
+         Configuration<Exact, Moment, Fixed32, Sine>>;
 #if defined(IMPACT_WITH_PARTS)
 using Counted = BudgetedWithParts;
 #else

@@ -183,7 +183,9 @@ class PlanMaking {
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
     const double of_flight = largest.penetration;
     Contact::room(terms, largest);
-    largest.penetration = larger(largest.penetration, largest_change);  // again: the contact may have set it lower
+    // Again, the contact may have set it lower. Friction compares the ways of both masses.
+    if (largest_change > 0)
+      largest.penetration = larger(largest.penetration, larger(largest_change, 2 * largest.limits.way));
     // With other steppers a deeper start is rejected.
     if (Contact::traits.is_instantaneous)
       largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);

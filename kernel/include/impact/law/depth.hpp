@@ -47,9 +47,10 @@ constexpr double initial_penetration(const Scene& scene) {
   return apart - scene.clearance / 2;
 }
 
-// `damping` is a for Hunt-Crossley, or 0; `start` the depth at which the ball starts, or 0.
+// `damping` is a for Hunt-Crossley, or 0; `start` the depth at which the ball starts, or 0. The relative motion is that
+// of a step which follows the law; the others hold whatever the force does.
 constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, bool is_linear, double damping,
-                                     double start) {
+                                     double start, bool follows_law = true) {
   const double main = scene.main_mass, ball = scene.ball_mass, mu = 1 / (1 / main + 1 / ball);
   const double v = bounds.speed, x = bounds.displacement;
   const double drive = constant::larger(scene.drive_amplitude, bounds.force);
@@ -65,7 +66,8 @@ constexpr double deepest_penetration(const Scene& scene, const Bounds& bounds, b
                of_the_approach = detail::depth_of(k1, stored + kept * 2 * mu * v * v, press, is_linear),
                by_impulse =
                    detail::depth_of(k1, stored + 4 * ball * v * v, ball * field + scene.ball_friction, is_linear);
-  const double depth = 1.01 * constant::smaller(constant::smaller(of_the_whole, of_the_approach), by_impulse);
+  const double of_any_force = constant::smaller(of_the_whole, by_impulse),
+               depth = 1.01 * (follows_law ? constant::smaller(of_any_force, of_the_approach) : of_any_force);
   return bounds.penetration > 0 ? constant::smaller(depth, bounds.penetration) : depth;
 }
 

@@ -26,6 +26,7 @@ struct ContactTerms {
   double largest_penetration = 0, largest_rate = 0;  // that the units have room for, m and m/s
   double deepest = 0;                                // the deepest penetration that the bounds allow, m: depth.hpp
   double deepest_start = 0;                          // the same for a ball that starts apart, m
+  double deepest_of_any_force = 0;                   // where a step does not follow the law's damping, m
   double pressing = 0;                               // the main mass's largest acceleration, m/s^2: set by the plan
   double rubbing = 0;                                // dry friction's on both masses, m/s^2: set by the plan
   double field = 0;                                  // the largest acceleration of a field, m/s^2: set by the plan
@@ -87,6 +88,8 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   if (start > 0)
     terms.deepest =
         deepest_penetration(scene, bounds, terms.is_linear, ContactLaw::is_damped_per_impact ? 0 : damping, start);
+  terms.deepest_of_any_force = constant::larger(
+      terms.deepest, deepest_penetration(scene, bounds, terms.is_linear, 0, start > 0 ? start : 0, false));
   terms.largest_penetration = bounds.penetration > 0 ? 1.0001 * bounds.penetration : terms.deepest;
   return terms;
 }

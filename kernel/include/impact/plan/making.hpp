@@ -106,6 +106,8 @@ class PlanMaking {
     basis.terms.field = Field::largest(scene, bounds);
     basis.terms.rubbing = scene.ball_friction / basis.terms.reduced_mass();
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
+    basis.terms.deepest = Contact::deepest(basis.terms);
+    if (!(bounds.penetration > 0)) basis.terms.largest_penetration = basis.terms.deepest;
     // If the ball crosses the clearance in a step, a contact that begins in the next step finds it beyond the stop by
     // the ways of both masses.
     basis.terms.crosses = scene.stops == Stops::both && basis.terms.largest_rate * h >= scene.clearance;

@@ -5,6 +5,7 @@
 //     traits        ContactTraits: what it reads and does
 //     Plan          its constants, with `response`: response.apply(units, state, reaction, left) changes the state
 //     make_plan     (terms, flow, exponents)    SI in, law/terms.hpp
+//     deepest       (terms)                     the penetration that its steps may reach within the bounds, m
 //     room          (terms, largest)            adds the largest numbers of its steps to the units' bounds
 //     phase         Phase
 //     start         (plan, units, standing)     a contact that the ball is found in, at the start or under a new plan
@@ -14,9 +15,9 @@
 //     valid         (plan, units)               whether a contact from elsewhere fits together
 //     change_rate   (plan, by)                  friction has changed the rate at the step's end
 //
-// A new contact derives from ContactDefaults, which has the last two, traits, and room() for a law's forces, and
-// defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact decides how
-// its force runs within the step, and the two masses may feel it differently.
+// A new contact derives from ContactDefaults, which has the last two, traits, deepest(), and room() for a law's forces,
+// and defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact decides
+// how its force runs within the step, and the two masses may feel it differently.
 
 #include <stdint.h>
 
@@ -145,6 +146,7 @@ constexpr double force_unit_of(const ContactTraits& traits, const ContactTerms& 
 struct ContactDefaults {
   static constexpr ContactTraits traits{};
 
+  static constexpr double deepest(const ContactTerms& terms) { return terms.deepest; }
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     using constant::larger;
     const double k1 = terms.stiffness, h = terms.step;

@@ -162,7 +162,8 @@ struct StiffContact {
       if constexpr (is_damped)
         if (is_positive(left)) left = left - Format::value(afresh(q) * correction(slowing_part(q, back)));
       if (!is_positive(left))
-        return is_shallow && !is_positive(work) && is_positive(d - back) && flies_on<is_in_field>(end);
+        return is_shallow && !is_positive(Format::value(afresh(q) * d)) && is_positive(d - back) &&
+               flies_on<is_in_field>(end);
       end.rate = unscaled(Format::value(Format::root_of_product(without_sign(left))));
       end.penetration = depth_of<true>(end.rate);
       if constexpr (is_in_field) {

@@ -49,6 +49,7 @@ std::string text_of(const Request& request);
 // taken.
 struct CoupledRun {
   bool is_accepted = false, has_fault = false;
+  bool is_warned = false;  // of a stepper that was named, that it may gain energy
   double gain = 0;
   double returned = 0;  // what the ledger ever went back by, over the same
   // The same gain with what friction's ledger has taken, and what that ever went back by.

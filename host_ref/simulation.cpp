@@ -82,18 +82,22 @@ std::string expected_text(const Request& request, const Resolution& contact) {
 }
 
 // What steps by the plan's choice, and what that rests on. Of a stepper that was named, only what to beware of: a
-// classical scheme below 10 steps a contact, where average acceleration is off by 2e-3 to 4e-2 of the restitution.
+// classical scheme below 10 steps a contact, where average acceleration is off by 2e-3 to 4e-2 of the restitution, and
+// sub-steps where the main mass swings by more in a step than the rule allows.
 std::string description(const Request& request, bool is_automatic) {
   const Resolution contact = resolution(request);
   const double steps = contact.shortest_part / request.step;  // the rule's N
   const bool is_coarse = is_classical(request.stepper) && steps < 10;
+  const double swing = contact.main_pulsation * request.step;
+  const bool swings = sub_steps(request) > 1 && swing > longest_sub_stepped_phase;
   const std::string resolved =
       rough_text(steps) + (contact.shortest_part < contact.contact_time ? " steps in the shortest part of a contact"
                                                                         : " steps per contact");
-  if (!is_automatic && !is_coarse) return {};
+  if (!is_automatic && !is_coarse && !swings) return {};
   if (!is_automatic)
-    return std::string(name_of(request.stepper)) + ": only " + resolved + ", which may gain energy; auto would take " +
-           std::string(name_of(chosen(request)));
+    return std::string(name_of(request.stepper)) + ": " +
+           (is_coarse ? "only " + resolved : rough_text(swing) + " rad of the main mass's vibration in a step") +
+           ", which may gain energy; auto would take " + std::string(name_of(chosen(request)));
   std::string line = std::string(name_of(request.stepper)) + ", " + resolved + " at " +
                      rough_text(2 * request.bounds->speed) + " m/s, " + rough_text(contact.main_phase) +
                      " rad of the main mass's vibration during it";

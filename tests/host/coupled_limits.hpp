@@ -2,6 +2,7 @@
 // What a coupled scene may gain, in the suite of random ones and in the search for the worst.
 
 #include <cmath>
+#include <impact/choice.hpp>
 #include <impact/law/depth.hpp>
 
 #include "host_ref/coupled_scenes.hpp"
@@ -40,12 +41,15 @@ inline double energy_rounded(const CoupledScene& found) {
 }
 
 // Of the scene's energy. The moment-fitted steppers create up to 1e-5 of it in each of some hundred contacts, named
-// below the 8 steps a contact that the rule takes up to 6e-5; the others none, but for rounding.
+// below the 8 steps a contact that the rule takes up to 6e-5; the others none, but for rounding. Named sub-steps beyond
+// the phase that the rule allows make more, of which the tool warns.
 inline double most_energy_made(const CoupledScene& found) {
   const Stepper stepper = found.request.stepper;
-  const bool is_named_moment =
-      stepper == Stepper::moment || stepper == Stepper::moment_4 || stepper == Stepper::moment_8;
-  return (is_named_moment ? 0.02 : 0.01) + energy_rounded(found);
+  const Scene& scene = found.request.scene;
+  const bool has_sub_steps =
+      stepper == Stepper::moment_4 || stepper == Stepper::moment_8 || stepper == Stepper::moment_n;
+  const double swing = std::sqrt(scene.main_stiffness / scene.main_mass) * found.request.step;
+  return (has_sub_steps && swing > longest_sub_stepped_phase ? 0.03 : 0.01) + energy_rounded(found);
 }
 
 }  // namespace impact::host

@@ -20,7 +20,7 @@ Reached Simulation::reached_in(long steps, const double* forces, const double* b
   Reached reached;
   for (long n = 0;; ++n) {
     const Sample now = sample();
-    reached.see(now.x1, now.v1, now.x2, now.v2, now.penetration);
+    reached.see(now.x1, now.v1, now.x2, now.v2, now.penetration, now.impact_speed);
     if (n == steps || !reached.is_within(bounds) || fault()) return reached;
     step(forces ? forces[n] : 0, base ? base[n] : 0);
   }

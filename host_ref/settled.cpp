@@ -165,6 +165,17 @@ void take_longer_steps(Request& trial, Planned& planned) {
   }
 }
 
+// How deep an impact at this speed goes. The ends of steps see less of a contact that takes few of them or only a part
+// of one; sub-steps, and another format's steps, may end where it is deepest.
+double depth_within_steps(const Request& request, double speed) {
+  if (!(speed > 0) || (sub_steps(request) <= 1 && request.stepper != Stepper::energy)) return 0;
+  const Scene& scene = request.scene;
+  const bool is_constant = request.law != Law::hunt_crossley || request.damping == Damping::constant;
+  const double mu = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass),
+               damping = is_constant ? scene.contact_damping : damping_of(request, speed, false).value_or(0);
+  return peak_penetration({request.law, scene.contact_stiffness, damping, mu, speed, scene.tension}).value_or(0);
+}
+
 struct Measured {
   Bounds bounds;
   bool is_of_run;  // or none could be made
@@ -206,13 +217,15 @@ Measured measure(const Request& asked) {
     long steps = step_count(request);
     for (const auto* samples : {&request.samples, &request.base_samples})
       if (!samples->empty()) steps = std::min(steps, static_cast<long>(samples->size()));
-    const Reached reached = planned.simulation->reached_in(steps, samples_after(0, steps, request.samples),
-                                                           samples_after(0, steps, request.base_samples), limits);
+    Reached reached = planned.simulation->reached_in(steps, samples_after(0, steps, request.samples),
+                                                     samples_after(0, steps, request.base_samples), limits);
     if (!reached.is_within(limits) || open_bound_passed(planned.simulation->fault(), stated)) {
       bounds = wider_than(asked, bounds, reached, round < doubled_rounds ? 2 : 16);
       continue;
     }
     if (is_of_run) break;
+    if (reached.penetration > 0)
+      reached.penetration = larger(reached.penetration, depth_within_steps(request, reached.impact_speed));
     bounds = bounds_of(asked, reached);
     is_of_run = true;
     if (makes_plan_with(bounds) && request.stepper == stepper) break;

@@ -86,11 +86,12 @@ struct Sample {
   double peak_force = 0;           // largest contact force since the start, N
 };
 
-// The largest magnitudes of either mass, m and m/s, and of the penetration.
+// The largest magnitudes of either mass, m and m/s, of the penetration and of the speed at which a contact began.
 struct Reached {
-  double displacement = 0, speed = 0, penetration = 0;
+  double displacement = 0, speed = 0, penetration = 0, impact_speed = 0;
 
-  void see(double x1, double v1, double x2, double v2, double depth) {
+  void see(double x1, double v1, double x2, double v2, double depth, double impact = 0) {
+    impact_speed = larger(impact_speed, impact);
     displacement = larger(displacement, larger(std::abs(x1), std::abs(x2)));
     speed = larger(speed, larger(std::abs(v1), std::abs(v2)));
     penetration = larger(penetration, depth);

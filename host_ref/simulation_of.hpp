@@ -79,7 +79,7 @@ class KernelSimulation final : public Simulation {
     Reached reached;
     for (long n = 0;; ++n) {
       const auto now = kernel_.reading();
-      reached.see(now.x1, now.v1, now.x2, now.v2, penetration(now.x2 - now.x1));
+      reached.see(now.x1, now.v1, now.x2, now.v2, penetration(now.x2 - now.x1), kernel_.impact_speed());
       if (n == steps || !reached.is_within(bounds) || fault()) return reached;
       advance(forces ? forces[n] : 0, base ? base[n] : 0);
     }

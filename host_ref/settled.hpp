@@ -25,8 +25,11 @@ int sub_steps(const Request& request);
 double restitution_error(const Request& request);
 // m, of x1, by the formula of the kernel's rule; NaN for a stepper that the rule never takes.
 double expected_error_of(const Request& request);
-// By the plan's rule. What more sub-steps than these round in Fixed32 is more than Impulsive misses.
-constexpr int most_in_fixed32 = 64;
+// More sub-steps than these round away more than they gain.
+constexpr int most_sub_steps_in(Numeric numeric) {
+  return numeric == Numeric::float64 ? SubsteppedMoment<>::most : 512;
+}
+// By the plan's rule.
 Stepper chosen(const Request& request, int most_sub_steps = SubsteppedMoment<>::most);
 Planned plan(const Request& request);
 

@@ -57,8 +57,8 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
     return beyond("the deepest contact's angle in a step, rad, is ", phase, Moment::longest_contact_phase);
   if (damping > Moment::largest_damping)
     return beyond("the deepest contact's damping h c/mu is ", damping, Moment::largest_damping);
-  if (request.numeric == Numeric::fixed32 && n > most_in_fixed32)
-    return std::to_string(n) + " sub-steps are rounded too often, at most " + std::to_string(most_in_fixed32);
+  if (const int most = most_sub_steps_in(request.numeric); n > most)
+    return std::to_string(n) + " sub-steps are rounded too often, at most " + std::to_string(most);
   if (is_divided && contact.shortest_part >= SubsteppedMoment<>::precise_parts * h)
     return "it costs more and is not required from " + std::to_string(SubsteppedMoment<>::precise_parts) +
            " steps per contact on";

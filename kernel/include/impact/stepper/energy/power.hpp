@@ -63,10 +63,11 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return slope <= 0.02 && damping <= largest_damping_of_energy &&
            lasting_damping <= largest_lasting_damping_of_energy;
   }
-  // Of a main mass that swings in a step the stiff step keeps the energy, not the law's damping: a ball that is pressed
-  // against its stop may creep into it.
+  // Of a main mass that swings by a tenth of a radian or more in a step the stiff step keeps the energy, not the law's
+  // damping: a ball that is pressed against its stop may creep into it (kernel/docs/energy.md).
   static constexpr double deepest(const ContactTerms& terms) {
-    return terms.is_damped && !is_resolved(terms) ? terms.deepest_of_any_force : terms.deepest;
+    const bool swings = terms.main_stiffness * terms.step * terms.step > 0.01 * terms.main_mass;
+    return swings && terms.is_damped && !is_resolved(terms) ? terms.deepest_of_any_force : terms.deepest;
   }
   // A ball whose stored energy is below an LSB is moved out of a stiff contact, in a field against its weight. From the
   // depth d where V is an LSB this gains up to this share of the fastest impact's energy: with g of stiff.hpp, g d =

@@ -141,11 +141,10 @@ const std::vector<Option>& options() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all = {
         choice("law", laws, field(&Request::law), "contact law"),
-        choice(
-            "newmark", steppers, field(&Request::stepper),
-            "time stepper. auto is the kernel's rule and says its choice on standard error. average to central are "
-            "Newmark's "
-            "classical schemes. moment-4 and moment-8 have as many sub-steps in contact, moment-n as many as required"),
+        choice("newmark", steppers, field(&Request::stepper),
+               "time stepper. auto is the kernel's rule and says its choice on standard error. average to central are "
+               "Newmark's classical schemes. moment-4 and moment-8 have as many sub-steps in contact, moment-n as many "
+               "as required"),
         choice("numeric", numerics, field(&Request::numeric),
                "number format; the state of float32 is compensated, that of float32-plain is not"),
         number("duration", "s", {0, 1e7}, field(&Request::duration),
@@ -160,12 +159,10 @@ const std::vector<Option>& options() {
                "speed at which hunt-crossley has the restitution of --restitution; the other laws do not read it"),
         flag("paper-damping", field(&Settings::paper_damping), true,
              "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
-        choice(
-            "damping", dampings, field(&Request::damping),
-            "how hunt-crossley's damping is set. constant: by --contact-damping. The others set it at each impact, "
-            "from "
-            "its speed and --restitution E, by the formula of that name; hunt-crossley and per-impact are the paper's "
-            "(2.9). Only with exact does an impact have the restitution E"),
+        choice("damping", dampings, field(&Request::damping),
+               "how hunt-crossley's damping is set. constant: by --contact-damping. The others set it at each impact, "
+               "from its speed and --restitution E, by the formula of that name; hunt-crossley and per-impact are the "
+               "paper's (2.9). Only with exact does an impact have the restitution E"),
         choice("tension", tensions, field(&Scene::tension),
                "for hooke-newton. allow: a stop may pull until the penetration ends; clamp: it releases the ball at "
                "zero force"),

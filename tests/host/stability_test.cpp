@@ -111,7 +111,7 @@ double rounding_gain(const FreePair& free, Stepper stepper, Numeric numeric) {
   Request request = request_for(free, stepper, numeric, 0);
   if (stepper == Stepper::automatic) request.stepper = chosen(request);
   const int n = std::max(1, sub_steps(request));
-  const double steps = std::max(1.0, steps_per_contact(free)), parts = std::max(1.0, n * steps_per_contact(free));
+  const double steps = larger(1.0, steps_per_contact(free)), parts = larger(1.0, n * steps_per_contact(free));
   const Lsbs lsb = lsbs_of(free, numeric);
   const double alike = numeric == Numeric::float32_plain ? 1 : std::min(1.0, 6 / std::sqrt(steps));
   return (numeric == Numeric::float64 ? 1e-12 : 1e-5) + 7.4 * alike * lsb.position +

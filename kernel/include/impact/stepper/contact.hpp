@@ -36,11 +36,10 @@ struct ContactTraits {
   bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step
   bool reads_rate = true;         // reads the rate at the step's end, which costs computing the main mass's
   bool sees_change = false;       // needs the increment of the drive's force at the step's end
-  bool starts_from_rate =
-      false;                 // at a touch it needs the rate at the step's start, which the plan's start_rate computes
-  bool keeps_force = false;  // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
-                             // share in the displacements of the coming one, dx1_share and dx2_share
-  bool puts_back = false;    // a ball that is inside goes back to its stop before the touch
+  bool starts_from_rate = false;  // at a touch it needs the rate at the step's start, by the plan's start_rate
+  bool keeps_force = false;       // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
+                                  // share in the displacements of the coming one, dx1_share and dx2_share
+  bool puts_back = false;         // a ball that is inside goes back to its stop before the touch
   bool keeps_penetration = true;  // from step to step, as `penetration`
   bool knows_way = false;         // its force is constant in a step: reaction.way tells the work to rounding
 };

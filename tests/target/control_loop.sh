@@ -40,11 +40,14 @@ for shift in 6 7 8 9; do
 done
 [ "$overruns" != 0 ] || fail "a processor that is too slow was not noticed"
 
-# On a busy host QEMU may see that a timer is due some dozen instructions late: of two runs the shorter counts, and its
-# budget has one thousandth to spare.
-run 5 >"$folder/again"
+# On a busy host QEMU may see that a timer is due some dozen instructions late: of four runs the shortest counts.
 longest='{ if ($5 > longest) longest = $5 } END { print 10 * longest }'
-shorter=$(for one in target again; do reports "$folder/$one" "$longest"; done | sort -n | head -n 1)
+shortest=$(reports "$folder/target" "$longest")
+for again in 1 2 3; do
+  run 5 >"$folder/again"
+  length=$(reports "$folder/again" "$longest")
+  [ "$length" -ge "$shortest" ] || shortest=$length
+done
 load=$(reports "$folder/target" 'NR == 1 { print 10 * $2 }')
-echo "$target,hunt-crossley,moment,fixed32,sampled,interrupt_permille,$load,$shorter"
+echo "$target,hunt-crossley,moment,fixed32,sampled,interrupt_permille,$load,$shortest"
 cat "$folder/target"

@@ -10,6 +10,7 @@
 #include <host_ref/reference.hpp>
 #include <host_ref/report/event_rk4.hpp>
 #include <host_ref/report/report_program.hpp>
+#include <host_ref/report/stiff_scene.hpp>
 #include <host_ref/settled.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/text.hpp>
@@ -19,19 +20,9 @@
 namespace impact::report {
 namespace {
 
-constexpr double interval = 4e-3;  // s
-constexpr int rows = 102, repetitions = 10;
-constexpr Bounds bounds{0.05, 1.5};
-
-// e = 0.68 at 0.8 m/s, whatever the stiffness.
-Scene scene_with(double stiffness) {
-  Scene scene;
-  scene.main_damping = 0.5;
-  scene.drive_pulsation = 36;
-  scene.contact_stiffness = stiffness;
-  scene.contact_damping = 0.8695 * stiffness;
-  return scene;
-}
+constexpr double interval = stiff_interval;
+constexpr int rows = stiff_rows, repetitions = 10;
+constexpr Bounds bounds = stiff_bounds;
 
 struct Measured {
   double error = 0, nanoseconds = 0;  // of a simulated second
@@ -80,8 +71,8 @@ Measured by_rule(const Scene& scene, double h, const std::vector<host::Sample>& 
   return by_kernel<EnergyConsistent, Format>(scene, h, reference);
 }
 Measured by_events(const Scene& scene, double h, int contact_steps, const std::vector<host::Sample>& reference) {
-  return measured(EventRk4(scene, h, contact_steps), h, reference,
-                  [](const EventRk4& model) { return model.displacement(); });
+  return measured(EventRk4<double>(scene, h, contact_steps), h, reference,
+                  [](const EventRk4<double>& model) { return model.displacement(); });
 }
 
 // Calls write("moment-n", "float64", "", measured) for every number n of sub-steps that the plan accepts.
@@ -98,7 +89,7 @@ void write_stiff(const std::string& path) {
   output.write("contact_stiffness,step_s,method,numeric,contact_steps,error_m,ns_per_simulated_second\n");
   for (double tenths = 9; tenths <= 24; ++tenths) {
     const double stiffness = tenths == 9 ? 3.26e4 : std::pow(10, tenths / 2);  // the paper's, and to 1e12
-    const Scene scene = scene_with(stiffness);
+    const Scene scene = stiff_scene(stiffness);
     host::Case run;
     run.scene = scene;
     const auto reference = host::reference_trajectory(run, interval, rows * interval).samples;

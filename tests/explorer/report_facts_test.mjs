@@ -1,7 +1,7 @@
 // What the report says, on tables that are made here: report_facts_test.mjs FOLDER_OF_PAGE
 import { pathToFileURL } from 'node:url';
 
-const { advantage, atAGlance, budgetOf, chooserOf, coupledRows, duel, findings, frontiers, paperSentences, partsRows, pointsOf, restitutionError, stabilityRows, stiffText } =
+const { advantage, atAGlance, budgetOf, chooserOf, coupledRows, duel, findings, frontiers, paperSentences, partsRows, pointText, pointsOf, restitutionError, stabilityRows, stiffText } =
   await import(pathToFileURL(`${process.argv[2]}/facts.mjs`));
 let failures = 0;
 function equal(found, expected, what) {
@@ -12,7 +12,7 @@ function equal(found, expected, what) {
 
 // Error against run time.
 const point = (target, method, numeric, error_m, cost) => ({ target, law: 'hertz', method, numeric, error_m, step_s: '0.001', instructions_per_simulated_second: cost });
-const pointsFrom = (...rows) => pointsOf({ error_vs_time: rows, accuracy: [] });
+const pointsFrom = (...rows) => pointsOf({ error_vs_time: rows, accuracy: [], stiff: [], stiff_time: [] });
 const duels = pointsFrom(point('cortex-m3', 'moment', 'fixed32', '2e-6', '10'), point('cortex-m3', 'moment', 'fixed32', '9e-7', '30'), point('cortex-m3', 'energy', 'fixed32', '9e-7', '40'),
   point('cortex-m3', 'moment', 'float32', '9e-7', '5'),  // not native without FPU
   point('cortex-m4f', 'moment', 'float32', '9e-7', '1'), point('cortex-m3', 'textbook-rk4', 'float32-plain', '1e-7', '300'), point('cortex-m3', 'tuned-rk4', 'float32-plain', '1e-6', '60'));
@@ -28,8 +28,13 @@ equal(advantage(duels.slice(0, 3)).text, 'No baseline reaches any error from 1e-
 const ways = frontiers(pointsFrom(point('cortex-m3', 'energy', 'fixed32', '2e-6', '20'), point('cortex-m3', 'moment', 'fixed32', '1e-6', '10'), point('cortex-m3', 'impulsive', 'fixed32', '1e-7', '20'),
   point('cortex-m3', 'average', 'fixed32', '1e-9', '1'), point('cortex-m3', 'textbook-rk4', 'float32-plain', '1e-4', '1')), 'cortex-m3', 'hertz');
 equal(Object.entries(ways).map(([name, rows]) => [name, ...rows.map(({ cost }) => cost)]), [['kernel', 10, 20], ['best baseline', 1], ["paper's scheme", 1]], 'a frontier has what no other reaches for less');
-const host = pointsOf({ error_vs_time: [], accuracy: [{ law: 'hertz', newmark: 'moment', numeric: 'float64', step_s: '0.001', error_m: '1e-9', host_ns_per_step: '40' }] });
+const host = pointsOf({ error_vs_time: [], accuracy: [{ law: 'hertz', newmark: 'moment', numeric: 'float64', step_s: '0.001', error_m: '1e-9', host_ns_per_step: '40' }], stiff: [], stiff_time: [] });
 equal([host[0].target, host[0].method, host[0].cost], ['host', 'moment', 40000], "the host's cost is in nanoseconds per simulated second");
+const steel = pointsOf({ error_vs_time: [], accuracy: [], stiff_time: [{ target: 'cortex-m4f', method: 'event-rk4', numeric: 'float32-plain', step_s: '0.001', contact_steps: '8', error_m: '1e-6', instructions_per_simulated_second: '90' }],
+  stiff: ['1e+09', '1e+10'].map((contact_stiffness) => ({ contact_stiffness, step_s: '0.001', method: 'auto', numeric: 'float64', contact_steps: '', error_m: '1e-9', ns_per_simulated_second: '70' })) });
+equal(steel.map(({ target, law, method, cost }) => [target, law, method, cost]), [['cortex-m4f', 'hunt-crossley-1e10', 'event-rk4', 90], ['host', 'hunt-crossley-1e10', 'auto', 70]], 'a stop like steel has points of its own');
+equal([advantage(steel).rows.length, advantage(steel).text], [11, '**A baseline costs less** on cortex-m4f, hunt-crossley-1e10 at 1e-3 m; cortex-m4f, hunt-crossley-1e10 at 1e-4 m; cortex-m4f, hunt-crossley-1e10 at 1e-5 m; cortex-m4f, hunt-crossley-1e10 at 1e-6 m.'], 'and rows where a baseline wins');
+equal(steel.map((row) => / 8 steps in a contact /.test(pointText(row))), [true, false], 'event-rk4 says how many steps a contact has');
 
 // What to choose.
 const impact = (newmark, numeric, energy_gain_max, accepted, machine_rule = 'moment') => ({ law: 'hunt-crossley', newmark, numeric, step_s: '0.0001', contact_stiffness: '10000', restitution_min: '0.679', restitution_max: '0.68',

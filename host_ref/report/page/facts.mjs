@@ -16,10 +16,14 @@ const groupsOf = (rows, ...columns) => {
   return [...groups.values()];
 };
 
-// Error against run time. A point's cost is in instructions, on the host nanoseconds, per simulated second.
-export const pointsOf = ({ error_vs_time, accuracy }) => [
+// Error against run time. A point's cost is in instructions, on the host nanoseconds, per simulated second. `steel` is
+// Hunt-Crossley at a stop of 1e10 N/m^(3/2).
+export const steel = 'hunt-crossley-1e10';
+export const pointsOf = ({ error_vs_time, accuracy, stiff, stiff_time }) => [
   ...error_vs_time.map((row) => ({ ...row, cost: number(row.instructions_per_simulated_second) })),
   ...accuracy.map((row) => ({ ...row, target: 'host', method: row.newmark, cost: row.host_ns_per_step / row.step_s })),
+  ...stiff_time.map((row) => ({ ...row, law: steel, cost: number(row.instructions_per_simulated_second) })),
+  ...stiff.filter((row) => number(row.contact_stiffness) === 1e10).map((row) => ({ ...row, target: 'host', law: steel, cost: number(row.ns_per_simulated_second) })),
 ].map((row) => ({ ...row, error: number(row.error_m), step: number(row.step_s) }));
 
 const isBaseline = ({ method }) => /^(textbook|tuned|event)-/.test(method);
@@ -40,14 +44,14 @@ export function duel(points, target, law, error) {
 const stepText = (s) => (s < 0.999e-3 ? `${short(1e6 * s)} µs` : `${short(1e3 * s)} ms`);
 const costText = ({ target, cost }) => short(cost / 1e3) + (target === 'host' ? ' µs' : ' thousand instructions');
 export const pointText = (row) =>
-  `${row.method} in ${row.numeric} · step ${stepText(row.step)} · error ${short(row.error, 2)} m · ${costText(row)} per simulated second`;
+  `${row.method} in ${row.numeric}${row.contact_steps > 0 ? ` with ${row.contact_steps} steps in a contact` : ''} · step ${stepText(row.step)} · error ${short(row.error, 2)} m · ${costText(row)} per simulated second`;
 
 export function advantage(points) {
   const wayCell = (row) => (row ? { text: costText(row), note: `${row.method}, ${row.numeric}, ${stepText(row.step)}`, value: row.cost }
     : { text: 'not reached', value: '' });
   const rows = [], lost = [];
   for (const target of targets)
-    for (const law of laws)
+    for (const law of [...laws, steel])
       for (let level = -3; level >= -9; --level) {
         const { kernel, baseline, ratio } = duel(points, target, law, Number(`1e${level}`));
         if (!kernel && !baseline) continue;

@@ -61,7 +61,7 @@ const methodStyles = {
 };
 const formats = { fixed32: { marker: 'square', isFilled: true }, float32: { marker: 'circle' }, 'float32-plain': { marker: 'triangle' }, float64: { marker: 'cross' } };
 const costAxis = (target) => ({ label: `${target === 'host' ? 'nanoseconds' : 'instructions'} per simulated second`, isLog: true });
-const errorAxis = { label: 'largest error of x1 over 1 s, m', isLog: true };
+const errorAxis = { label: 'largest error of x1, m', isLog: true };
 const withCost = (row) => ({ x: row.cost, y: row.error, text: pointText(row) });
 const key = (names) => Object.entries(names).map(([name, style]) => ({ name, points: [], ...style }));
 const traces = (axis, lines, own = {}) => ({ x: { label: 'time, s' }, y: { label: axis, ...own }, series: lines.map(([column, name, style]) =>

@@ -1,0 +1,59 @@
+#pragma once
+// The report's stiff stops: the scene, from rest over 0.4 s, and the runs at a stop like steel, which are the same on a
+// host, for their errors, and on a target, for their cost.
+
+#include <host_ref/report/event_rk4.hpp>
+#include <impact/absorber.hpp>
+
+namespace impact::report {
+
+// Hunt-Crossley; e = 0.68 at 0.8 m/s, whatever the stiffness.
+constexpr Scene stiff_scene(double stiffness) {
+  Scene scene;
+  scene.main_damping = 0.5;
+  scene.drive_pulsation = 36;
+  scene.contact_stiffness = stiffness;
+  scene.contact_damping = 0.8695 * stiffness;
+  return scene;
+}
+inline constexpr Bounds stiff_bounds{0.05, 1.5};
+inline constexpr double stiff_interval = 4e-3;  // s, between two looks at x1
+inline constexpr int stiff_rows = 102;
+inline constexpr double stiff_duration = stiff_rows * stiff_interval;
+
+inline constexpr double steel = 1e10;  // N/m^(3/2)
+template <int microseconds>
+struct SteelRig {
+  static constexpr Scene scene = stiff_scene(steel);
+  static constexpr Bounds bounds = stiff_bounds;
+  static constexpr double step = microseconds * 1e-6;
+};
+
+// run(method, numeric, microseconds of a step, steps of event-rk4 in a contact, model)
+template <class Stepper, class Format, class Run>
+void run_kernel(const char* method, const char* numeric, const Run& run) {
+  const auto at = [&](auto absorber, int microseconds) { run(method, numeric, microseconds, 0, absorber); };
+  at(Absorber<SteelRig<4000>, HuntCrossley, Stepper, Sine, Format>{}, 4000);
+  at(Absorber<SteelRig<2000>, HuntCrossley, Stepper, Sine, Format>{}, 2000);
+  at(Absorber<SteelRig<1000>, HuntCrossley, Stepper, Sine, Format>{}, 1000);
+  at(Absorber<SteelRig<500>, HuntCrossley, Stepper, Sine, Format>{}, 500);
+  at(Absorber<SteelRig<200>, HuntCrossley, Stepper, Sine, Format>{}, 200);
+  at(Absorber<SteelRig<100>, HuntCrossley, Stepper, Sine, Format>{}, 100);
+}
+template <class Format, class Run>
+void run_at_steel(const char* numeric, const Run& run) {
+  run_kernel<Impulsive, Format>("impulsive", numeric, run);
+  run_kernel<SubsteppedMoment<>, Format>("moment-n", numeric, run);
+}
+// With more steps in a contact float rounds away what they gain.
+template <class Run>
+void run_events_at_steel(const Run& run) {
+  constexpr int steps[] = {4000, 2000, 1000, 500, 200}, parts[] = {4, 6, 8, 12, 16, 24, 32};
+  for (const int microseconds : steps)
+    for (const int contact_steps : parts) {
+      EventRk4<float> model(stiff_scene(steel), microseconds * 1e-6, contact_steps);
+      run("event-rk4", "float32-plain", microseconds, contact_steps, model);
+    }
+}
+
+}  // namespace impact::report

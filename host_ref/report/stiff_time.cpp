@@ -1,0 +1,66 @@
+// stiff_time OUTPUT.csv COST.csv...: the error of the runs at a stop like steel (stiff_scene.hpp), found on this host,
+// against what a simulated second costs on the targets, in instructions.
+
+#include <cmath>
+#include <host_ref/extremes.hpp>
+#include <host_ref/reference.hpp>
+#include <host_ref/report/report_program.hpp>
+#include <host_ref/report/stiff_scene.hpp>
+#include <host_ref/report/table.hpp>
+#include <host_ref/tool/output.hpp>
+#include <host_ref/tool/text.hpp>
+
+namespace impact::report {
+namespace {
+
+template <class Kernel>
+auto displacement(const Kernel& kernel) -> decltype(kernel.reading().x1) {
+  return kernel.reading().x1;
+}
+double displacement(const EventRk4<float>& model) { return model.displacement(); }
+
+void write_stiff_time(const std::vector<std::string>& paths) {
+  host::Case run;
+  run.scene = stiff_scene(steel);
+  const auto reference = host::reference_trajectory(run, stiff_interval, stiff_duration).samples;
+  std::map<std::string, double> errors;  // by method,numeric,microseconds,contact_steps
+  const auto key = [](const std::string& method, const std::string& numeric, const std::string& microseconds,
+                      const std::string& contact_steps) {
+    return method + "," + numeric + "," + microseconds + "," + contact_steps;
+  };
+  const auto measure = [&](const char* method, const char* numeric, int microseconds, int contact_steps, auto& model) {
+    double error = 0;
+    for (size_t row = 1; row <= stiff_rows; ++row) {
+      for (int step = 0; step < 4000 / microseconds; ++step) model.step();
+      error = host::larger(error, std::abs(displacement(model) - reference.at(row).x1));
+    }
+    errors[key(method, numeric, std::to_string(microseconds), std::to_string(contact_steps))] = error;
+  };
+  run_at_steel<Float32>("float32", measure);
+  run_at_steel<Float32Plain>("float32-plain", measure);
+  run_at_steel<Fixed32>("fixed32", measure);
+  run_events_at_steel(measure);
+
+  host::Output output(paths.at(0));
+  output.write("target,method,numeric,step_s,contact_steps,error_m,instructions_per_simulated_second\n");
+  for (size_t i = 1; i < paths.size(); ++i)
+    for (const Row& row : read_table(paths[i])) {
+      const std::string &method = row.at("method"), &numeric = row.at("numeric"), &steps = row.at("contact_steps");
+      std::string line = row.at("target") + "," + method + "," + numeric;
+      host::append_numbers(line, {1e-6 * number(row, "microseconds")}, 5);
+      line += "," + steps;
+      host::append_numbers(line,
+                           {errors.at(key(method, numeric, row.at("microseconds"), steps)),
+                            number(row, "instructions") / stiff_duration},
+                           5);
+      output.write(line + "\n");
+    }
+  output.commit();
+}
+
+}  // namespace
+}  // namespace impact::report
+
+int main(int count, char** arguments) {
+  return impact::report::run_program(count, arguments, impact::report::write_stiff_time);
+}

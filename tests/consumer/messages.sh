@@ -72,7 +72,7 @@ scene 1 'Rig::scene.contact_damping: 0 to 1e18' 's.contact_damping = -1;'
 scene 1 'Rig::scene.restitution: 0.01 to 1' 's.restitution = 1.5;'
 scene 1 'Rig::scene.drive_amplitude: 0 to 1e9 N' 's.drive_amplitude = -1;'
 scene 1 'Rig::scene.drive_pulsation: 0 to 1e6 rad/s' 's.drive_pulsation = 1e7;'
-scene 1 'Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s' 's.drive_pulsation = 1e-5;'
+scene 1 'Rig::scene.drive_pulsation: 0, or from 2^-24 rad per step to 1e6 rad/s' 's.drive_pulsation = 1e-5;'
 scene 1 'Rig::scene.x1: -1e3 to 1e3 m' 's.x1 = 1e4;'
 scene 1 'Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop than Bounds allow' 's.x2 = 0.09;'
 scene 1 'Rig::scene.v2: -1e3 to 1e3 m/s' 's.v2 = 1e4;'
@@ -180,20 +180,20 @@ Absorber<$3> absorber;
 void use() { ${4-} }
 END
 }
-absorber short 'the rig has no bounds: static constexpr impact::Bounds bounds' 'NoBounds, HuntCrossley, Moment, Sine, Fixed32'
-absorber short 'the rig has no scene: static constexpr impact::Scene scene' 'NotStatic, HuntCrossley, Moment, Sine, Fixed32'
+absorber short 'the rig has no static bounds: write static constexpr impact::Bounds bounds' 'NoBounds, HuntCrossley, Moment, Sine, Fixed32'
+absorber short 'the rig has no static scene: write static constexpr impact::Scene scene' 'NotStatic, HuntCrossley, Moment, Sine, Fixed32'
 absorber short 'the fifth argument must be a format, such as Fixed32 or Float32' 'Rig, HuntCrossley, Moment, Sine, float'
 absorber short 'the second argument must be a law' 'Rig, NoTraits, Moment, Sine, Fixed32'
 absorber short 'the third argument must be a stepper' 'Rig, HuntCrossley, Sine, Moment, Fixed32'
-absorber short "the stepper's Contact<Format, Law> is no contact" 'Rig, HuntCrossley, NoContact, Sine, Fixed32'
+absorber short "the stepper's Contact<Format, Law> is not a contact" 'Rig, HuntCrossley, NoContact, Sine, Fixed32'
 absorber any 'arguments must be features' 'Rig, HuntCrossley, Moment, Sine, Fixed32, Float32'
-wrong any 'Chosen chooses by a rig' <<END
+wrong any 'Chosen<> requires a rig' <<END
 #include <impact/absorber.hpp>
 using namespace impact;
 Absorber<AtRunTime, HuntCrossley, Chosen<>, Sine, Fixed32> absorber;
 END
 for other in 'NoForce, Exact' 'Rig, HookeNewton'; do
-  absorber 1 "Chosen<Rig, Law> of another rig or law than the absorber's: name Chosen<>" "Rig, Exact, Chosen<$other>, Sine, Fixed32"
+  absorber 1 "Chosen<Rig, Law> has another rig or law than the absorber: name Chosen<>" "Rig, Exact, Chosen<$other>, Sine, Fixed32"
 done
 wrong 1 "an absorber's plan is read only: absorber.retune(plan)" <<END
 #include <impact/absorber.hpp>
@@ -204,23 +204,23 @@ absorber 1 'an absorber AtRunTime is made from a plan' 'AtRunTime, HuntCrossley,
 absorber 1 'the drive is Sampled: state Rig::bounds.force' 'NoForce, HuntCrossley, Moment, Sampled, Fixed32'
 absorber 1 'step() without a sample, but the drive is Sampled' 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step();'
 absorber 1 'step(sample), but the drive takes none' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.step({100});'
-absorber 1 "a sample of another type than the format's" 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step(1.5f);'
-absorber 1 "a sample of another type than the format's" 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step(int32_t{7});'
-absorber 1 "a sample of another type than the format's" 'Rig, HuntCrossley, Moment, Sampled, Float32' 'absorber.step(100);'
-absorber 1 'retune() of an absorber whose plan is a constant' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.retune(absorber.plan);'
-absorber 1 'contact_force() needs the feature ContactForce' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.contact_force();'
-absorber 1 'snapshot() needs the feature Snapshots' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.snapshot();'
+absorber 1 "this sample has another type than the format's values" 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step(1.5f);'
+absorber 1 "this sample has another type than the format's values" 'Rig, HuntCrossley, Moment, Sampled, Fixed32' 'absorber.step(int32_t{7});'
+absorber 1 "this sample has another type than the format's values" 'Rig, HuntCrossley, Moment, Sampled, Float32' 'absorber.step(100);'
+absorber 1 'retune() requires a plan AtRunTime' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.retune(absorber.plan);'
+absorber 1 'contact_force() requires the feature ContactForce' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.contact_force();'
+absorber 1 'snapshot() requires the feature Snapshots' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.snapshot();'
 
 # A number in braces, another quantity, and a value where a converter reads its own.
 sampled='Rig, HuntCrossley, Moment, Sampled, Fixed32'
 absorber 1 'step({..}): a number in braces, such as a converter' "$sampled" 'absorber.step({100});'
-absorber 1 'a sample of another quantity: of a force take FromCounts<Absorber>' "$sampled" \
+absorber 1 'this sample is another quantity: for a force use FromCounts<Absorber>' "$sampled" \
   'using A = decltype(absorber); FromCounts<A, Quantity::displacement> from({2048, 20480, 0, 4095}); absorber.step(from(7));'
-absorber 2 'a sample of another quantity: of a force take' "Shaken, HuntCrossley, Moment, Sampled, Float32, BaseAcceleration" \
+absorber 2 'this sample is another quantity: for a force use' "Shaken, HuntCrossley, Moment, Sampled, Float32, BaseAcceleration" \
   'absorber.step(absorber.base_sample_of(1.0), absorber.sample_of(1.0));'
-absorber 1 'a converter reads its own quantity: pass the absorber or its snapshot()' "$sampled" \
+absorber 1 'ToCounts reads its quantity itself: pass the absorber or its snapshot()' "$sampled" \
   'ToCounts<decltype(absorber), Quantity::displacement> to({2048, 40940, 0, 4095}); to(absorber.velocity());'
-absorber 1 'the drive takes no samples: name Sampled as the drive' 'Rig, HuntCrossley, Moment, Sine, Float32' \
+absorber 1 'FromCounts converts samples of a drive: name Sampled as the drive' 'Rig, HuntCrossley, Moment, Sine, Float32' \
   'FromCounts<decltype(absorber)> from({2048, 204.8, 0, 4095});'
 
 # constant MESSAGE FORMAT DECLARATION: a converter as its circuit cannot have it, a sample beyond its bound. Clang names the call in a note.

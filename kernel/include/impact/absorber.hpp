@@ -105,26 +105,28 @@ class AbsorberOf
   static constexpr bool is_at_run_time = detail::is_one_of<Rig, AtRunTime>, has_scene = contract::has_scene<Rig>,
                         has_bounds = contract::has_bounds<Rig>, has_law = contract::is_law<Law_>,
                         has_stepper = contract::is_stepper<Stepper_>;
-  static_assert(is_at_run_time || has_scene,
-                "the rig has no scene: static constexpr impact::Scene scene = ...; (static, too) or name AtRunTime");
+  static_assert(
+      is_at_run_time || has_scene,
+      "the rig has no static scene: write static constexpr impact::Scene scene = ...; or name AtRunTime instead");
   static_assert(is_at_run_time || !has_scene || has_bounds,
-                "the rig has no bounds: static constexpr impact::Bounds bounds = ...;");
+                "the rig has no static bounds: write static constexpr impact::Bounds bounds = ...;");
   static_assert(is_at_run_time || !has_scene || !has_bounds || contract::has_step<Rig>,
-                "the rig has no step, or one of another type: static constexpr double step = 1e-4;  // s");
+                "the rig has no static step of type double: write static constexpr double step = 1e-4;  // s");
   static_assert(has_law, "the second argument must be a law, such as HuntCrossley: see impact/contracts.hpp");
-  static_assert(!has_law || has_stepper, "the third argument must be a stepper, such as Moment: see contracts.hpp");
+  static_assert(!has_law || has_stepper,
+                "the third argument must be a stepper, such as Moment: see impact/contracts.hpp");
   static_assert(!has_law || !has_stepper ||
                     contract::has_contact<Stepper_, contract::KeptFormat<Format_>, contract::KeptLaw<Law_>>,
-                "the stepper's Contact<Format, Law> is no contact: see impact/contracts.hpp");
+                "the stepper's Contact<Format, Law> is not a contact: see impact/contracts.hpp");
   static_assert(!has_stepper || contract::is_drive<Drive_>,
                 "the fourth argument must be a drive, such as NoDrive, Sine or Sampled: see impact/contracts.hpp");
   static_assert(!contract::is_drive<Drive_> || contract::is_format<Format_>,
-                "the fifth argument must be a format, such as Fixed32 or Float32, and not a number's own type: see "
+                "the fifth argument must be a format, such as Fixed32 or Float32, not a number type such as float: see "
                 "impact/contracts.hpp");
   static_assert((contract::is_feature<Features> && ...),
-                "from the sixth on the arguments must be features, such as EnergyLedger: see impact/contracts.hpp");
+                "the sixth and further arguments must be features, such as EnergyLedger: see impact/contracts.hpp");
   static_assert(((!__is_base_of(DryFriction, Features) || detail::is_one_of<DryFriction, Features>)&&...),
-                "a friction of your own is not possible: name DryFriction");
+                "a class of your own cannot replace DryFriction: name DryFriction itself");
 
  public:
   using PlanType = typename Source::PlanType;
@@ -191,9 +193,9 @@ class AbsorberOf
     constexpr bool takes_one = Drive::is_sampled != Field::is_sampled,
                    is_sample = detail::is_sample<Sample, Value, quantity>;
     static_assert(Drive::is_sampled || Field::is_sampled,
-                  "step(sample), but the drive takes none: name Sampled as the drive, or step()");
+                  "step(sample), but the drive takes none: name Sampled as the drive, or call step()");
     static_assert(!(Drive::is_sampled && Field::is_sampled),
-                  "step(sample), but both the drive and the base take one: step(force, acceleration)");
+                  "step(sample), but both the drive and the base take one: call step(force, acceleration)");
     check_sample<Sample, quantity, !takes_one>();
     if constexpr (takes_one && is_sample) {
       note_clamped(sample);
@@ -209,7 +211,7 @@ class AbsorberOf
   constexpr void step(Force force, Acceleration acceleration) {
     constexpr bool takes_both = Drive::is_sampled && Field::is_sampled;
     static_assert(takes_both,
-                  "step(force, acceleration): the drive must be Sampled, and BaseAcceleration among the parts");
+                  "step(force, acceleration): it requires a Sampled drive, and BaseAcceleration appended to the type");
     check_sample<Force, Quantity::force, !takes_both>();
     check_sample<Acceleration, Quantity::base_acceleration, !takes_both>();
     if constexpr (takes_both && detail::is_sample<Force, Value, Quantity::force> &&
@@ -245,7 +247,7 @@ class AbsorberOf
   // time, it is the law's peak in an impact of the last step, at every rate, or the force on a ball at rest. It needs
   // the feature ContactForce.
   constexpr Value contact_force() const {
-    static_assert(has_force, "contact_force() needs the feature ContactForce: append it to the absorber's type");
+    static_assert(has_force, "contact_force() requires the feature ContactForce: append it to the absorber's type");
     if constexpr (!has_force)
       return {};
     else if constexpr (Contact::traits.is_instantaneous)
@@ -255,7 +257,7 @@ class AbsorberOf
   }
   // With Impulsive, the average over the contact of the force whose peak is contact_force().
   constexpr Value mean_impact_force() const {
-    static_assert(has_force, "mean_impact_force() needs the feature ContactForce: append it to the absorber's type");
+    static_assert(has_force, "mean_impact_force() requires the feature ContactForce: append it to the absorber's type");
     static_assert(Contact::traits.is_instantaneous,
                   "mean_impact_force() requires Impulsive: with this stepper contact_force() is the average of a step");
     if constexpr (has_force && Contact::traits.is_instantaneous)
@@ -283,7 +285,7 @@ class AbsorberOf
 
   // All values of one step, for any context while another one steps (snapshot.hpp). It needs the feature Snapshots.
   Snapshot<Value> snapshot() const {
-    static_assert(publishes, "snapshot() needs the feature Snapshots: append it to the absorber's type");
+    static_assert(publishes, "snapshot() requires the feature Snapshots: append it to the absorber's type");
     if constexpr (publishes)
       return Window::read();
     else
@@ -346,7 +348,7 @@ class AbsorberOf
   //   ContactForce, whose state depends on the plan's forces.
   constexpr bool retune(const PlanType& next) {
     static_assert(!Source::is_constant,
-                  "retune() of an absorber whose plan is a constant: name AtRunTime in the place of the rig");
+                  "retune() requires a plan AtRunTime, and this plan is a constant: name AtRunTime instead of the rig");
     constexpr bool is_bound =
         Contact::traits.keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
@@ -440,14 +442,15 @@ class AbsorberOf
                    is_in_braces = detail::is_one_of<Sample, detail::InBraces>,
                    is_of_another = detail::is_native<Sample>;
     static_assert(is_sample || !is_in_braces,
-                  "step({..}): a number in braces, such as a converter's counts, is no sample. Pass "
+                  "step({..}): a number in braces, such as a converter's counts, is not a sample. Pass "
                   "FromCounts(counts), sample_of(newtons), or in Fixed32 Value{raw}, a fraction of the bound");
     static_assert(is_sample || !is_of_another,
-                  "a sample of another quantity: of a force take FromCounts<Absorber>, of a base's acceleration "
+                  "this sample is another quantity: for a force use FromCounts<Absorber>, for the base's acceleration "
                   "FromCounts<Absorber, Quantity::base_acceleration>");
-    static_assert(is_sample || is_in_braces || is_of_another,
-                  "a sample of another type than the format's. Pass sample_of(newtons), base_sample_of(acceleration), "
-                  "FromCounts(counts), a float in Float32, or in Fixed32 Value{raw}, a fraction of the bound");
+    static_assert(
+        is_sample || is_in_braces || is_of_another,
+        "this sample has another type than the format's values. Pass sample_of(newtons), base_sample_of(acceleration), "
+        "FromCounts(counts), a float in Float32, or in Fixed32 Value{raw}, a fraction of the bound");
   }
 
   // Restarts a feature whose records depend on the plan.

@@ -122,7 +122,7 @@ template <class Rig, class ContactLaw>
 constexpr Choice choice_of() {
   static_assert(
       !is_one_of<Rig, AtRunTime>,
-      "Chosen chooses by a rig: with AtRunTime name Chosen<Rig, Law> of one whose scene is the stiffest that you "
+      "Chosen<> requires a rig: with AtRunTime name Chosen<Rig, Law>, with a rig whose scene is the stiffest that you "
       "will plan");
   constexpr double any_phase = 1e30;
   constexpr PlanStatus scene = status_of(Rig::scene, Rig::step, any_phase);
@@ -153,8 +153,9 @@ struct StepperFor {
 };
 template <class OfRig, class OfLaw, class Rig, class ContactLaw>
 struct StepperFor<Chosen<OfRig, OfLaw>, Rig, ContactLaw> {
-  static_assert(is_one_of<OfLaw, ContactLaw> && (is_one_of<OfRig, Rig> || is_one_of<Rig, AtRunTime>),
-                "Chosen<Rig, Law> of another rig or law than the absorber's: name Chosen<>, which takes both from it");
+  static_assert(
+      is_one_of<OfLaw, ContactLaw> && (is_one_of<OfRig, Rig> || is_one_of<Rig, AtRunTime>),
+      "Chosen<Rig, Law> has another rig or law than the absorber: name Chosen<>, which takes both from the absorber");
   using Type = ChosenFor<typename Either<is_one_of<Rig, AtRunTime>, OfRig, Rig>::Type, ContactLaw>;
 };
 template <class Rig, class ContactLaw>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Converts between an absorber's numbers and a converter's counts, with one multiplication each way by a constant that
-// the compiler makes:
+// Converts between the native numbers of an absorber and the counts of an ADC or a DAC. Each conversion is one
+// multiplication by a constant that the compiler computes:
 //
 //     constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095};     // the middle is 0 m, full scale 0.05 m
 //     constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_dac(dac);
@@ -11,14 +11,14 @@
 //     constexpr impact::FromCounts<Absorber> from_adc(adc);            // the sample of a Sampled drive
 //     absorber.step(from_adc(ADC));
 //
-// A converter out reads its own quantity from the absorber or from its snapshot(), and step() accepts from a converter
-// its own quantity only. With a plan AtRunTime the units are the plan's: to_dac(dac, plan). A ToCounts of the absorber
-// belongs to the context that steps, one of a snapshot to any.
+// A ToCounts reads its own quantity from the absorber or from its snapshot(). step() accepts from a FromCounts only the
+// quantity that it expects. With a plan AtRunTime, pass the plan, which has the units: to_dac(dac, plan). Read the
+// absorber only in the context that steps it. A snapshot may be read in any context.
 //
-// Out, the result is the nearest count, clamped to the converter's ends. In, the error is at most 2^-29 of the unit in
-// Fixed32 and 2^-22 of the value in floating point. In Fixed32 counts are clamped at 2^-28 of the unit below it. Ends
-// and counts must be less than 2^31 counts from zero. A `constexpr` FromCounts whose end is more than the bound of its
-// quantity does not compile.
+// ToCounts returns the nearest count, clamped to the ends of the converter. The error of a FromCounts is at most 2^-29
+// of the unit in Fixed32, and 2^-22 of the value in floating point. In Fixed32 it clamps counts at 1 - 2^-28 of the
+// unit. Ends and counts must be less than 2^31 counts from zero. A `constexpr` FromCounts with an end beyond the bound
+// of its quantity does not compile.
 
 #include <stdint.h>
 
@@ -30,7 +30,7 @@
 
 namespace impact {
 
-// The characteristic of a converter's circuit.
+// How the counts of a circuit depend on the quantity.
 struct Converter {
   int32_t zero;               // counts at 0 of the quantity
   double counts_per_si_unit;  // not 0; negative if it counts backwards
@@ -38,7 +38,7 @@ struct Converter {
 };
 
 namespace detail {
-// Not constexpr, so that the compiler names the mistake in a constexpr converter.
+// These functions are not constexpr, so that the compiler's error for a constexpr converter contains their names.
 inline void a_converters_least_count_is_above_its_most() {}
 inline void a_converter_has_no_counts_per_si_unit() {}
 inline void a_converters_end_is_more_than_the_bound_of_its_quantity() {}
@@ -69,7 +69,7 @@ class CountsOut {
 
  private:
   typename Format::ClampedGain gain_;
-  int32_t zero_, least_, most_;  // the ends from zero
+  int32_t zero_, least_, most_;  // the ends count from zero
 };
 
 template <class Format>
@@ -90,12 +90,12 @@ class CountsIn {
   }
 
  private:
-  // Units a count. Those of a plan that was refused are 0, and the refusal has said why.
+  // Units per count. A rejected plan has the unit 0, and then this is 0 too.
   static constexpr double per_count(const Converter& converter, double unit) {
     const double counts = converter.counts_per_si_unit * unit;
     return constant::magnitude(counts) > 0 ? 1 / counts : 0;
   }
-  // Whole counts that a Value holds.
+  // The largest whole number of counts that fits in a Value.
   static constexpr int32_t most(const Converter& converter, double unit) {
     return detail::clamped_to_32_bits(Format::most_counts(converter.counts_per_si_unit * unit));
   }
@@ -118,7 +118,7 @@ constexpr double unit_of(const Plan& plan) {
   else
     return plan.base_sample_unit();
 }
-// The largest that comes in, SI.
+// The largest value that may come in, SI.
 template <Quantity quantity, class Plan>
 constexpr double largest_of(const Plan& plan) {
   using Units = typename Plan::FormatType::Units;
@@ -129,7 +129,7 @@ constexpr double largest_of(const Plan& plan) {
   else
     return Plan::FormatType::is_real ? 0x1p20 : unit_of<quantity>(plan);
 }
-// Of the absorber's getters or its snapshot's members.
+// The quantity, from a getter of the absorber or a member of its snapshot.
 template <Quantity quantity, class Absorber>
 constexpr auto read(const Absorber& absorber) {
   if constexpr (quantity == Quantity::displacement)
@@ -158,11 +158,12 @@ constexpr Value read(const Snapshot<Value>& snapshot) {
 }
 }  // namespace detail
 
-// Counts out, of a quantity that the absorber has: a displacement, a velocity or the contact force.
+// Counts that go out, for a displacement, a velocity or the contact force.
 template <class Absorber, Quantity quantity>
 class ToCounts : public detail::CountsOut<typename Absorber::Format> {
   static_assert(quantity != Quantity::force && quantity != Quantity::base_acceleration,
-                "a sample goes in: FromCounts; a contact's force out is Quantity::contact_force");
+                "ToCounts cannot convert a sample, because samples go in: use FromCounts. The contact force is "
+                "Quantity::contact_force");
   using Base = detail::CountsOut<typename Absorber::Format>;
 
  public:
@@ -177,8 +178,8 @@ class ToCounts : public detail::CountsOut<typename Absorber::Format> {
   constexpr int32_t operator()(const Source& source) const {
     constexpr bool is_source = detail::is_one_of<Source, Absorber, Snapshot<Value>>;
     static_assert(is_source,
-                  "a converter reads its own quantity: pass the absorber or its snapshot(), as "
-                  "to_dac(absorber); a native value of your own to_dac.of(value)");
+                  "ToCounts reads its quantity itself: pass the absorber or its snapshot(), as in to_dac(absorber). "
+                  "For a native value of your own, call to_dac.of(value)");
     if constexpr (is_source)
       return this->of(detail::read<quantity>(source));
     else
@@ -186,11 +187,12 @@ class ToCounts : public detail::CountsOut<typename Absorber::Format> {
   }
 };
 
-// Counts in, to a sample for step(): of a Sampled drive or of BaseAcceleration, or a measured value for correct().
+// Counts that come in, for step() as a sample of the drive or of the base's acceleration, or for correct() as a
+// measured value.
 template <class Absorber, Quantity quantity = Quantity::force>
 class FromCounts : public detail::CountsIn<typename Absorber::Format> {
   static_assert(quantity != Quantity::force || Absorber::Drive::is_sampled,
-                "the drive takes no samples: name Sampled as the drive");
+                "FromCounts converts samples of a drive: name Sampled as the drive");
   using Base = detail::CountsIn<typename Absorber::Format>;
 
  public:
@@ -206,7 +208,7 @@ class FromCounts : public detail::CountsIn<typename Absorber::Format> {
   constexpr Native<quantity, Value> operator()(int32_t counts) const { return {this->of(counts)}; }
 
  private:
-  // To a count, and to what a float rounds.
+  // One count and the rounding of a float are tolerated.
   static constexpr void check_ends(const Converter& converter, double largest) {
     const auto is_beyond = [&](int32_t end) {
       const double counts = constant::magnitude(static_cast<double>(end) - converter.zero);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Why a plan is rejected, and which value would be accepted. If a value is out of its own range, the answer is that
-// range (status.hpp). If only the values together are at fault, it is the first value that can be changed alone: a
-// start, a field or a dry friction that is named, then
+// range (values.hpp). If only the values together are at fault, the answer names one value that can be changed alone.
+// It is the first that suffices: the initial displacement, gravity, base acceleration or ball friction if the status
+// names one, then
 //
 //     step, the refused value, displacement_bound, speed_bound, penetration_bound, contact_stiffness, contact_damping,
 //     main_stiffness, main_damping, clearance, ball_mass, main_mass
 //
-// The answer has the ends of the accepted range around the nearest accepted value. They are found by halving and
-// doubling, then by bisection, by making plans. Both ends are accepted. If no single value suffices, they are the ends
-// of the range in which another value is at fault.
+// The answer has the ends of the accepted range around the nearest accepted value. Both ends are accepted. Plans are
+// made with trial values to find them, by halving and doubling and then by bisection. If no single value suffices, the
+// range is that in which another value is at fault.
 
 #include <stdint.h>
 
@@ -37,7 +38,7 @@ struct Values {
   constexpr double* find(Parameter parameter);
 };
 
-// A row of the table, values.hpp.
+// A row of the table in values.hpp.
 struct ParameterEntry {
   Parameter parameter;
   const char *name, *member;
@@ -68,8 +69,9 @@ constexpr double* Values::find(Parameter parameter) {
   return row.in_scene ? &(scene.*row.in_scene) : row.in_bounds ? &(bounds.*row.in_bounds) : &step;
 }
 
-// The value for which a plan is rejected, and its accepted range with the other values (drive_pulsation may also be 0).
-// If the first value at fault is so at any size, `allowed` is its range in any scene, and contains the value.
+// The value for which a plan is rejected, and its accepted range if the other values stay. A drive_pulsation of 0 is
+// accepted as well. If no other value of this parameter is accepted either, `allowed` is its range in any scene, which
+// contains the value.
 struct Explanation {
   Parameter parameter;
   double value;
@@ -128,26 +130,26 @@ constexpr Explanation explain(PlanStatus status, Values values) {
 
 namespace detail {
 
-// In the order in which they are looked at.
+// The values to try after the step and the rejected one, in this order.
 constexpr Parameter candidates[] = {Parameter::displacement_bound, Parameter::speed_bound,
                                     Parameter::penetration_bound,  Parameter::contact_stiffness,
                                     Parameter::contact_damping,    Parameter::main_stiffness,
                                     Parameter::main_damping,       Parameter::clearance,
                                     Parameter::ball_mass,          Parameter::main_mass};
 
-// These are named before the step.
+// True for values that are tried before the step.
 constexpr bool is_less_of(Parameter parameter) {
   return parameter == Parameter::ball_friction || parameter == Parameter::gravity ||
          parameter == Parameter::base_acceleration_bound || parameter == Parameter::x1 || parameter == Parameter::x2;
 }
 
-// Between one that is accepted and one that is not, both positive: the last accepted one, within 2^-20 of itself.
+// The last accepted value between an accepted and a refused one, both positive. The relative error is at most 2^-20.
 template <class Accepts>
 constexpr double last_accepted(double accepted, double refused, const Accepts& accepts) {
   for (int pass = 0; pass < 60; ++pass) {
     const double ratio = refused / accepted;
     if (ratio < 1 + 0x1p-20 && ratio > 1 - 0x1p-20) break;
-    // The geometric mean, once they are far apart.
+    // The geometric mean if they are far apart.
     const double middle =
         ratio < 2 && ratio > 0.5 ? (accepted + refused) / 2 : accepted * constant::square_root(refused / accepted);
     (accepts(middle) ? accepted : refused) = middle;
@@ -155,8 +157,8 @@ constexpr double last_accepted(double accepted, double refused, const Accepts& a
   return accepted;
 }
 
-// From one that is refused by halves or doubles to `end`; 0: none. Between two that are refused for different reasons
-// one may do.
+// The first accepted value on the way from a refused one to `end`, by halves or doubles, or 0 if there is none. Between
+// two values that are refused for different reasons, an accepted one is looked for by bisection.
 template <class StatusAt>
 constexpr double first_accepted(double refused, double end, const StatusAt& status_at) {
   constexpr int most_bisections = 20;
@@ -177,7 +179,8 @@ constexpr double first_accepted(double refused, double end, const StatusAt& stat
   return 0;
 }
 
-// The accepted values nearest to one that is refused, below it before above it; none: an empty range.
+// The range of accepted values nearest to a refused one. Smaller values are preferred. If there are none, the range is
+// empty.
 template <class StatusAt>
 constexpr Range accepted_near(double refused, const Range& within, const StatusAt& status_at) {
   constexpr int most_halvings = 100;
@@ -194,20 +197,20 @@ constexpr Range accepted_near(double refused, const Range& within, const StatusA
 
 }  // namespace detail
 
-// `status_with(values)` is the status of a plan of these values, which is not ok with those that are refused.
+// `status_with(values)` returns the status of a plan of these values. For `refused` it must not be ok.
 template <class StatusWith>
 constexpr Explanation explain(const Values& refused, const StatusWith& status_with) {
   const Explanation first = explain(status_with(refused), refused);
   const Range own = range_of(first.parameter);
   if (first.parameter != Parameter::step && !own.holds(first.value)) return first;
-  // What the other values limit: a bound by the start, a clearance by the bounds.
+  // True if the other values limit this one, as the start limits a bound, and the bounds limit the clearance.
   const bool is_limited = !first.allowed.holds(first.value);
 
   Explanation found{first.parameter, first.value, own, false};
   const auto would_do = [&](Parameter parameter, bool is_enough = true) {
-    constexpr double smallest = 1e-9;  // in place of 0
+    constexpr double smallest = 1e-9;  // replaces 0
     Values changed = refused;
-    // A displacement counts from the other mass's.
+    // An initial displacement counts from that of the other mass.
     const double origin = parameter == Parameter::x1   ? refused.scene.x2
                           : parameter == Parameter::x2 ? refused.scene.x1
                                                        : 0;
@@ -219,7 +222,7 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
       const PlanStatus status = status_with(changed);
       return !is_enough && explain(status, changed).parameter != parameter ? PlanStatus::ok : status;
     };
-    // Of a value that may have either sign, those on its own side.
+    // If a value may have either sign, its own sign stays.
     const Range any = range_of(parameter), within{constant::larger(any.least, 0), any.most};
     Range allowed = detail::accepted_near(size, within, status_at);
     if (is_limited && parameter == first.parameter && status_at(first.allowed.least) == PlanStatus::ok)
@@ -239,7 +242,7 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
   return found;
 }
 
-// For a constant expression: of a plan that is refused.
+// Explains, in a constant expression, why PlanType rejects these values.
 template <class PlanType>
 constexpr Explanation explain(const Scene& scene, const Bounds& bounds, double step) {
   return explain(Values{scene, bounds, step},

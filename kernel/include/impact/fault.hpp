@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Why a state is no longer valid. The first fault remains until clear_fault() or reset(). The kernel continues from a
-// state that is clamped at its bounds (StateLimits, numeric/units.hpp). The state is always finite; a value that is no
-// number becomes 0. A fault makes no step longer.
+// state that is clamped at its bounds (StateLimits, numeric/units.hpp). The state is always finite: a NaN becomes 0. A
+// fault makes no step longer.
 //
 // A step that clamps a displacement or a speed ends the contact under way, and features do not record it. A sample
-// beyond its bound is clamped there. Of a sample that is no number, a force is replaced by the one before and an
-// acceleration by 0. In Fixed32 a sample is a fraction of its bound, clamped by sample_of() or base_sample_of(), where
-// no number becomes 0; a fraction that is passed as a Value raises no fault.
+// beyond its bound is clamped to it. A force that is a NaN is replaced by the sample before, an acceleration by 0. In
+// Fixed32 a sample is a fraction of its bound: sample_of() and base_sample_of() clamp it, and make 0 of a NaN. A
+// fraction that is passed as a Value raises no fault.
 
 #include <stdint.h>
 

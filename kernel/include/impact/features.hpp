@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The features: what an absorber can record. A feature that its type does not name costs nothing.
+// The features, each of which is a record that an absorber can keep. A feature that its type does not name costs
+// nothing.
 
 #include <stdint.h>
 
@@ -10,7 +11,7 @@
 
 namespace impact {
 
-// The record of one feature, also where another feature or the state has members of the same names.
+// The record of one feature, even if another feature or the state has members of the same names.
 template <class Feature, class Plan>
 constexpr auto& record_in(typename Feature::template State<typename Plan::FormatType>& state) {
   return state;
@@ -20,44 +21,47 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
   return state;
 }
 
-// Energies since the start or the last reset(): what contact has dissipated, what it stores now, and the drive's work.
+// Energies since the start or the last reset(): the energy that contacts have dissipated, the energy that the stop
+// stores now, and the work of the drive.
 //
-//     work on the contact in a step   = J1/h v0 + (J0 - J1/h) v1      (the rate linear in time; exact for a free pair)
-//                                     = f (d1 - d0) where the force is constant over the step: exact
-//     dissipated                      = work - change of the stored energy; what a spring holds as it lets go is lost
-//     work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule: second order in h
+//     work on a contact in a step     = J1/h v0 + (J0 - J1/h) v1      if the rate is linear in time; exact for a free
+//     pair
+//                                     = f (d1 - d0)                   if the force is constant over the step; exact
+//     dissipated in a step            = work - change of the stored energy
+//     work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule, second order in h
 //
-// In joules, for an absorber with these in its state():
+// Energy that a spring still stores as the ball separates counts as dissipated. In joules, for an absorber:
 //
-//     dissipated.total() * plan.force_scale * plan.units.si_penetration_unit()
-//     drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit()
+//     absorber.state().dissipated.total() * plan.force_scale * plan.units.si_penetration_unit()
+//     absorber.state().drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit()
 //
-// An entry keeps all bits of its products, so Fixed32 does not round, however slow the contact is compared with its
-// bounds. In Float32 the rounding of each is 2^-24, relative.
+// An entry keeps all bits of its products. Fixed32 therefore does not round it, however slow the contact is compared
+// with the bounds. Float32 rounds each entry by 2^-24 of itself.
 //
-// Neither contains the energy that the method itself takes. With Impulsive it is (w0 t h)^4/12 of the main mass's share
-// in each impact (docs/impulsive.md). With EnergyConsistent in a field it is that of a stiff contact's position
-// correction.
+// Neither sum contains energy that the method itself gains or loses. With Impulsive that is (w0 t h)^4/12 of the main
+// mass's share in each impact (docs/impulsive.md). With EnergyConsistent in a field it is the energy of a stiff
+// contact's position correction.
 //
-// What is dissipated never falls
+// The dissipated energy should never fall. How well a stepper keeps that:
 //
-//     Impulsive           exactly, in every format: an entry is J (V - J), 0 <= J <= V. What lifts a ball out of its
-//                         stop against a field counts as dissipated
-//     EnergyConsistent    but for the motion's rounding: an entry is the damping's own work. In a resolved contact of a
-//                         power law (docs/energy.md) also by f times what its equation leaves over: while an
-//                         elastic one of 20 steps lasts, by 4e-4 of its energy
-//     the others          are not bound by that: between the ends of a step the rate is off the straight line by
-//                         (h omega)^2/8 of itself, so that up to as much of what the contact stores is seen early or
-//                         late, and a contact leaves an error of second order, of either sign
+//     Impulsive           exactly, in every format. An entry is J (V - J) with 0 <= J <= V. Work that lifts a ball out
+//                         of its stop against a field counts as dissipated
+//     EnergyConsistent    within the rounding of the motion. An entry is the work of the damping. In a resolved contact
+//                         of a power law (docs/energy.md) it also contains the force times the residual of the
+//                         equation: 4e-4 of the contact's energy during an elastic contact of 20 steps
+//     the others          only over a whole contact, with an error of second order and of either sign. Within a step
+//     the
+//                         rate differs from a straight line by (h omega)^2/8 of itself. As much of the stored energy is
+//                         counted too early or too late
 struct EnergyLedger {
-  static constexpr uint32_t kind = 1;     // a saved state is of one list of features
-  static constexpr bool is_bound = true;  // to the plan of a contact under way
+  static constexpr uint32_t kind = 1;     // identifies the feature in a saved state
+  static constexpr bool is_bound = true;  // during a contact the record is valid with that contact's plan only
 
   template <class Format>
   struct State {
     typename Format::Tally dissipated, drive_work;
     typename Format::Energy stored;       // at the end of the last step in contact
-    typename Format::Value contact_rate;  // there
+    typename Format::Value contact_rate;  // at the end of that step
     typename Format::Value drive_force;
     typename Format::Long x1_before;
   };
@@ -67,7 +71,7 @@ struct EnergyLedger {
     auto& own = record_in<EnergyLedger, Plan>(state);
     own.x1_before = Plan::FieldType::position(plan, state, state.x1);
     own.drive_force = state.drive.force(plan.drive);
-    own.stored = stored_now(plan, state);  // which no contact has taken up
+    own.stored = stored_now(plan, state);  // a ball that starts inside a stop
   }
   template <class Plan, class State, class Step>
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
@@ -119,7 +123,7 @@ struct EnergyLedger {
   }
 };
 
-// The rate of an impact that takes no time, and 0 in a step in which the ball rests on its stop or flies inside it.
+// The rate of an impact that takes no time. It is 0 in a step in which the ball rests on its stop or flies inside it.
 template <class Contact, class Step>
 constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
   using Value = decltype(step.rate);
@@ -129,8 +133,9 @@ constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
     return Value{};
 }
 
-// The number of contacts begun, the rate at which the last one began, and the largest force: its largest average over a
-// step or, with Impulsive, the rate of the fastest impact. impact_speed() and peak_force() return m/s and N.
+// The number of contacts that have begun, the rate at which the last one began, and the largest contact force. That is
+// the largest average over a step or, with Impulsive, the rate of the fastest impact. impact_speed() and peak_force()
+// return m/s and N.
 struct ImpactLog : SilentFeature {
   static constexpr uint32_t kind = 2;
   static constexpr bool is_bound = true;

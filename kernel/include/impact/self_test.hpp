@@ -68,7 +68,8 @@ inline constexpr uint32_t proved_bits<Float32Plain> = 0x47683345;
 
 template <class Format>
 bool self_test() {
-  static_assert(detail::proved_bits<Format> != 0, "there are no proved bits of this format");
+  static_assert(detail::proved_bits<Format> != 0,
+                "self_test() has reference bits for Fixed32, Float32 and Float32Plain only");
   return detail::self_test_bits<Format>() == detail::proved_bits<Format>;
 }
 

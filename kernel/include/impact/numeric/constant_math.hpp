@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The few functions of a double that a plan and the tables need, as constant expressions. They run in the compiler (or
-// once, on the host, where a plan is made at run time), never in a step. Each is within a few ulps of the true value.
+// The functions of a double that a plan and the tables require, as constant expressions. A step never calls them. They
+// run in the compiler, or when a plan is made at run time. Each is within a few ulps of the true value.
 
 #include <stdint.h>
 
@@ -10,7 +10,7 @@
 namespace impact::constant {
 
 constexpr double magnitude(double x) { return x < 0 ? -x : x; }
-// NaN where either is.
+// NaN if either operand is.
 constexpr double larger(double a, double b) { return a > b || a != a ? a : b; }
 constexpr double smaller(double a, double b) { return a < b || a != a ? a : b; }
 
@@ -23,7 +23,7 @@ constexpr double power_of_two(int exponent) {
   return result;
 }
 
-// The smallest e with 2^e >= x; from -1074 (for x <= 0 too) to 1024 (for infinity), and 0 for a NaN.
+// The smallest e with 2^e >= x. It is -1074 for x <= 0, 1024 for infinity and 0 for a NaN.
 constexpr int exponent_above(double x) {
   int e = 0;
   double power = 1;
@@ -32,7 +32,8 @@ constexpr int exponent_above(double x) {
   return e;
 }
 
-// Heron's iteration from a power of two within a factor 2 of the root: six passes reach double precision.
+// The root for x > 0, else 0. Heron's iteration starts from a power of two within a factor 2 of the root, and reaches
+// double precision in six passes.
 constexpr double square_root(double x) {
   if (!(x > 0)) return 0;
   double root = power_of_two(exponent_above(x) / 2);
@@ -40,7 +41,7 @@ constexpr double square_root(double x) {
   return root;
 }
 
-// Taylor series on an argument reduced by whole turns: for the moderate arguments of a plan (|x| < 1e3).
+// Taylor series of the argument minus whole turns, for |x| < 1e3, as in a plan.
 constexpr double sine(double x) {
   constexpr double turn = 6.283185307179586476925;
   x -= turn * static_cast<double>(static_cast<int64_t>(x / turn + (x < 0 ? -0.5 : 0.5)));
@@ -53,7 +54,7 @@ constexpr double sine(double x) {
 }
 constexpr double cosine(double x) { return sine(x + 1.570796326794896619231); }
 
-// Clamped at exp(-700), as 0, and at exp(700); a NaN for a NaN.
+// 0 for x < -700, exp(700) for x > 700, and NaN for a NaN.
 constexpr double exponential(double x) {
   if (!(x >= -700)) return x < 0 ? 0 : x;
   if (x > 700) x = 700;
@@ -77,7 +78,7 @@ constexpr double exponential_less_one(double x) {
   return magnitude(x) > 1 ? exponential(x) - 1 : x + exponential_above_tangent(x);
 }
 
-// ln(1 + x) = 2 artanh(x / (2 + x)), x > -1, with relative precision near 0 as well.
+// ln(1 + x) = 2 artanh(x / (2 + x)) for x > -1. The relative error is small near 0 as well.
 constexpr double logarithm_of_one_plus(double x) {
   constexpr double ln2 = 0.6931471805599453094172;
   int doublings = 0;
@@ -91,7 +92,7 @@ constexpr double logarithm_of_one_plus(double x) {
   return doublings * ln2 + 2 * sum;
 }
 
-// x^exponent, x > 0.
+// x^exponent for x > 0.
 constexpr double power(double x, double exponent) {
   constexpr double ln2 = 0.6931471805599453094172;
   const int doublings = exponent_above(x);
@@ -99,8 +100,8 @@ constexpr double power(double x, double exponent) {
   return exponential(exponent * logarithm);
 }
 
-// arctan(q) / q for x = q^2, and for x < 0 its continuation artanh(q) / q for x = -q^2; -1/2 <= x <= 1. The argument is
-// reduced by arctan(q) = 2 arctan(q / (1 + sqrt(1 + q^2))).
+// arctan(q) / q for x = q^2, and artanh(q) / q for x = -q^2, with -1/2 <= x <= 1. The argument is reduced by arctan(q)
+// = 2 arctan(q / (1 + sqrt(1 + q^2))).
 constexpr double arc_tangent_ratio(double x) {
   double factor = 1;
   for (int halving = 0; halving < 3; ++halving) {
@@ -113,7 +114,7 @@ constexpr double arc_tangent_ratio(double x) {
   return factor * sum;
 }
 
-// Clamped to +-(2^63 - 1); 0 for a NaN.
+// The nearest integer, clamped to +-(2^63 - 1), and 0 for a NaN.
 constexpr int64_t nearest(double x) {
   if (!(magnitude(x) < 0x1p63)) return x > 0 ? INT64_MAX : x < 0 ? -INT64_MAX : 0;
   return static_cast<int64_t>(x < 0 ? x - 0.5 : x + 0.5);

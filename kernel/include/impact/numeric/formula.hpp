@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The words that the step's formulas use besides + - and *, for real numbers. fraction.hpp has the same words for fixed
-// point, where most of them only move the point.
+// The functions that the step's formulas use besides +, - and *, for real numbers. fraction.hpp has the same functions
+// for fixed point, where most of them only move the binary point. Functions that return their argument here change the
+// type there.
 
 #include <stdint.h>
 
@@ -9,7 +10,7 @@
 
 namespace impact {
 
-// The same bits as another type.
+// The same bits as a value of another type of equal size.
 template <class To, class From>
 [[gnu::always_inline]] inline To bits_as(From x) {
   To result;
@@ -67,14 +68,15 @@ template <class Real>
 constexpr bool is_negative(Real x) {
   return x < 0;
 }
-// By the sign's bit, without a comparison. No number stays none.
+// x, or 0 if x is negative. It tests the sign bit, without a comparison of floats. A NaN with a positive sign stays a
+// NaN.
 template <class Real>
 constexpr Real positive_part(Real x) {
   if (__builtin_is_constant_evaluated()) return x > 0 ? x : 0;
   const auto bits = bits_as<BitsOf<Real>>(x);
   return bits_as<Real>(bits > 0 ? bits : 0);
 }
-// x, or `least` where it is less. No number stays none.
+// x, or `least` if x is less. A NaN stays a NaN.
 template <class Real>
 constexpr Real no_less(Real x, Real least) {
   return x < least ? least : x;

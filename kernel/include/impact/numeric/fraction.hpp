@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// 32-bit fixed-point numbers that carry their number of fraction bits in their type, so that formulas read as formulas:
-// the product of two is the high word of the full product, and a sum has the fraction bits of its coarser operand.
+// 32-bit fixed-point numbers whose type has the number of fraction bits, so that formulas read as formulas. The product
+// of two is the high word of the full product. A sum has the fraction bits of its coarser operand.
 //
 //     Signed<31>: [-1, 1) in steps of 2^-31 (Q1.31 in ARM's notation, which counts the sign bit)
 //     Unsigned<32>: [0, 1) in steps of 2^-32 (UQ0.32)
 //
-// A product and a shift to fewer fraction bits round down: an error in (-1, 0] LSBs. Nothing saturates here:
-// whoever writes a formula shows that its values fit. Where a state beyond its bounds makes them not fit, they are
-// defined all the same, modulo 2^32, and the result is clamped to its range: see Fault.
+// A product and a shift to fewer fraction bits round down: the error is in (-1, 0] LSBs. Nothing saturates here. The
+// author of a formula must show that its values fit. A state beyond its bounds may make values that do not fit. They
+// are defined modulo 2^32, and the step then clamps the state (fault.hpp).
 
 #include <stdint.h>
 
@@ -27,13 +27,13 @@ struct Unsigned {
   friend constexpr bool operator==(Unsigned x, Unsigned y) { return x.raw == y.raw; }
 };
 
-// A factor in [0, 1) in steps of 2^-16, below 1/2 for a signed operand, for what is small or a constant of no weight:
-// without a long multiplication a product with it costs a third of a full one.
+// A factor in [0, 1) in steps of 2^-16, and in [0, 1/2) for a signed operand. It is for small terms, where 16 bits
+// suffice. On a processor without a long multiplication, a product with it costs a third of a full product.
 struct Short {
   uint32_t raw;
 };
 
-// Bits become fewer by an arithmetic shift to the right, more by one to the left.
+// The same number with another number of fraction bits. Fewer bits round down. With more bits the number must fit.
 template <int to, int from>
 constexpr Signed<to> with_bits(Signed<from> x) {
   if constexpr (to <= from)
@@ -54,14 +54,14 @@ template <int bits>
 constexpr Signed<bits - 1> with_sign(Unsigned<bits> x) {
   return {opaque(static_cast<int32_t>(x.raw >> 1))};
 }
-// The same number, known not to be negative.
+// The same number, which must not be negative.
 template <int bits>
 constexpr Unsigned<bits> without_sign(Signed<bits> x) {
   IMPACT_EXPECT(x.raw >= 0);
   return {static_cast<uint32_t>(x.raw)};
 }
 
-// And the other way, of a number that leaves the sign's bit free.
+// The same number, which must be less than half of the unsigned range.
 template <int bits>
 constexpr Signed<bits> as_signed(Unsigned<bits> x) {
   IMPACT_EXPECT(x.raw <= INT32_MAX);
@@ -140,7 +140,8 @@ constexpr Signed<bits> operator*(Signed<bits> x, Short y) {
   return {short_product(x.raw, static_cast<int32_t>(y.raw))};
 }
 
-// The product of two numbers with all its bits, 62 fraction bits in 64, or a sum of a few: a ledger's entry.
+// The exact product of two numbers, with 62 fraction bits in 64 bits, or a sum of a few. It is an entry of
+// EnergyLedger.
 struct Energy {
   int64_t raw;
 
@@ -159,7 +160,7 @@ constexpr Energy work(Signed<a> x, Signed<b> y) {
   return {full_product(x.raw, y.raw) >> (a + b - 62)};
 }
 
-// Powers of two cost nothing: they move the point.
+// Factors that are powers of two cost nothing: they move the binary point.
 template <int bits>
 constexpr Signed<bits + 1> half(Signed<bits> x) {
   return {x.raw};
@@ -198,8 +199,8 @@ constexpr Unsigned<2 * bits - 32> square(Signed<bits> x) {
   return {static_cast<uint32_t>(high_square(x.raw))};
 }
 
-// A factor of several products: without this GCC extends it to 64 bits once for all of them, and each then takes five
-// instructions instead of one.
+// A barrier for a factor of several products. Without it GCC extends the factor to 64 bits once for all of them, and
+// each product takes five instructions instead of one.
 template <int bits>
 constexpr Signed<bits> afresh(Signed<bits> x) {
   return {opaque(x.raw)};
@@ -226,7 +227,7 @@ template <int bits>
 constexpr Unsigned<bits> positive_part(Signed<bits> x) {
   return {static_cast<uint32_t>(opaque(x.raw > 0 ? x.raw : 0))};
 }
-// x, or `least` where it is less, for a difference that is in range.
+// x, or `least` if x is less. The difference x - least must fit.
 template <int bits>
 constexpr Signed<bits> no_less(Signed<bits> x, Signed<bits> least) {
   return least + as_signed(positive_part(x - least));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The integer operations that fixed point lives on and that not every processor has an instruction for: the high
-// half of a 32 by 32 bit product, the count of leading zeros, and a long sum.
+// Integer operations of fixed point for which not every processor has an instruction: the high half of a product of two
+// 32-bit numbers, the count of leading zeros, and a sum of 64 bits.
 //
 //     high_product(a, b)         = floor(a b / 2^32)          for two signed or two unsigned operands, exact
 //     full_product(a, b)         = a b                        in 64 bits, for two signed operands
@@ -10,34 +10,36 @@
 //     shifted_product(a, b, n)   = floor(a b / 2^(32 - n))    modulo 2^32, for two signed operands; 1 <= n <= 16
 //     high_square(a)             = high_product(a, a)
 //     to_left(x, n)              = x 2^n                      modulo 2^32
-//     add_shifted(sum, x, n)     sum += x 2^n                 that fits in 64 bits; 1 <= n <= 63
-//     less_shifted(sum, x, n)    = sum - x 2^n                modulo 2^64
+//     add_shifted(sum, x, n)     adds x 2^n to sum            the sum must fit in 64 bits; 1 <= n <= 63
+//     less_shifted(sum, x, n)    = sum - x 2^n                modulo 2^64; 1 <= n <= 63
 //     leading_zeros(x)           = 31 - floor(log2 x), and 32 for x = 0
-//     normalise<step>(x)         shifts x != 0 left as far as no bit is lost, by steps of 1 or 2 bits; says how many
+//     normalise<step>(x)         shifts x != 0 left by steps of 1 or 2 bits while no bit is lost; returns the steps
 //
-// A processor with a long multiplication or CLZ uses it (namespace `instruction`); Thumb-1 (Cortex-M0, M0+, M23) and
-// RISC-V without Zbb compose the same bits from short operations (`composed`), never a call into the compiler's
-// library.
+// Namespace `instruction` uses the processor's long multiplication and CLZ. Namespace `composed` makes the same bits
+// from short operations: products for Thumb-1 (Cortex-M0, M0+, M23), leading zeros for them and for RISC-V without Zbb.
+// Nothing calls the compiler's library.
 
 #include <stdint.h>
 
-// A test sees by it whether any result leaves its type, in integers that are wide enough for all of them:
-// tests/host/watched_fixed32.hpp.
+// A condition that must be true for a result to fit its type. A test defines this macro to check each one in wider
+// integers: tests/host/watched_fixed32.hpp.
 #ifndef IMPACT_EXPECT
 #define IMPACT_EXPECT(condition) static_cast<void>(0)
 #endif
 
 namespace impact {
 
-// Whether a processor has 64 bits in a register, and takes states and full products in one piece.
+// True if a register has 64 bits, so that a state or a full product fits in one.
 #if UINTPTR_MAX > UINT32_MAX || defined(__wasm__)
 inline constexpr bool is_wide = true;
 #else
 inline constexpr bool is_wide = false;
 #endif
 
-// The same number, behind an optimisation barrier. GCC multiplies a number that it knows not to be negative, or to
-// be the upper word of a longer one, by a signed number in four instructions instead of one.
+// Optimisation barriers: opaque(x) returns x, but the compiler knows nothing about the result. Without it GCC takes
+// four instructions instead of one for some products of signed numbers. It does so if it knows that a factor is not
+// negative, or is the upper word of a longer number. A constant, and any number on a 64-bit or Thumb-1 processor,
+// passes unchanged.
 inline int32_t veiled(int32_t x) {
   __asm__("" : "+r"(x));
   return x;
@@ -56,16 +58,17 @@ constexpr int32_t opaque(int32_t x) {
 
 constexpr uint32_t opaque(uint32_t x) { return static_cast<uint32_t>(opaque(static_cast<int32_t>(x))); }
 
-// Of a negative number << is not defined before C++20.
+// In C++17 the operator << is undefined for a negative number.
 constexpr int32_t to_left(int32_t x, int bits) {
   IMPACT_EXPECT(static_cast<int32_t>(static_cast<uint32_t>(x) << bits) >> bits == x);
   return static_cast<int32_t>(static_cast<uint32_t>(x) << bits);
 }
 
-// The upper word. (Shifted with its sign GCC knows it for one, see above.)
+// The upper word. The shift is unsigned, since after a signed one GCC knows that the result is an upper word (see
+// above).
 constexpr int32_t upper_word(int64_t x) { return static_cast<int32_t>(static_cast<uint64_t>(x) >> 32); }
 
-// The same address, by which the compiler then reads all that stands there.
+// The same barrier for an address, so that the compiler reads all of an entry from there.
 template <class Entry>
 inline const Entry* veiled(const Entry* x) {
   __asm__("" : "+r"(x));
@@ -76,7 +79,7 @@ constexpr const Entry* opaque(const Entry* x) {
   return __builtin_is_constant_evaluated() ? x : veiled(x);
 }
 
-// From here on the compiler reads x from memory again, rather than keep copies of it on the stack meanwhile.
+// Makes the compiler read x from memory again after this point, instead of keeping copies of it on the stack.
 template <class State>
 constexpr void reload(State& x) {
   if (!__builtin_is_constant_evaluated()) refreshed(x);
@@ -93,12 +96,12 @@ constexpr int32_t rounded_high_product(int32_t a, int32_t b) {
   const int64_t product = int64_t{a} * b;
   return static_cast<int32_t>(product >> 32) + static_cast<int32_t>(static_cast<uint32_t>(product) >> 31);
 }
-// floor(a b / 2^(32 - bits)) for bits from 1 to 16, modulo 2^32.
+// floor(a b / 2^(32 - bits)) modulo 2^32, for bits from 1 to 16.
 constexpr int32_t shifted_product(int32_t a, int32_t b, int bits) {
   IMPACT_EXPECT(int64_t{a} * b >> (32 - bits) == static_cast<int32_t>(int64_t{a} * b >> (32 - bits)));
   return static_cast<int32_t>(int64_t{a} * b >> (32 - bits));
 }
-// floor(a b / 2^(32 + bits) + 1/2) for bits from 0 to 31, where is_wide: there one shift serves for all.
+// floor(a b / 2^(32 + bits) + 1/2) for bits from 0 to 31. Used only if is_wide, where it takes one shift.
 constexpr int32_t rounded_product(int32_t a, int32_t b, int bits) {
   return static_cast<int32_t>(((int64_t{a} * b >> (31 + bits)) + 1) >> 1);
 }
@@ -121,7 +124,8 @@ constexpr int normalise(uint32_t& x) {
 
 }  // namespace instruction
 
-// x 2^bits for bits from 1 to 63, in two words where that takes fewer instructions than a long shift.
+// x 2^bits modulo 2^64, for bits from 1 to 63. Up to 31 bits, a 32-bit processor makes each word by itself, which takes
+// fewer instructions than a 64-bit shift.
 constexpr int64_t shifted_left(int32_t x, int bits) {
   if (is_wide || bits > 31) return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(x)) << bits);
   const uint32_t low = static_cast<uint32_t>(x) << bits, high = static_cast<uint32_t>((x >> 1) >> (31 - bits));
@@ -129,7 +133,7 @@ constexpr int64_t shifted_left(int32_t x, int bits) {
 }
 
 #if defined(__thumb2__) && defined(__OPTIMIZE__)
-// Both instructions of a long sum shift their operand, of which a compiler uses the second's only.
+// Both instructions of a 64-bit sum can shift their operand. A compiler uses the shift of the second one only.
 [[gnu::always_inline]] inline int64_t assembled_sum(int64_t sum, int32_t x, int bits) {
   uint32_t low, high;
   __asm__ __inline__(
@@ -150,8 +154,9 @@ constexpr int64_t shifted_left(int32_t x, int bits) {
       : "cc");
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
-// A sum that is known is the constructor's of a static object, which is to stay a constant: while GCC tries whether it
-// is one it does not know that it evaluates a constant.
+// Assembly is only for sums that are not known at compile time. A known sum may belong to the constructor of a static
+// object, which must stay a constant initialisation. While GCC tests for one, __builtin_is_constant_evaluated() is
+// false.
 [[gnu::always_inline]] constexpr bool is_assembled(int64_t sum, int bits) {
   return !__builtin_constant_p(sum) && !__builtin_is_constant_evaluated() && __builtin_constant_p(bits) && bits < 32;
 }
@@ -165,7 +170,7 @@ constexpr void add_shifted(int64_t& sum, int32_t x, int bits) {
 }
 #endif
 
-// sum - x 2^bits, modulo 2^64.
+// sum - x 2^bits modulo 2^64, for bits from 1 to 63.
 [[gnu::always_inline]] constexpr int64_t less_shifted(int64_t sum, int32_t x, int bits) {
 #if defined(__thumb2__) && defined(__OPTIMIZE__)
   if (is_assembled(sum, bits)) return assembled_difference(sum, x, bits);
@@ -175,16 +180,19 @@ constexpr void add_shifted(int64_t& sum, int32_t x, int bits) {
 
 namespace composed {
 
-// With 16-bit halves a = ah 2^16 + al: a b / 2^32 = ah bh + (ah bl + al bh + al bl / 2^16) / 2^16. The carries are
-// collected from the right; no partial sum leaves 32 bits.
+// A product from 16-bit halves, with a = ah 2^16 + al:
+//
+//     a b / 2^32 = ah bh + (ah bl + al bh + al bl / 2^16) / 2^16
+//
+// Carries are added from the lowest term upwards. No partial sum exceeds 32 bits.
 template <class Word>
 struct Product {
   Word high, middle;  // a b = high 2^32 + middle 2^16 + (less than 2^16)
 };
 
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
-// The high word, 18 instructions in four of the eight registers: what a compiler makes of the formula spills. An upper
-// half is shifted down with its sign (asrs) or without one (lsrs).
+// The high word in 18 instructions and four of the eight low registers. Compiled from the formula, it spills registers.
+// `shift` moves an upper half down: asrs for signed words, lsrs for unsigned ones.
 #define IMPACT_ASSEMBLED_PRODUCT(Word, shift)                 \
   inline Word assembled_product(Word a, Word b) {             \
     Word al, bl, kept;                                        \
@@ -218,15 +226,16 @@ IMPACT_ASSEMBLED_PRODUCT(uint32_t, "lsrs")
 #undef IMPACT_ASSEMBLED_PRODUCT
 #endif
 
-// What is known comes first: while GCC tries whether an initialisation is a constant one it does not know that it
-// evaluates a constant, and would initialise at run time.
+// True if both operands are known at compile time. The two operands are tested first, because
+// __builtin_is_constant_evaluated() is false while GCC tests for a constant initialisation. With that test alone, GCC
+// would initialise at run time.
 template <class Word>
 constexpr bool is_constant(Word a, Word b) {
   return (__builtin_constant_p(a) && __builtin_constant_p(b)) || __builtin_is_constant_evaluated();
 }
 
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
-// Written out because a compiler makes sums of shifts of a product with a constant.
+// Written in assembly because a compiler replaces a product with a constant by sums of shifts.
 inline int32_t assembled_short_product(int32_t a, int32_t b) {
   int32_t high, low;
   __asm__(
@@ -243,7 +252,7 @@ inline int32_t assembled_short_product(int32_t a, int32_t b) {
   return high;
 }
 
-// By a constant in halves that both have a sign, as those of a have here too: the middle terms then make one sum of 32
+// A product with a constant b. Both halves of both factors are signed here, so the sum of the middle terms fits in 32
 // bits, and the high word takes 14 instructions.
 [[gnu::always_inline]] inline Product<int32_t> product_with_constant(int32_t a, int32_t b) {
   const auto low = static_cast<int16_t>(b);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A sinusoid sampled once a step by one multiplication, without a table and without libm:
+// A sinusoid with one sample per step, by one multiplication, without a table and without libm:
 //
 //     s' = s + d        d = d_before - curvature s        curvature = 4 sin^2(turn / 2), turn = pulsation * step
 //
-// (the "magic circle"; it is the exact recurrence of any sinusoid of that pulsation). In integers it is also a
-// reversible map of a grid onto itself, so that the amplitude cannot spiral: at 40 rad/s and h = 1e-4 it drifts by 3e-7
-// in 24 h, and the phase, set by the 31 bits of the curvature, by less than pulsation * time * 2^-31, however slow
-// (soak_test.cpp). Where a period is within 1e-8 of three, four or six steps, and not these, each step of a period
-// rounds alike for long: the amplitude is then off by up to 1e-2 within 3e7 steps.
+// This recurrence, the "magic circle", is exact for every sinusoid of that pulsation. In integers it is also a
+// reversible map of a grid onto itself, so the amplitude cannot grow or decay steadily. At 40 rad/s and h = 1e-4 the
+// amplitude drifts by 3e-7 in 24 h. The curvature has 31 bits, so the phase drifts by less than pulsation * time *
+// 2^-31 (soak_test.cpp). The exception is a period that is within 1e-8 of three, four or six steps, but not equal.
+// There the roundings repeat in each period for long, and the amplitude's error reaches 1e-2 within 3e7 steps.
 
 #include <stdint.h>
 
@@ -22,13 +22,14 @@ struct Sinusoid {
   double sine = 0, cosine = 0;
 };
 
-// The recurrence in 64-bit integers. The sinusoid is s * 2^(exponent - 63); its upper word is s in Q1.31 of 2^exponent.
+// The recurrence in 64-bit integers. The sinusoid is value * 2^(exponent - 63). The upper word of `value` is the
+// sinusoid in Q1.31 of 2^exponent.
 struct IntegerOscillator {
   struct Plan {
     int32_t curvature = 0;  // * 2^-(curvature_bits + fine_bits)
     int curvature_bits = 32;
-    int fine_bits = 0;   // the slope counts in 2^-fine_bits of the value's LSB: 0 from 2^-15 rad a step on
-    int slope_bits = 0;  // the slope's upper word holds this many bits more than the value's
+    int fine_bits = 0;   // an LSB of the slope is 2^-fine_bits LSBs of the value; 0 from 2^-15 rad per step on
+    int slope_bits = 0;  // the upper word of the slope has this many bits more than that of the value
     int exponent = 0;
     int64_t value = 0, slope = 0;
     int64_t largest_value = 0, largest_slope = 0;  // a quarter above the sinusoid's own
@@ -47,8 +48,9 @@ struct IntegerOscillator {
       plan.curvature_bits = 62;
     }
     int64_t mantissa = constant::nearest(curvature * constant::power_of_two(plan.curvature_bits + plan.fine_bits));
-    // Such as 2 less an LSB of a double, of four steps a period: clamped to the largest mantissa it would be another
-    // curvature, and the amplitude drift by 2^-31 a step, since each period rounds like the one before.
+    // A curvature that rounds up to the next power of two, such as 2 minus an LSB of a double for four steps per
+    // period. The largest mantissa would be another curvature. Since all periods would round alike, the amplitude would
+    // drift by 2^-31 per step.
     if (mantissa > INT32_MAX) {
       mantissa /= 2;
       --plan.curvature_bits;
@@ -69,14 +71,15 @@ struct IntegerOscillator {
   int64_t value, slope;
 
   static constexpr IntegerOscillator start(const Plan& plan) { return {plan.value, plan.slope}; }
-  // From what value_head() and slope_head() shall read.
+  // The state for which value_head() and slope_head() return these numbers.
   static constexpr IntegerOscillator at(const Plan& plan, int32_t value_head, int32_t slope_head) {
     const auto shifted = [](int32_t head, int bits) {
       return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(head)) << bits);
     };
     return {shifted(value_head, 32), shifted(slope_head, 32 - plan.slope_bits + plan.fine_bits)};
   }
-  // Above 2 radians a step the curvature's part alone can leave 64 bits; the sum comes back, modulo 2^64.
+  // Goes on by one step. Above 2 rad per step the curvature's term alone can exceed 64 bits. The sum is in range again,
+  // since all arithmetic is modulo 2^64.
   [[gnu::always_inline]] constexpr void advance(const Plan& plan) {
     slope = less_shifted(slope, high_product(value_head(), plan.curvature), 64 - plan.curvature_bits);
     value = static_cast<int64_t>(static_cast<uint64_t>(value) + static_cast<uint64_t>(slope >> plan.fine_bits));
@@ -87,7 +90,7 @@ struct IntegerOscillator {
   }
   static constexpr int slope_bits(const Plan& plan) { return plan.slope_bits; }
   constexpr int32_t value_head() const { return upper_word(value); }
-  // Of the values one and two steps before this one. The map is its own reverse.
+  // The heads of the values one and two steps before this one. The map with a negated slope runs backwards.
   struct Heads {
     int32_t last, before_last;
   };
@@ -103,10 +106,10 @@ struct IntegerOscillator {
   }
 };
 
-// The recurrence in floating point, in metres: for double, and for plain float, whose amplitude wanders by about
-// 6e-8 sqrt(steps). There a sine of less than 1e-6 rad a step loses its slope's LSBs in each sum: it is off by
-// 5e-3 within two periods at 1e-6, by half at 1e-7; and one within 1e-7 of three or four steps a period, and not these,
-// by up to 6e-2 within 1e7 steps.
+// The recurrence in floating point, in metres, for double and for plain float. In float the amplitude wanders by some
+// 6e-8 sqrt(steps). Below 1e-6 rad per step a float loses LSBs of the slope in each sum. The error within two periods
+// is then 5e-3 at 1e-6 rad and a half at 1e-7 rad. With a period that is within 1e-7 of three or four steps, but not
+// equal, the error reaches 6e-2 within 1e7 steps.
 template <class Real>
 struct RealOscillator {
   struct Plan {

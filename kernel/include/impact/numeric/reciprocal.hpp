@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Reciprocal and quotient without a divide instruction, in 32-bit integer arithmetic: the same bits on every target.
+// Reciprocals and quotients without a divide instruction, in 32-bit integer arithmetic. Every target computes the same
+// bits.
 //
-// For d in [2^31, 2^32) a table of 16 parabolas (128 bytes) gives X = 2^48 / d, 17 bits, to within 2^32 / d units, and
-// one pass of Newton's iteration squares the relative error:
+// For d in [2^31, 2^32) a table of 16 parabolas (128 bytes) gives X = 2^48 / d, which has 17 bits. The error of X is at
+// most 2^32 / d. One pass of Newton's iteration squares the relative error:
 //
-//     e = 2^47 - d X / 2          |e| < 2^31, so its low 32 bits are all of it
+//     e = 2^47 - d X / 2          |e| < 2^31, so 32 bits suffice
 //     r = 2^15 X + X e / 2^32  =  (2^63 / d) (1 - (e / 2^47)^2)
 //
-// Each rounding goes down, so that r never exceeds 2^63 / d.
+// All rounding is down, so r never exceeds 2^63 / d.
 
 #include <stdint.h>
 
@@ -18,14 +19,15 @@
 namespace impact {
 
 struct ReciprocalTable {
-  // 2^48 / d with two fraction bits, by powers of t in [0, 1) from the start of one of 16 equal parts of [2^31, 2^32).
+  // The coefficients of 2^48 / d in one of 16 equal parts of [2^31, 2^32), by powers of t in [0, 1) from its start.
+  // They have two fraction bits.
   struct Segment {
     int32_t constant;
     int16_t slope, bend;
   };
   Segment segments[16];
 
-  // Interpolation at the Chebyshev nodes 1/2 and 1/2 +- sqrt(3)/4.
+  // Interpolates at the Chebyshev nodes 1/2 and 1/2 +- sqrt(3)/4.
   constexpr ReciprocalTable() : segments() {
     constexpr double node = 0.433012701892219323382;
     constexpr double fractions = 4;
@@ -39,7 +41,7 @@ struct ReciprocalTable {
     }
   }
 
-  // X = 2^48 / d.
+  // X = 2^48 / d for d in [2^31, 2^32).
   constexpr int32_t reciprocal(uint32_t d) const {
     const Segment& segment = *opaque(&segments[(d >> 27) & 15]);
     const auto t = static_cast<int32_t>((d >> 12) & 0x7fff);
@@ -49,8 +51,8 @@ struct ReciprocalTable {
 
 inline constexpr ReciprocalTable reciprocal_table{};
 
-// 2^63 / d for d in [2^31, 2^32): 2^63 / d - 2 < result <= 2^63 / d, and 2^32 - 1 for 2^31. Even numbers, such as those
-// below 2^31 once they are normalised, need five instructions less; of an odd one the even one below it is meant.
+// 2^63 / d for d in [2^31, 2^32). The result is in (2^63 / d - 2, 2^63 / d], and 2^32 - 1 for d = 2^31. With `is_even`
+// the lowest bit of d counts as 0, which saves five instructions. Numbers below 2^31 are even after normalise().
 template <bool is_even = false>
 constexpr uint32_t reciprocal_q31(uint32_t d) {
   const int32_t seed = reciprocal_table.reciprocal(d);
@@ -59,8 +61,8 @@ constexpr uint32_t reciprocal_q31(uint32_t d) {
   return (x << 15) + static_cast<uint32_t>(high_product(static_cast<int32_t>(0u - half_product), seed));
 }
 
-// (numerator / denominator) 2^32 for 0 <= numerator <= denominator, denominator > 0: never above the true quotient, and
-// below it by less than 1 + 2^-30 of it. 0 for 0.
+// (numerator / denominator) 2^32 for numerator <= denominator and denominator > 0. The result is never above the true
+// quotient, and below it by less than 1 plus 2^-30 of the quotient. For numerator = 0 it is 0.
 template <bool is_even = false>
 constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
   numerator <<= normalise<1>(denominator);
@@ -68,15 +70,16 @@ constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
   return (high_product(numerator, reciprocal) << 1) | ((numerator * reciprocal) >> 31);
 }
 
-// (numerator / denominator) 2^31 for 0 <= numerator <= denominator, denominator > 0, within 1 and a relative error
-// of -2^-14 to 2^-16.
+// (numerator / denominator) 2^31 for numerator <= denominator and denominator > 0. The error is from -2 to 1, plus a
+// relative error from -2^-14 to 2^-16.
 constexpr uint32_t rough_quotient_q31(uint32_t numerator, uint32_t denominator) {
   numerator <<= normalise<1>(denominator);
   return short_product(numerator, static_cast<uint32_t>(reciprocal_table.reciprocal(denominator)) >> 1);
 }
 
-// (numerator / denominator) 2^16 for 0 <= numerator <= denominator, denominator > 0, with 16 bits of the denominator,
-// counted up: below 2^16, never above the true quotient, and short of it by less than 1 + 2^-15 of it.
+// (numerator / denominator) 2^16 for numerator <= denominator and denominator > 0. The denominator is rounded up to 16
+// bits. The result is less than 2^16 and never above the true quotient. It is below it by less than 1 plus 2^-15 of the
+// quotient.
 namespace instruction {
 
 constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
@@ -87,8 +90,8 @@ constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
 }  // namespace instruction
 namespace composed {
 
-// The table's reciprocal gives a quotient that is 1 above the true one at most, and 2 below: seen for each of its 2^15
-// divisors.
+// With the table's reciprocal the first quotient is at most 1 above the true one and at most 2 below it. A test tries
+// all 2^15 divisors.
 constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
   numerator <<= impact::normalise<1>(denominator);
   const uint32_t divisor = (denominator >> 16) + 1;
@@ -100,8 +103,9 @@ constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
 
 }  // namespace composed
 
-// z^2 / 5p of |z| <= p in steps of half an LSB, rounded down, with z / 5p in steps of 2^-18, rounded to zero, of
-// which p has 14 bits, counted up: short of the true one by less than z 2^-18 and a part of it of 2^18 / p.
+// z^2 / (5 p) for |z| <= p, in units of half an LSB, rounded down. The ratio z / (5 p) is rounded towards zero in units
+// of 2^-18, and p is rounded up to 14 bits. The result is below the true one by less than z 2^-18 plus a relative 2^18
+// / p.
 namespace instruction {
 
 constexpr int32_t square_over_five(int32_t z, uint32_t p) {
@@ -112,8 +116,8 @@ constexpr int32_t square_over_five(int32_t z, uint32_t p) {
 }  // namespace instruction
 namespace composed {
 
-// The table's reciprocal gives a ratio that is never above the true one and at most 4 steps below: seen in all of its
-// 2^30 cases.
+// With the table's reciprocal the first ratio is never above the true one and at most 4 units below it. All 2^30 cases
+// have been tried.
 constexpr int32_t square_over_five(int32_t z, uint32_t p) {
   const auto sign = static_cast<uint32_t>(z >> 31), size = (static_cast<uint32_t>(z) ^ sign) - sign;
   const uint32_t part = (p >> 18) + 1, divisor = 5 * part;

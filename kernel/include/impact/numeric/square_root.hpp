@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Square root by table, in fixed point and on a float's bits, in integer arithmetic: the same bits on every target.
+// Square root by table, for fixed-point numbers and for the bits of a float. All arithmetic is in integers, so every
+// target computes the same bits.
 //
-// Y = 4^k U with U in [1/4, 1). That interval is cut into 48 segments of one width; in each, with t in [-1, 1) from its
-// middle, sqrt(U) is replaced by the cubic that meets it at the Chebyshev nodes stretched to reach both ends,
+// The argument is Y = 4^k U with U in [1/4, 1). That interval has 48 segments of equal width. In each, t in [-1, 1)
+// counts from the middle, and a cubic replaces sqrt(U). It equals sqrt(U) at Chebyshev nodes that are stretched to
+// reach both ends,
 //
 //     t_j = cos((2j+1) pi/8) / cos(pi/8),    j = 0..3,
 //
-// so that neighbouring segments join and the root never falls. sqrt is hardest at U = 1/4, where the relative error is
-// |binomial(1/2, 4)| (2/64)^4 max|(t-t_0)..(t-t_3)| = 0.039 2^-20 0.172; rounding adds less than 2^-30. The relative
-// error stays within 2^-27, with a table of 768 bytes.
+// so neighbouring segments join, and a larger argument never has a smaller root. The relative error is largest at U =
+// 1/4, where it is |binomial(1/2, 4)| (2/64)^4 max|(t-t_0)..(t-t_3)| = 0.039 2^-20 0.172. Rounding adds less than
+// 2^-30. The relative error is at most 2^-27, and the table has 768 bytes.
 //
-// A float's root is rounded correctly.
+// The root of a float is correctly rounded.
 
 #include <stddef.h>
 #include <stdint.h>
@@ -24,8 +26,8 @@ namespace impact {
 
 struct SquareRootTable {
   static constexpr int index_bits = 6, order = 3;
-  // The coefficient of t^k has 32 + k fraction bits. The third needs only 16 bits of t, and the fraction bits that make
-  // it 16 bits wide itself.
+  // The coefficient of t^k has 32 + k fraction bits, except that of t^3. It has as many as make it 16 bits wide, and is
+  // multiplied by 16 bits of t.
   static constexpr int third_bits = 3 * index_bits + 17;
   struct Segment {
     uint32_t constant;
@@ -59,8 +61,8 @@ struct SquareRootTable {
     }
   }
 
-  // sqrt(U) 2^32 and its slope 1/(2 sqrt(U)) 2^26 at U = u / 2^32, for u in [2^30, 2^32). The slope is the cubic's but
-  // for a third of its last term: right within 2^-13.
+  // sqrt(U) 2^32 and its slope 1/(2 sqrt(U)) 2^26 at U = u / 2^32, for u in [2^30, 2^32). The slope is that of the
+  // cubic without a third of its last term. Its relative error is at most 2^-13.
   struct Tangent {
     uint32_t root;
     int32_t slope;
@@ -78,27 +80,28 @@ struct SquareRootTable {
 
 inline constexpr SquareRootTable square_root_table{};
 
-// Y = y / 2^32 gives sqrt(Y) 2^32: |error| <= bound result + 1/2 for every y, with the bound above; never falls; 0 for
-// 0; 2^(16+k) for 4^k and 2^32 - 2 for 2^32 - 1.
+// sqrt(Y) 2^32 for Y = y / 2^32 and every y. The error is at most 2^-27 of the result plus 1/2. A larger y never has a
+// smaller root. The root of 0 is 0, that of 4^k is 2^(16+k), and that of 2^32 - 1 is 2^32 - 2.
 constexpr uint32_t square_root_q32(uint32_t y) {
   if (y == 0) return 0;
   const int shift = normalise<2>(y);
   return (square_root_table.root(y) + ((1u << shift) >> 1)) >> shift;
 }
 
-// Y = y / 2^32 gives sqrt(Y) 2^31, for y > 0: within the bound above, rounded down.
+// sqrt(Y) 2^31 for Y = y / 2^32 and y > 0. The relative error is at most 2^-27, and the result is rounded down.
 constexpr uint32_t square_root_q31(uint32_t y) {
   const int shift = normalise<2>(y);
   return square_root_table.root(y) >> (shift + 1);
 }
 
-// The root of Y = y / 2^31, 0 < Y < 1, in steps of 2^-31, and by its slope the roots of numbers Z near Y: with
+// The root of Y = y / 2^31 with 0 < Y < 1, in LSBs of 2^-31, and the roots of numbers Z near Y by a parabola:
 //
-//     t = (Z - Y)/(2 sqrt(Y))        sqrt(Z) = sqrt(Y) + t - t^2/(2 sqrt(Y))
+//     t = (Z - Y)/(2 sqrt(Y))        sqrt(Z) ~ sqrt(Y) + t - t^2/(2 sqrt(Y))
 //
-// to third order: with e = (Z - Y)/Y that is off by -e^3/16 of sqrt(Y), from e = -1/2 to 1 by 0.012 of it above the
-// true root at the most and 0.04 below. The table's slope and the bits that are cut add |e| 2^-12 of sqrt(Y) and four
-// LSBs. So for e > 0 a root is 6e-6 above the true one at the most. The parabola ends at 2 Y and stays there.
+// With e = (Z - Y)/Y, the error is -e^3/16 of sqrt(Y) to the lowest order. For e from -1/2 to 1 the result is at most
+// 0.012 sqrt(Y) above the true root and 0.04 sqrt(Y) below it. The slope's error and truncation add at most |e| 2^-12
+// sqrt(Y) and four LSBs. For e > 0 the result is therefore at most 6e-6 above the true root. Beyond Z = 2 Y the result
+// is that for 2 Y.
 struct KnownSquareRoot {
   int32_t y;
   uint32_t root, slope;  // slope: 2^(15 - bits)/(2 sqrt(Y))
@@ -110,7 +113,7 @@ struct KnownSquareRoot {
     const SquareRootTable::Tangent tangent = square_root_table.tangent(u);
     return {y, tangent.root >> (bits + 1), static_cast<uint32_t>(tangent.slope) >> 11, bits};
   }
-  // z > 0
+  // sqrt(Z) 2^31 for Z = z / 2^31, z > 0.
   [[gnu::always_inline]] constexpr uint32_t root_beside(int32_t z) const {
     const int32_t change = z - y, clamped = change < y ? change : y;
     const int32_t half_t = by_slope(clamped), share = by_slope(half_t) >> 13;  // share: 2^18 t/(8 sqrt(Y))
@@ -134,9 +137,9 @@ inline double double_of(uint64_t bits) { return bits_as<double>(bits); }
 #define IMPACT_HAS_FPU
 #endif
 
-// Correctly rounded, for every float >= 0, subnormal ones too. Either zero is its own root; 0 for what has no root
-// (y < 0, NaN); infinity for infinity. The table's root, cut to the 24 bits q of a float, is the nearest one or the one
-// below it: q + 1 is nearer where y > (q + 1/2)^2, that is y - q^2 > q.
+// The correctly rounded root of a float. Subnormal numbers, +0, -0 and infinity have their own correct roots. The
+// result is 0 for y < 0 and for a NaN. The table's root, truncated to the 24 bits q of a float, is the nearest float or
+// the one below it. In integers, q + 1 is nearer if y > (q + 1/2)^2, which is y - q^2 > q.
 inline float square_root(float y) {
   constexpr uint32_t smallest_normal = 0x00800000, infinity = 0x7f800000;
   const uint32_t bits = bits_of(y);
@@ -155,7 +158,7 @@ inline float square_root(float y) {
   return float_of((static_cast<uint32_t>((exponent + 125) >> 1) << 23) + root);
 }
 
-// The same of a double, digit by digit in integers: 54 passes, for a host's format where no instruction does it.
+// The same for a double, bit by bit in 54 passes. It is for formats of a host that has no instruction for it.
 inline double square_root(double y) {
   constexpr uint64_t smallest_normal = uint64_t{1} << 52, infinity = uint64_t{2047} << 52;
   const uint64_t bits = bits_of(y);
@@ -179,8 +182,9 @@ inline double square_root(double y) {
   return double_of((static_cast<uint64_t>((exponent + 1021) >> 1) << 52) + ((root + (root & 1)) >> 1));
 }
 
-// By the processor's instruction where it has one, written out because for the sake of errno a compiler adds a call to
-// libm's root; elsewhere as above. With the same bits for every y >= 0; what has no root may be NaN.
+// The correctly rounded root by the processor's instruction, or else by square_root(): the same bits for every y >= 0.
+// For y < 0 and for a NaN the result may be a NaN. The instruction is written in assembly, because a compiler would add
+// a call to libm's sqrt() that sets errno.
 inline float correct_root(float y) {
 #if defined(IMPACT_HAS_FPU)
   float root;

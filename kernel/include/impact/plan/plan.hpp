@@ -71,7 +71,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   constexpr double sample_unit() const { return drive_scale; }
   // m/s^2, for a sample of the base's acceleration.
   constexpr double base_sample_unit() const {
-    static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
+    static_assert(Field::is_sampled, "base_sample_of() requires BaseAcceleration: append it to the absorber's type");
     if constexpr (Field::is_sampled)
       return this->field.sample_unit;
     else
@@ -81,8 +81,9 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   // Returns a sample for a force in N. In Fixed32 it is clamped to Bounds::force, and step() then raises Fault::sample.
   template <class Real>
   constexpr Native<Quantity::force, Value> sample_of(Real newtons) const {
-    static_assert(Drive::is_sampled, "the drive takes no samples: name Sampled as the drive");
-    static_assert(static_cast<Real>(0.5) > 0, "newtons are a double (a constant) or a float");
+    static_assert(Drive::is_sampled, "sample_of() requires a sampled drive: name Sampled as the drive");
+    static_assert(static_cast<Real>(0.5) > 0,
+                  "sample_of() takes newtons as a float, or as a double if they are constant");
     if constexpr (Drive::is_sampled)
       return sample_in<Quantity::force>(newtons, drive.per_newton, drive_scale, drive.largest);
     else
@@ -91,8 +92,9 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   // The same for the base's acceleration in m/s^2 and Bounds::base_acceleration.
   template <class Real>
   constexpr Native<Quantity::base_acceleration, Value> base_sample_of(Real acceleration) const {
-    static_assert(Field::is_sampled, "no part takes accelerations: append BaseAcceleration to the absorber's type");
-    static_assert(static_cast<Real>(0.5) > 0, "an acceleration is a double (a constant) or a float");
+    static_assert(Field::is_sampled, "base_sample_of() requires BaseAcceleration: append it to the absorber's type");
+    static_assert(static_cast<Real>(0.5) > 0,
+                  "base_sample_of() takes m/s^2 as a float, or as a double if they are constant");
     if constexpr (Field::is_sampled)
       return sample_in<Quantity::base_acceleration>(acceleration, this->field.per_sample_unit, this->field.sample_unit,
                                                     this->field.largest_base);

@@ -21,16 +21,17 @@ struct Step {
 };
 template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct StepsPerContact {
-  static_assert(is_in_range,
-                "Rig::step: too few steps per contact for this stepper. It takes at most the "
-                "longest_step_in_nanoseconds named here, for impacts at 2 Bounds::speed. Or name impact::Chosen<>");
+  static_assert(
+      is_in_range,
+      "Rig::step: too few steps per contact for this stepper. For impacts at 2 Bounds::speed "
+      "it allows at most the longest_step_in_nanoseconds named here. Take a shorter step or impact::Chosen<>");
 };
 
 template <int64_t largest_clearance_in_micrometres, bool is_in_range>
 struct StopInReach {
   static_assert(is_in_range,
-                "Rig::scene.clearance: no ball within Bounds::displacement reaches a stop. It is in m, up to the "
-                "largest_clearance_in_micrometres named here. Without stops state Stops::none");
+                "Rig::scene.clearance: no ball within Bounds::displacement reaches a stop. It is in m, and at most the "
+                "largest_clearance_in_micrometres named here. For a ball without stops state Stops::none");
 };
 
 template <class Rig, class PlanType, PlanStatus status>
@@ -58,7 +59,7 @@ constexpr bool accepts() {
   static_assert(
       together != PlanStatus::contact_stiffness,
       "Rig::scene.contact_stiffness: Fixed32 cannot resolve such a stop with this step and these Bounds. Take "
-      "another step, most often a longer one, or Float32; impact-sim says the range");
+      "another step, most often a longer one, or Float32. impact-sim prints the accepted range");
   static_assert(
       together != PlanStatus::contact_damping,
       "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m. State at "
@@ -66,16 +67,16 @@ constexpr bool accepts() {
   static_assert(together != PlanStatus::restitution,
                 "Rig::scene.restitution: 0.01 to 1, and within the law's own range");
   static_assert(together != PlanStatus::drive_pulsation,
-                "Rig::scene.drive_pulsation: 0, or from 2^-24 rad a step to 1e6 rad/s");
+                "Rig::scene.drive_pulsation: 0, or from 2^-24 rad per step to 1e6 rad/s");
   static_assert(together != PlanStatus::initial_displacement,
                 "Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop than Bounds allow");
   static_assert(together != PlanStatus::displacement_bound,
-                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements. In Fixed32 a smaller one "
-                "resolves spring force and penetration");
+                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements. In Fixed32 a smaller "
+                "bound may be necessary, to resolve spring force and penetration");
   static_assert(together != PlanStatus::speed_bound,
                 "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, and in Fixed32 below 2^20 k1/c1");
   static_assert(together != PlanStatus::penetration_bound,
-                "Bounds::penetration: 1e-9 to 1e6 m, or 0, where the other bounds determine it");
+                "Bounds::penetration: 1e-9 to 1e6 m, or 0 for the deepest that the other bounds allow");
   static_assert(
       together != PlanStatus::gravity,
       "Rig::scene.gravity: -1e6 to 1e6 m/s^2. In Fixed32 it is too large for these Bounds: take a shorter step");
@@ -84,8 +85,8 @@ constexpr bool accepts() {
                 "shorter step");
   static_assert(
       together != PlanStatus::ball_friction,
-      "Rig::scene.ball_friction: 0 to 1e9 N. In a step it may change the sliding speed by up to 2 Bounds::speed, "
-      "and in Fixed32 by 64 LSBs or more");
+      "Rig::scene.ball_friction: 0 to 1e9 N. In one step it may change the sliding speed by at most 2 Bounds::speed, "
+      "and in Fixed32 it must change it by at least 64 LSBs");
   static_assert(status != PlanStatus::gravity_not_named,
                 "Rig::scene.gravity is stated: append Gravity (or BaseAcceleration) to the absorber's type");
   static_assert(status != PlanStatus::base_acceleration_not_named,
@@ -96,7 +97,7 @@ constexpr bool accepts() {
       status != PlanStatus::ok || PlanType::LawType::is_damped_per_impact || !(Rig::scene.restitution < 1),
       "Rig::scene.restitution is stated, but this law does not read it. Take Exact, or state contact_damping, "
       "which impact-sim --restitution computes");
-  // The other way round: a part without its value.
+  // A part whose value is not stated.
   static_assert(!PlanType::FieldType::is_field || PlanType::FieldType::is_sampled || Rig::scene.gravity != 0,
                 "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2");
   static_assert(!PlanType::FieldType::is_sampled || status == PlanStatus::base_acceleration_bound ||
@@ -107,7 +108,8 @@ constexpr bool accepts() {
   static_assert(
       !PlanType::FrictionType::is_friction || status == PlanStatus::ball_friction || Rig::scene.ball_friction > 0,
       "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
-  // Weight stretches the spring beyond the bounds: the main mass leaves them wherever it starts.
+  // True if something else may carry the weight, or if there is no spring. Otherwise the main mass leaves its bounds
+  // from any start when its weight stretches the spring beyond them.
   constexpr bool is_carried =
       PlanType::FieldType::is_sampled || PlanType::DriveType::is_sampled || !(Rig::scene.main_stiffness > 0);
   static_assert(!PlanType::FieldType::is_field || is_carried || status != PlanStatus::ok ||

@@ -23,7 +23,8 @@ namespace impact {
 template <int named = 0>
 struct SubsteppedMoment {
   static constexpr int most = named == 0 ? 16384 : named;
-  static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0, "a power of two from 2 to 16384");
+  static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0,
+                "SubsteppedMoment<most>: the largest number of sub-steps must be a power of two from 2 to 16384");
   static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
   // The number that gives the shortest contact precise_parts sub-steps, and every contact Moment's range.
   static constexpr int precise_parts = 20;

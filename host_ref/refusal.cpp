@@ -16,7 +16,7 @@ std::string bounds_text(const Settled& settled) {
     if (row.parameter == Parameter::force_bound && settled.request.drive != DriveKind::sampled) continue;
     text += " --" + option_of(row) + " " + shortest_text((*settled.request.bounds).*row.in_bounds);
   }
-  return text;
+  return text.empty() ? text : " with" + text;
 }
 
 // The reason why a step is too long: status.hpp, law/resolution.hpp.
@@ -29,19 +29,20 @@ std::string limit_of_step(const Settled& settled) {
              "at " +
              short_text(request.bounds->speed) + " m/s";
     case PlanStatus::steps_per_contact:
-      return "a contact lasts " + short_text(resolution(request).contact_time) + " s, for which " +
-             std::string(name_of(request.stepper)) + " needs more steps; auto takes a stepper that suits the step";
+      return "a contact lasts " + short_text(resolution(request).contact_time) + " s, and " +
+             std::string(name_of(request.stepper)) +
+             " requires more steps in it; auto takes a stepper that suits the step";
     case PlanStatus::step:
-      if (scene.drive_pulsation * request.step > 3) return "at most 3 rad of the drive";
-      if (scene.main_damping * request.step > scene.main_mass) return "at most M/c, for the damper";
-      return "a part of a period of the main mass's own vibration, of " + short_text(natural_pulsation(scene)) +
-             " rad/s";
+      if (scene.drive_pulsation * request.step > 3) return "a step may span at most 3 rad of the drive";
+      if (scene.main_damping * request.step > scene.main_mass) return "a step may be at most M/c, for the damper";
+      return "a step must be a small part of a period of the main mass's own vibration, which has " +
+             short_text(natural_pulsation(scene)) + " rad/s";
     default:
       return {};
   }
 }
 
-// The conditions of a range. They name the bounds that were found, so that the range is accepted as it is printed.
+// The conditions of a range. They name the bounds that were found, so that the range is accepted together with them.
 std::string condition_of(const Explanation& found, const Settled& settled) {
   const Request& request = settled.request;
   std::string text;
@@ -49,7 +50,11 @@ std::string condition_of(const Explanation& found, const Settled& settled) {
   if (range_of(found.parameter).holds(found.value)) text = bounds_text(settled);
   if (found.parameter == Parameter::contact_damping && request.damping_is_by_restitution)
     text += ", without --restitution";
-  const std::string limit = found.parameter == Parameter::step ? limit_of_step(settled) : "";
+  const bool is_out_of_reach =
+      found.parameter == Parameter::clearance && settled.planned.status == PlanStatus::stop_out_of_reach;
+  const std::string limit = found.parameter == Parameter::step ? limit_of_step(settled)
+                            : is_out_of_reach ? "no ball within --bound-displacement reaches a stop farther away"
+                                              : "";
   return limit.empty() ? text : text + " (" + limit + ")";
 }
 
@@ -61,11 +66,11 @@ Refusal refusal_of(const Settled& settled) {
     const Resolution contact = resolution(request);
     const bool is_long = contact.main_phase > Impulsive::longest_main_phase;
     return {"newmark", std::string(name_of(request.stepper)),
-            is_long ? "auto: the contact lasts " + short_text(contact.main_phase) +
-                          " rad of the main mass's vibration, impulsive allows up to " +
+            is_long ? "auto: a contact lasts " + short_text(contact.main_phase) +
+                          " rad of the main mass's vibration, and impulsive allows at most " +
                           short_text(Impulsive::longest_main_phase)
                     : "auto: weight and base add " + short_text(contact.field_share) +
-                          " of the fastest impact's speed during the contact, impulsive allows up to " +
+                          " of the fastest impact's speed during a contact, and impulsive allows at most " +
                           short_text(Impulsive::largest_field_share)};
   }
   const Explanation found = explain(Values{request.scene, *request.bounds, request.step}, [&](const Values& values) {
@@ -82,10 +87,10 @@ Refusal refusal_of(const Settled& settled) {
   in_float.numeric = Numeric::float64;
   if (!found.is_enough && plan(in_float).status == PlanStatus::ok)
     return {"numeric", std::string(name_of(request.numeric)),
-            "float64: in this format changing a single value does not suffice" + bounds_text(settled)};
-  if (found.allowed.holds(found.value)) return {option, value, "none with these other values"};
+            "float64: in this format no change of a single value suffices" + bounds_text(settled)};
+  if (found.allowed.holds(found.value)) return {option, value, "no value, if the others stay"};
   const auto [least, most] = texts_within(found.allowed.least, found.allowed.most);
-  // An own range is looked at before all others, as the options' are.
+  // The range of a value by itself is tested first, as those of the options are.
   const bool is_own = found.parameter != Parameter::step && !range_of(found.parameter).holds(found.value),
              may_be_off = found.parameter == Parameter::drive_pulsation && !is_own;
   return {option, value,
@@ -93,7 +98,7 @@ Refusal refusal_of(const Settled& settled) {
            : may_be_off ? "0, or "
                         : "") +
               least + " to " + most + condition_of(found, settled) +
-              (found.is_enough ? "" : " (another value must change too)")};
+              (found.is_enough ? "" : " (another value must change as well)")};
 }
 
 }  // namespace impact::host

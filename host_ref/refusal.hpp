@@ -1,12 +1,12 @@
 #pragma once
-// The words of a refusal: the option at fault, its value, and the range that the plan takes. Nothing is run for them,
-// and no samples are read. Bounds that a run has found are said with the range: typed back with them it is accepted.
+// The text of a refusal: the option at fault, its value, and the range that a plan accepts. No run is made for it, and
+// no samples are read. The text also names the bounds that a run has found. Together with them the range is accepted.
 
 #include "host_ref/settled.hpp"
 
 namespace impact::host {
 
-// Of a request whose plan is refused.
+// Explains a request whose plan is rejected.
 Refusal refusal_of(const Settled& settled);
 
 }  // namespace impact::host

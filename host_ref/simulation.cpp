@@ -29,19 +29,18 @@ constexpr Candidate candidates[] = {{Stepper::energy, Choice::energy},
                                     {Stepper::moment, Choice::moment},
                                     {Stepper::moment_n, Choice::sub_steps}};
 
-// Why the rule does not take a stepper other than EnergyConsistent whose expected error is less.
+// Why the rule does not take a stepper with a smaller expected error. EnergyConsistent is never that stepper.
 std::string reason_against(Choice choice, const Resolution& contact, const Request& request) {
   const double h = request.step;
   const auto beyond = [](const std::string& what, double value, double most) {
-    return what + rough_text(value) + ", at most " + rough_text(most);
+    return what + rough_text(value) + " and may be at most " + rough_text(most);
   };
   if (choice == Choice::impulsive) {
-    if (contact.main_phase > longest_instant)
-      return beyond("the main oscillation's angle in a contact, rad, is ", contact.main_phase, longest_instant);
+    if (contact.main_phase > longest_instant) return beyond("w0 tc is ", contact.main_phase, longest_instant);
     if (contact.field_share > Impulsive::largest_field_share)
       return beyond("the share that weight and base add to an impact's speed is ", contact.field_share,
                     Impulsive::largest_field_share);
-    return "a contact is resolved";
+    return "a contact is long enough for several steps";
   }
   const bool is_divided = choice == Choice::sub_steps;
   const int n = is_divided ? SubsteppedMoment<>::parts_for(contact, h) : 1;
@@ -52,20 +51,20 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
   if (is_divided && h * SubsteppedMoment<>::fewest_steps_across > contact.crossing)
     return "the ball can cross the clearance in a step and a half";
   if (steps < Moment::precise_steps)
-    return "steps per contact are " + rough_text(steps) + ", at least " + rough_text(Moment::precise_steps);
+    return "a contact has " + rough_text(steps) + " steps and must have " + rough_text(Moment::precise_steps);
   if (phase > Moment::longest_contact_phase)
-    return beyond("the deepest contact's angle in a step, rad, is ", phase, Moment::longest_contact_phase);
+    return beyond("in a step the oscillation of the deepest contact, rad, is ", phase, Moment::longest_contact_phase);
   if (damping > Moment::largest_damping)
-    return beyond("the deepest contact's damping h c/mu is ", damping, Moment::largest_damping);
+    return beyond("in the deepest contact h c/mu is ", damping, Moment::largest_damping);
   if (const int most = most_sub_steps_in(request.numeric); n > most)
-    return std::to_string(n) + " sub-steps are rounded too often, at most " + std::to_string(most);
+    return std::to_string(n) + " sub-steps round too often, and at most " + std::to_string(most) + " are allowed";
   if (is_divided && contact.shortest_part >= SubsteppedMoment<>::precise_parts * h)
     return "it costs more and is not required from " + std::to_string(SubsteppedMoment<>::precise_parts) +
            " steps per contact on";
-  return "a contact loses less than it may create";
+  return "a contact dissipates less energy than it may gain by error";
 }
 
-// The error that the choice is expected to have, and why the next better stepper is passed over.
+// The expected error of the choice, and why the next better stepper was not taken.
 std::string expected_text(const Request& request, const Resolution& contact) {
   const auto error_of = [&](Choice choice) { return expected_error(choice, contact, request.step); };
   const double own = expected_error_of(request);
@@ -76,14 +75,14 @@ std::string expected_text(const Request& request, const Resolution& contact) {
     if (other.choice != Choice::energy && error_of(other.choice) < own && error_of(other.choice) > next)
       next = error_of((better = &other)->choice);
   if (better)
-    line += "; not " + std::string(name_of(better->stepper)) + ", " + rounded_text(next, 1) +
-            " m: " + reason_against(better->choice, contact, request);
+    line += "; not " + std::string(name_of(better->stepper)) + " (" + rounded_text(next, 1) + " m), because " +
+            reason_against(better->choice, contact, request);
   return line;
 }
 
-// What steps by the plan's choice, and what that rests on. Of a stepper that was named, only what to beware of: a
-// classical scheme below 10 steps a contact, where average acceleration is off by 2e-3 to 4e-2 of the restitution, and
-// sub-steps where the main mass swings by more in a step than the rule allows.
+// The automatic choice and its reasons. For a stepper that was named, a warning only. It warns of a classical scheme
+// with fewer than 10 steps per contact, where average acceleration has an error of 2e-3 to 4e-2 of the restitution. It
+// also warns of sub-steps if the main mass's vibration advances in a step by more than the rule allows.
 std::string description(const Request& request, bool is_automatic) {
   const Resolution contact = resolution(request);
   const double steps = contact.shortest_part / request.step;  // the rule's N
@@ -95,9 +94,9 @@ std::string description(const Request& request, bool is_automatic) {
                                                                         : " steps per contact");
   if (!is_automatic && !is_coarse && !swings) return {};
   if (!is_automatic)
-    return std::string(name_of(request.stepper)) + ": " +
+    return std::string(name_of(request.stepper)) + " may gain energy with " +
            (is_coarse ? "only " + resolved : rough_text(swing) + " rad of the main mass's vibration in a step") +
-           ", which may gain energy; auto would take " + std::string(name_of(chosen(request)));
+           "; auto would take " + std::string(name_of(chosen(request)));
   std::string line = std::string(name_of(request.stepper)) + ", " + resolved + " at " +
                      rough_text(2 * request.bounds->speed) + " m/s, " + rough_text(contact.main_phase) +
                      " rad of the main mass's vibration during it";
@@ -105,7 +104,7 @@ std::string description(const Request& request, bool is_automatic) {
   return line + expected_text(request, contact);
 }
 
-// The scene's restitution, stated under a formula, as the one that comes out; none where no plan takes it.
+// The restitution that a formula leads to if `stated` is its parameter, or none if no plan accepts it.
 std::optional<double> true_restitution(Damping damping, double stated) {
   if (!restitution_range.holds(stated)) return std::nullopt;
   if (damping == Damping::exact) return stated;
@@ -134,7 +133,8 @@ Refusal refusal_of_parts(const Request& request) {
   std::string allowed;
   for (const auto& stepper : steppers)
     if (!is_classical(stepper.value)) allowed += (allowed.empty() ? "" : ", ") + std::string(stepper.name);
-  return {"newmark", std::string(name_of(request.stepper)), allowed + ": the classical schemes take no --" + part};
+  return {"newmark", std::string(name_of(request.stepper)),
+          allowed + ": the classical schemes do not support --" + part};
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ std::optional<Request> widened(const Request& asked, const Outcome& outcome) {
   wider.bounds = outcome.made.bounds;
   for (double Bounds::*bound : {&Bounds::displacement, &Bounds::speed, &Bounds::penetration})
     if (std::isnan(stated.*bound)) (*wider.bounds).*bound = std::min(bound_range.most, 2 * (*wider.bounds).*bound);
-  // One that is at its end, or a penetration that follows from the others, is no wider.
+  // A bound at the end of its range, or a penetration that follows from the others, did not become wider.
   if (!((*wider.bounds).*passed > (*outcome.made.bounds).*passed)) return std::nullopt;
   return wider;
 }

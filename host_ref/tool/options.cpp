@@ -75,13 +75,13 @@ Option number(const ParameterEntry& row) {
   Option option = number(name, row.unit, row.range, field, row.meaning);
   if (row.in_bounds) option.initial = "1.5 times what a float64 run reaches";
   for (const auto& [of, initial] :
-       {std::pair(
-            "step",
-            "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 with a "
-            "restitution within about 1e-05 of the law's, 30 steps per period and 100 in all; it is said on standard "
-            "error"),
+       {std::pair("step",
+                  "0.0001; with --newmark auto and without a file of samples the longest from 1e-05 to 0.005 with a "
+                  "restitution within about 1e-05 of the law's, at least 30 steps per period and 100 in all; it is "
+                  "printed on "
+                  "standard error"),
         {"contact-damping", "19560 for hunt-crossley, 20.81 for hooke-newton (the paper's)"},
-        {"restitution", "not used; if stated, it determines --contact-damping, exactly for the law"}})
+        {"restitution", "not used; if stated, it determines --contact-damping by the law's exact relation"}})
     if (name == of) option.initial = initial;
   return option;
 }
@@ -142,9 +142,10 @@ const std::vector<Option>& options() {
     std::vector<Option> all = {
         choice("law", laws, field(&Request::law), "contact law"),
         choice("newmark", steppers, field(&Request::stepper),
-               "time stepper. auto is the kernel's rule and says its choice on standard error. average to central are "
-               "Newmark's classical schemes. moment-4 and moment-8 have as many sub-steps in contact, moment-n as many "
-               "as required"),
+               "time stepper. auto is the kernel's rule, which prints its choice on standard error. average to central "
+               "are "
+               "Newmark's classical schemes. moment-4 and moment-8 divide a step in contact into 4 and 8 sub-steps, "
+               "moment-n into as many as required"),
         choice("numeric", numerics, field(&Request::numeric),
                "number format; the state of float32 is compensated, that of float32-plain is not"),
         number("duration", "s", {0, 1e7}, field(&Request::duration),
@@ -161,7 +162,7 @@ const std::vector<Option>& options() {
              "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),
         choice("damping", dampings, field(&Request::damping),
                "how hunt-crossley's damping is set. constant: by --contact-damping. The others set it at each impact, "
-               "from its speed and --restitution E, by the formula of that name; hunt-crossley and per-impact are the "
+               "from its speed and --restitution E, by the formula of that name. hunt-crossley and per-impact are the "
                "paper's (2.9). Only with exact does an impact have the restitution E"),
         choice("tension", tensions, field(&Scene::tension),
                "for hooke-newton. allow: a stop may pull until the penetration ends; clamp: it releases the ball at "
@@ -171,16 +172,17 @@ const std::vector<Option>& options() {
             "drive", drives, field(&Request::drive),
             "force on the main mass. sampled passes the sine as one sample per step, for a --rig that takes samples"),
         file("drive-file", field(&Settings::drive_file), true,
-             "force samples in place of the sine, one line per step: line n has the force in N at the end of step n; 0 "
-             "at t = 0"),
+             "force samples instead of the sine, one line per step: line n has the force in N at the end of step n. At "
+             "t = 0 the force is 0"),
         file("base-file", field(&Settings::base_file), true,
-             "displacement samples z of the base in m, line n at the end of step n; 0 at t = 0. They act as the force "
-             "k z + c z' on the main mass; displacements are absolute"),
+             "displacement samples z of the base in m, line n at the end of step n. At t = 0 z is 0. They act as the "
+             "force k z + c z' on the main mass. Displacements are absolute"),
         file("base-acceleration-file", field(&Settings::base_acceleration_file), true,
-             "acceleration samples of the base in m/s^2, line n at the end of step n; 0 at t = 0. Displacements are "
-             "relative to the base"),
-        count("every", field(&Settings::every), "write every N-th step, the initial state first"),
-        file("output", field(&Settings::output), false, "file of the rows; it is replaced when the run ends")
+             "acceleration samples of the base in m/s^2, line n at the end of step n. At t = 0 it is 0. Displacements "
+             "are relative to the base"),
+        count("every", field(&Settings::every), "write the initial state and then every N-th step"),
+        file("output", field(&Settings::output), false,
+             "file for the rows, which replaces an older one when the run ends")
             .by_default("standard output"),
         file("plot", field(&Settings::plot), false,
              "draw the main mass's displacement with and without absorber as SVG; needs gnuplot"),
@@ -189,7 +191,7 @@ const std::vector<Option>& options() {
              "bits"),
         file("summary", field(&Settings::summary), false,
              "write the run's results as one line of JSON: impacts, peaks, shares of the bounds, errors, cost"),
-        {"part", "NAME", "print the instructions of a step on this part", known_parts(), "", false,
+        {"part", "NAME", "print how many instructions a step takes on this part", known_parts(), "", false,
          [](Settings& settings, const std::string& text) {
            settings.part = text;
            return !text.empty() && text.find(',') == text.npos && (known_parts() + ",").find(text + ",") != text.npos;
@@ -321,7 +323,8 @@ Settings settings_from(const std::vector<Argument>& arguments) {
   for (const auto& [name, value] : arguments) {
     const Option& option = option_named(name, value);
     if (!given.emplace(name, value).second)
-      throw BadInput("--" + name, value, "once, on the command line or in a sweep's header; it is given twice");
+      throw BadInput("--" + name, value,
+                     "once only, and this option is given twice, on the command line or in a sweep's header");
     if (!option.store(settings, value))
       throw BadInput("--" + name, value.empty() ? "''" : value,
                      option.allowed + (option.is_choice ? meant(option, value) : ""));
@@ -347,8 +350,9 @@ std::string help() {
     text += indented(line);
   }
   return text +
-         "\nExit codes: 0; 1 a file could not be written; 2 bad input, nothing written; 3 the kernel raised a fault,\n"
-         "the data up to the fault are written (a sweep goes on and names the fault in its row).\n";
+         "\nExit codes: 0 success; 1 a file could not be written; 2 bad input, and nothing is written; 3 the kernel "
+         "raised a\n"
+         "fault, and the data up to it are written (a sweep goes on and names the fault in its row).\n";
 }
 
 }  // namespace impact::host

@@ -70,7 +70,7 @@ bool is_whole(const std::string& path) {
 
 void draw(const std::string& path, const Request& request, const Curve& with_absorber, const Curve& without_absorber) {
   if (!on_path("gnuplot")) {
-    std::cerr << "impact-sim: --plot " << path << ": no gnuplot on this machine, nothing drawn\n";
+    std::cerr << "impact-sim: --plot " << path << ": gnuplot is not installed, so nothing is drawn\n";
     return;
   }
   Output output(path);
@@ -98,7 +98,7 @@ void draw(const std::string& path, const Request& request, const Curve& with_abs
   std::fputs(script.c_str(), gnuplot);
   if (pclose(gnuplot) != 0) throw std::runtime_error("--plot " + path + ": gnuplot failed");
   if (!is_standard_output(path) && !is_whole(output.written_path()))
-    throw std::runtime_error("--plot " + path + ": gnuplot could not write it whole");
+    throw std::runtime_error("--plot " + path + ": gnuplot could not write the whole file");
   output.commit();
 }
 

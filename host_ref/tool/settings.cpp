@@ -24,7 +24,7 @@ std::vector<double> samples_from(const SampleKind& kind, const std::string& file
   }
   if (!input.eof())
     throw BadInput(option, file + " line " + std::to_string(column.samples.size() + 1),
-                   "a line that can be read, of up to 63 characters");
+                   "a readable line of at most 63 characters");
   return column.samples;
 }
 
@@ -32,7 +32,7 @@ double damping_from(const Settings& settings, const std::string& restitution) {
   const auto damping = damping_of(settings.request, settings.impact_speed, settings.paper_damping);
   if (damping) return *damping;
   throw BadInput("--restitution", restitution,
-                 settings.request.law == Law::hertz ? "1 with --law hertz, which loses no energy" : "0 < E <= 1");
+                 settings.request.law == Law::hertz ? "only 1 with --law hertz, which loses no energy" : "0 < E <= 1");
 }
 
 double default_damping(Law law) {
@@ -57,10 +57,10 @@ void settle(Settings& settings, const Given& given) {
   };
   const auto has = [&](const char* name) { return given.count(name) != 0; };
 
-  refuse_unless(has("sweep"), "shard", "with --sweep");
-  refuse_unless(!has("sweep"), "plot", "without --sweep");
-  refuse_unless(!has("sweep"), "rig", "without --sweep");
-  for (const char* name : {"every", "summary", "part"}) refuse_unless(!has("sweep"), name, "without --sweep");
+  refuse_unless(has("sweep"), "shard", "only with --sweep");
+  refuse_unless(!has("sweep"), "plot", "only without --sweep");
+  refuse_unless(!has("sweep"), "rig", "only without --sweep");
+  for (const char* name : {"every", "summary", "part"}) refuse_unless(!has("sweep"), name, "only without --sweep");
   // Nothing written may take the place of what is read, or of what is written beside it; standard input is read once.
   struct File {
     const char* name;
@@ -89,21 +89,23 @@ void settle(Settings& settings, const Given& given) {
   }
   if (settings.benchmark) {
     for (const auto& [name, value] : given) {
-      refuse_unless(name == "benchmark" || name == "output", name.c_str(), "without --benchmark");
+      refuse_unless(name == "benchmark" || name == "output", name.c_str(), "only without --benchmark");
     }
   }
   if (has("sweep")) return;  // the rest concerns each scene, not what they share
 
-  refuse_unless(!has("restitution"), "contact-damping", "without --restitution");
-  refuse_unless(request.law != Law::hertz || scene.contact_damping == 0, "contact-damping", "0 with --law hertz");
-  refuse_unless(has("restitution"), "impact-speed", "with --restitution");
-  refuse_unless(has("restitution"), "paper-damping", "with --restitution");
+  refuse_unless(!has("restitution"), "contact-damping", "only without --restitution");
+  refuse_unless(request.law != Law::hertz || scene.contact_damping == 0, "contact-damping",
+                "only 0 with --law hertz, which has no damping");
+  refuse_unless(has("restitution"), "impact-speed", "only with --restitution");
+  refuse_unless(has("restitution"), "paper-damping", "only with --restitution");
   const bool per_impact = request.damping != Damping::constant;
   refuse_unless(!per_impact || (has("restitution") && request.law == Law::hunt_crossley), "damping",
-                "constant; others with --restitution and --law hunt-crossley");
-  refuse_unless(!per_impact, "impact-speed", "with --damping constant: the others use each impact's own speed");
+                "constant; the others only with --restitution and --law hunt-crossley");
+  refuse_unless(!per_impact, "impact-speed",
+                "only with --damping constant, because the others use the speed of each impact");
   refuse_unless(!per_impact || request.damping == Damping::hunt_crossley, "paper-damping",
-                "with --damping constant or hunt-crossley, which is (2.9)");
+                "only with --damping constant or hunt-crossley, which is (2.9)");
   request.damping_is_by_restitution = has("restitution") && !per_impact;
   if (has("restitution")) {
     scene.contact_damping = per_impact ? 0 : damping_from(settings, given.at("restitution"));
@@ -115,11 +117,11 @@ void settle(Settings& settings, const Given& given) {
   const bool is_sampled_sine = request.drive == DriveKind::sampled;
   if (is_sampled_sine) request.drive = DriveKind::sine;
   const bool has_samples = has("drive-file") || has("base-file");
-  refuse_unless(!has("drive-file"), "base-file", "without --drive-file: both are forces on the main mass");
-  refuse_unless(!has_samples, "drive", "without --drive-file and --base-file");
+  refuse_unless(!has("drive-file"), "base-file", "only without --drive-file, because both are forces on the main mass");
+  refuse_unless(!has_samples, "drive", "only without --drive-file and --base-file");
   for (const char* name : {"drive-amplitude", "drive-pulsation"})
-    refuse_unless(!has_samples && request.drive == DriveKind::sine, name, "with --drive sine");
-  refuse_unless(has("base-acceleration-file"), "bound-base-acceleration", "with --base-acceleration-file");
+    refuse_unless(!has_samples && request.drive == DriveKind::sine, name, "only with --drive sine");
+  refuse_unless(has("base-acceleration-file"), "bound-base-acceleration", "only with --base-acceleration-file");
   if (has("drive-file")) drive_by(request, drive_samples, samples_from(drive_samples, settings.drive_file));
   if (has("base-file")) drive_by(request, base_displacements, samples_from(base_displacements, settings.base_file));
   if (has("base-acceleration-file"))
@@ -130,21 +132,21 @@ void settle(Settings& settings, const Given& given) {
                                     {"base-acceleration-file", request.base_samples.size()}})
     if (!has("duration") && has(name) && count < lines)
       throw BadInput(std::string("--") + name, given.at(name) + " with " + std::to_string(count) + " lines",
-                     std::to_string(lines) + " as the other file has, or a --duration");
+                     std::to_string(lines) + ", as the other file has, or else a --duration");
   if (has_file && !has("duration")) request.duration = static_cast<double>(lines) * request.step;
   if (has_file && !has("step"))
     settings.remarks.push_back(std::to_string(lines) + " samples, one per " + short_text(request.step) +
-                               " s (--step): " + short_text(static_cast<double>(lines) * request.step) + " s");
+                               " s (--step), last " + short_text(static_cast<double>(lines) * request.step) + " s");
   if (request.is_shaken && request.drive == DriveKind::sine && !has("drive") && !has("drive-amplitude") &&
       !has("drive-pulsation"))
-    settings.remarks.push_back("besides the base, a sine drives the main mass with " +
+    settings.remarks.push_back("besides the base a sine drives the main mass with " +
                                short_text(scene.drive_amplitude) + " N at " + short_text(scene.drive_pulsation) +
-                               " rad/s; for the base alone state --drive none");
+                               " rad/s. If only the base moves, state --drive none");
   const bool is_sine = request.drive == DriveKind::sine && scene.drive_amplitude > 0;
   if (is_sine && has("drive-pulsation") && scene.drive_pulsation > 0 && scene.drive_pulsation < 2 * pi)
     settings.remarks.push_back("--drive-pulsation " + short_text(scene.drive_pulsation) + " rad/s is " +
                                short_text(scene.drive_pulsation / (2 * pi)) +
-                               " Hz; to state hertz multiply them by 6.2832");
+                               " Hz. If you meant hertz, multiply them by 6.2832");
   // A file of samples and a stepper that was named are for a step that the user knows.
   settings.is_step_automatic = !has("step") && !has_file && request.stepper == Stepper::automatic;
   if (settings.is_step_automatic) request.step = automatic_step(request);

@@ -104,8 +104,8 @@ std::vector<std::string> Summary::lines() const {
     const double depth =
         std::pow(last_.peak_force / scene.contact_stiffness, made.law == Law::hooke_newton ? 1 : 2.0 / 3);
     std::string contact = "contact force up to " + three_digits(last_.peak_force) +
-                          " N, which a press test has at a depth of " + three_digits(depth) + " m";
-    if (outcome_.description.empty()) {  // which says so already
+                          " N, which a press test reaches at a depth of " + three_digits(depth) + " m";
+    if (outcome_.description.empty()) {  // a description says this already
       contact += "; " + std::string(name_of(made.stepper)) +
                  " at N = " + three_digits(resolution(made).steps_per_contact(made.step));
       if (const double error = restitution_error(made); error >= 0)

@@ -31,13 +31,14 @@ SummaryFile::~SummaryFile() {
 }
 
 void SummaryFile::take_over(const std::map<long, std::string>& keys) {
-  if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw std::runtime_error(path_ + ": another impact-sim is writing it");
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0)
+    throw std::runtime_error(path_ + ": another impact-sim is writing this file");
   std::ifstream input(path_, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(input), {}};
   long line = 1;
   const auto refusal = [&] {
     return BadInput("--output", path_ + " line " + std::to_string(line),
-                    "a new file, or what an earlier run of this very sweep left, with drive files as they are now");
+                    "a new file, or the rows of an earlier run of the same sweep with the same drive files");
   };
 
   const size_t whole = text.rfind('\n') + 1;  // 0 without one

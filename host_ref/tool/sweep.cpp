@@ -214,8 +214,8 @@ void say_steps(const std::vector<SweptScene>& scenes) {
     longest = std::max(longest, scene.settings.request.step);
   }
   if (longest > 0)
-    std::cerr << "impact-sim: steps of " << short_text(shortest) << " to " << short_text(longest)
-              << " s by --newmark auto, one for each scene\n";
+    std::cerr << "impact-sim: --newmark auto takes steps of " << short_text(shortest) << " to " << short_text(longest)
+              << " s, one for each scene\n";
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ TEST_F(ImpactSim, FilesOfDifferentLengthAreRefused) {
   write(file("three"), "1\n1\n1\n");
   EXPECT_THAT(
       run("--drive-file three --base-acceleration-file two").err,
-      HasSubstr("--base-acceleration-file two with 2 lines: allowed: 3 as the other file has, or a --duration"));
+      HasSubstr("--base-acceleration-file two with 2 lines: allowed: 3, as the other file has, or else a --duration"));
   EXPECT_THAT(run("--base-file two --base-acceleration-file three").err, HasSubstr("--base-file two with 2 lines"));
   EXPECT_EQ(run("--drive-file three --base-acceleration-file two --duration 2e-4").code, 0);
   EXPECT_EQ(run("--drive-file three --base-acceleration-file three").code, 0);

@@ -154,7 +154,7 @@ TEST(Refusal, ALimitThatIsTypedBackIsAccepted) {
       retyped_values = {limits[1].str(), limits[2].str()};
       // "A number from": a value's own range, which is looked at before all others.
       is_enough = said->allowed.find("another value") == said->allowed.npos && said->allowed[0] != 'a';
-    } else if (said->allowed == "none with these other values") {
+    } else if (said->allowed == "no value, if the others stay") {
       ++without_a_range;
     } else {
       EXPECT_TRUE(said->option == "newmark" || said->option == "numeric") << context;

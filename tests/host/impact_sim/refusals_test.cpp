@@ -127,8 +127,9 @@ TEST_F(ImpactSim, ARangeIsAcceptedAsItIsPrinted) {
   for (const char* numeric : {"float64", "float32", "fixed32"}) {
     const Result refused = run(heavy + numeric + " --step 2.4671e-05");
     ASSERT_EQ(refused.code, 2) << numeric;
-    const size_t most = refused.err.find(" to ") + 4, end = refused.err.find(" (");
-    const Result taken = run(heavy + numeric + " --step " + refused.err.substr(most, end - most));
+    const size_t most = refused.err.find(" to ") + 4, with = refused.err.find(" with "), end = refused.err.find(" (");
+    const Result taken = run(heavy + numeric + " --step " + refused.err.substr(most, with - most) +
+                             refused.err.substr(with + 5, end - with - 5));
     EXPECT_EQ(taken.code, 0) << numeric << ": " << refused.err << taken.err;
   }
 }
@@ -189,12 +190,13 @@ TEST_F(ImpactSim, ANameOfAnotherChoiceIsNotFarOff) {
 }
 
 TEST_F(ImpactSim, ARefusedStepSaysWhatItIsTooLongFor) {
-  EXPECT_THAT(run("--step 0.09").err, HasSubstr("(at most 3 rad of the drive)"));
-  EXPECT_THAT(run("--step 0.05").err,
-              HasSubstr("(a part of a period of the main mass's own vibration, of 31.6228 rad/s)"));
+  EXPECT_THAT(run("--step 0.09").err, HasSubstr("(a step may span at most 3 rad of the drive)"));
+  EXPECT_THAT(
+      run("--step 0.05").err,
+      HasSubstr("(a step must be a small part of a period of the main mass's own vibration, which has 31.6228 rad/s)"));
   EXPECT_THAT(run("--main-stiffness 10 --main-damping 30 --step 0.05").err, HasSubstr("at most M/c, for the damper)"));
   EXPECT_THAT(run("--newmark moment --contact-stiffness 1e9 --step 1e-3").err,
-              HasSubstr(" s, for which moment needs more steps; auto takes a stepper that suits the step)"));
+              HasSubstr(" s, and moment requires more steps in it; auto takes a stepper that suits the step)"));
 }
 
 TEST_F(ImpactSim, HelpHasAShortName) { EXPECT_EQ(run("-h").out, run("--help").out); }

@@ -144,7 +144,7 @@ TEST_F(ImpactSimSweep, RowsOfADriveFileThatHasChangedAreNotTakenOver) {
   const Result result = run(driven);
   EXPECT_EQ(result.code, 2);
   EXPECT_THAT(result.err, HasSubstr("--output rows.csv line 2"));
-  EXPECT_THAT(result.err, HasSubstr("drive files as they are now"));
+  EXPECT_THAT(result.err, HasSubstr("with the same drive files"));
   EXPECT_EQ(read(file("rows.csv")), rows);
 }
 

@@ -27,7 +27,7 @@ struct Rig {
 using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::Fixed32>;
 Absorber absorber;
 
-// After a fault the output rests for this many steps while the model starts anew.
+// After a fault the output is 0 for this many steps, while the model starts again.
 constexpr uint32_t steps_at_rest = steps_per_second / 10;
 
 struct Statistics {

@@ -151,7 +151,7 @@ class AbsorberOf
   using Source::velocity_unit;      // m/s
   // sample_of(newtons) and base_sample_of(acceleration in m/s^2) return a sample for step(). A constant is a double; a
   // float is possible while running; without an FPU it costs some hundred instructions. In Fixed32 both clamp to the
-  // bound, and replace what is no number by 0. The step() that gets such a sample raises Fault::sample.
+  // bound, and replace a NaN by 0. The step() that gets such a sample raises Fault::sample.
   using Source::base_sample_of;
   using Source::sample_of;
 
@@ -283,7 +283,7 @@ class AbsorberOf
     publish();
   }
 
-  // All values of one step, for any context while another one steps (snapshot.hpp). It needs the feature Snapshots.
+  // All values of one step, for any context while another one steps (snapshot.hpp). It requires the feature Snapshots.
   Snapshot<Value> snapshot() const {
     static_assert(publishes, "snapshot() requires the feature Snapshots: append it to the absorber's type");
     if constexpr (publishes)
@@ -294,8 +294,8 @@ class AbsorberOf
 
   // An observer's correction between two steps. It adds to the main mass's displacement and velocity, in the units of
   // displacement() and velocity(). A correction of more than a bound is clamped to it with a fault, and so is the
-  // corrected state. A correction that is no number is not added and raises a fault. A contact under way continues from
-  // the corrected penetration. A damping that was set at its impact is clamped to what a step tolerates there
+  // corrected state. A correction that is a NaN is not added and raises a fault. A contact under way continues from the
+  // corrected penetration. A damping that was set at its impact is clamped to what a step tolerates there
   // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch is placed at that stop. A
   // ball at rest on an impulsive stop stays on it. Dry friction's last impulse changes sign with the sliding. A ledger
   // counts the change of the stored energy as dissipated, and nothing as the drive's work.

@@ -255,7 +255,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   static constexpr bool accepts(const Plan& plan, Value sample) {
     return Plan::FormatType::is_within(sample, plan.field.largest_base);
   }
-  // Replaces a sample that is not accepted: by the bound, or by 0 for what is no number.
+  // Replaces a sample that is not accepted: by the bound, or by 0 if it is a NaN.
   template <class Plan, class Value>
   static constexpr Value clamped(const Plan& plan, Value sample) {
     return Plan::FormatType::clamped_to(sample, plan.field.largest_base, Value{});

@@ -60,7 +60,7 @@ struct Sampled {
     constexpr bool accepts(const Plan<Format>& plan, typename Format::Value next) const {
       return Format::is_within(next, plan.largest);
     }
-    // Replaces a sample that is not accepted: by the bound, or by the sample before for what is no number.
+    // Replaces a sample that is not accepted: by the bound, or by the sample before if it is a NaN.
     constexpr typename Format::Value clamped(const Plan<Format>& plan, typename Format::Value next) const {
       return Format::clamped_to(next, plan.largest, sample);
     }

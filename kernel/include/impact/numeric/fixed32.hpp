@@ -110,8 +110,8 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
   static constexpr int32_t native(Value reading) { return reading.raw; }
-  // A fraction as a Value, clamped to the ends of its range; 0 for what is no number. The unit of a constant is 2^31 -
-  // 1, so that 1 is a Value. That of a float is 2^31, since a float has no 2^31 - 1.
+  // A fraction as a Value, clamped to the ends of its range, and 0 for a NaN. The unit of a constant is 2^31 - 1, so
+  // that 1 is a Value. That of a float is 2^31, since a float has no 2^31 - 1.
   static constexpr Value sample(double fraction) {
     return {fraction >= 1    ? INT32_MAX
             : fraction <= -1 ? -INT32_MAX
@@ -124,7 +124,7 @@ struct Fixed32 : Fixed32Numbers {
             : fraction > -1  ? static_cast<int32_t>(fraction * 2147483648.0f)
                              : 0};
   }
-  // True if a sample of this fraction was clamped by more than rounding, or is no number.
+  // True if a sample of this fraction was clamped by more than rounding, or is a NaN.
   template <class Real>
   static constexpr bool is_clamped(Value sample, Real fraction) {
     const bool is_at_an_end = sample.raw == INT32_MAX || sample.raw == -INT32_MAX || sample.raw == 0;
@@ -194,7 +194,7 @@ struct Fixed32 : Fixed32Numbers {
     IMPACT_EXPECT(int64_t{z.raw} <= p.raw && -int64_t{z.raw} <= p.raw);
     return {opaque(static_cast<uint32_t>(impact::square_over_five(z.raw, p.raw)))};
   }
-  // x / (1 + y), y >= 0 in a unit of which half a 1 is `half_one`
+  // x / (1 + y) for y >= 0, in the unit in which 1/2 is `half_one`
   static constexpr Value over_one_plus(Value x, Value y, Value half_one) {
     const auto one = static_cast<uint32_t>(half_one.raw);
     return value(x * Unsigned<32>{quotient_q32(one, one + (static_cast<uint32_t>(y.raw) >> 1))});

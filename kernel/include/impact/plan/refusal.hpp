@@ -112,10 +112,11 @@ constexpr bool accepts() {
   // from any start when its weight stretches the spring beyond them.
   constexpr bool is_carried =
       PlanType::FieldType::is_sampled || PlanType::DriveType::is_sampled || !(Rig::scene.main_stiffness > 0);
-  static_assert(!PlanType::FieldType::is_field || is_carried || status != PlanStatus::ok ||
-                    Rig::scene.main_mass * constant::magnitude(Rig::scene.gravity) <=
-                        Rig::scene.main_stiffness * Rig::bounds.displacement,
-                "Bounds::displacement: no less than main_mass * gravity / main_stiffness, where the main mass hangs");
+  static_assert(
+      !PlanType::FieldType::is_field || is_carried || status != PlanStatus::ok ||
+          Rig::scene.main_mass * constant::magnitude(Rig::scene.gravity) <=
+              Rig::scene.main_stiffness * Rig::bounds.displacement,
+      "Bounds::displacement: no less than main_mass * gravity / main_stiffness, where the main mass is at rest");
   static_assert(status != PlanStatus::contact_time,
                 "Rig::scene: a contact lasts too long for this stepper at any step. Take impact::Chosen<>");
 

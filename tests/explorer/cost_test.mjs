@@ -2,14 +2,10 @@
 // cost_test.mjs FOLDER_OF_EXPLORER BUDGETS.csv PARTS.json
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
+import { check, finish } from './check.mjs';
 
 const [folder, budgetsFile, partsFile] = process.argv.slice(2);
 const { costOf } = await import(pathToFileURL(`${folder}/cost.mjs`)), { tableFrom } = await import(pathToFileURL(`${folder}/numbers.mjs`));
-let failures = 0;
-function check(holds, what) {
-  console.log(`${holds ? 'ok    ' : 'FAILED'} ${what}`);
-  if (!holds) ++failures;
-}
 
 const budgets = tableFrom(readFileSync(budgetsFile, 'utf8'));
 const budgetOf = (target, law, newmark, numeric, drive, quantity) => Number(budgets.find((row) =>
@@ -41,5 +37,4 @@ for (const part of targets) {
 // What no row is of is said to be so, and not taken from another.
 for (const [scene, stepper] of [[{ gravity: 1 }, 'impulsive'], [{}, 'moment-8'], [{ 'damping-by': 'exact' }, 'energy']])
   check('Not measured' in shown(targets[0], scene, stepper), `${JSON.stringify(scene)}, ${stepper}: ${shown(targets[0], scene, stepper)['Not measured']}`);
-console.log(failures === 0 ? 'all is well' : `${failures} failures`);
-process.exit(failures === 0 ? 0 : 1);
+finish();

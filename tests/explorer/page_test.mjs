@@ -7,14 +7,10 @@ import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
+import { check, finish } from './check.mjs';
 
 const [chromium, file, toolFile, golden] = process.argv.slice(2);
 const url = pathToFileURL(file).href, tool = resolve(toolFile);
-let failures = 0;
-function check(holds, what) {
-  console.log(`${holds ? 'ok    ' : 'FAILED'} ${what}`);
-  if (!holds) ++failures;
-}
 
 const runsAreDone = "explorer.due.size === 0 && Object.values(explorer.runs).every((run) => !run.isReady || run.isDone) && explorer.hasSpoken";
 const text = (page, id) => page.value(`document.getElementById('${id}').textContent`);
@@ -314,5 +310,4 @@ try {
   await page.close();
   rmSync(folder, { recursive: true });
 }
-console.log(failures === 0 ? 'all is well' : `${failures} failures`);
-process.exit(failures === 0 ? 0 : 1);
+finish();

@@ -1,13 +1,12 @@
 // What the report says, on tables that are made here: report_facts_test.mjs FOLDER_OF_PAGE
 import { pathToFileURL } from 'node:url';
+import { check, finish } from './check.mjs';
 
 const { advantage, atAGlance, budgetOf, chooserOf, coupledRows, duel, findings, frontiers, paperSentences, partsRows, pointText, pointsOf, restitutionError, stabilityRows, stiffText } =
   await import(pathToFileURL(`${process.argv[2]}/facts.mjs`));
-let failures = 0;
 function equal(found, expected, what) {
   const holds = JSON.stringify(found) === JSON.stringify(expected);
-  console.log(`${holds ? 'ok    ' : 'FAILED'} ${what}${holds ? '' : `: ${JSON.stringify(found)}, not ${JSON.stringify(expected)}`}`);
-  if (!holds) ++failures;
+  check(holds, holds ? what : `${what}: ${JSON.stringify(found)}, not ${JSON.stringify(expected)}`);
 }
 
 // Error against run time.
@@ -106,5 +105,4 @@ equal(shows(paperSentences(figures([0.0178, 0.0381, 0.0176]))), all({}), 'each c
 equal(shows(paperSentences(figures([0.0175, 0.0176, 0.0381]))), all({ 4: false, 6: false, 7: false, 9: false }), 'or does not');
 equal(/largest 17\.8 mm against 37\.6 mm without/.test(paperSentences(figures([0.0178, 0.0381, 0.0176]))[2]), true, 'with the numbers');
 equal(shows(paperSentences(figures([NaN, NaN, NaN]))), all({ 2: false, 4: false, 6: false, 7: false, 9: false }), 'what is no number shows nothing');
-console.log(failures === 0 ? 'all is well' : `${failures} failures`);
-process.exit(failures === 0 ? 0 : 1);
+finish();

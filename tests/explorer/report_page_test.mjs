@@ -6,13 +6,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
+import { check, finish } from './check.mjs';
 
 const [chromium, cmake, source] = process.argv.slice(2);
-let failures = 0;
-function check(holds, what) {
-  console.log(`${holds ? 'ok    ' : 'FAILED'} ${what}`);
-  if (!holds) ++failures;
-}
 
 const folder = mkdtempSync(join(tmpdir(), 'report-')), tables = [];
 function table(name, header, rows) {
@@ -138,5 +134,4 @@ try {
 } finally {
   rmSync(folder, { recursive: true });
 }
-console.log(failures === 0 ? 'all is well' : `${failures} failures`);
-process.exit(failures === 0 ? 0 : 1);
+finish();

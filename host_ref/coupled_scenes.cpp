@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/limits.hpp"
 #include "host_ref/scene_values.hpp"
@@ -146,7 +147,7 @@ CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, Parts parts, con
   scene.restitution = at[10] > 0.75 ? 1 : between(part(at[10], 0, 0.75), 0.05, 0.99);
   scene.contact_damping = law == Law::hertz ? 0 : contact_damping(impact, scene.restitution).value();
 
-  result.energy = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
+  result.energy = kinetic_energy(scene, scene);
   const double at_start = std::sqrt(2 * result.energy), time = static_cast<double>(result.steps) * h;
   request.duration = time;
   const double by_drive = drive == DriveKind::none ? 0 : at_start * decade(at[11], 0.01, 30);
@@ -194,12 +195,6 @@ CoupledScene coupled_scene(Law law, Edge edge, unsigned index, Parts parts) {
   Place place;
   for (double& coordinate : place) coordinate = static_cast<double>(engine() >> 11) * 0x1p-53;
   return coupled_scene(law, edge, drives[index % 4], parts, place);
-}
-
-double energy_of(const Scene& scene, const Sample& sample) {
-  return (scene.main_mass * sample.v1 * sample.v1 + scene.ball_mass * sample.v2 * sample.v2 +
-          scene.main_stiffness * sample.x1 * sample.x1) /
-         2;
 }
 
 std::string text_of(const Request& request) {
@@ -263,7 +258,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
     if (is_in_field || drive != DriveKind::none)
       work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_to(now.x1, on_main);
     most_work = larger(most_work, work);
-    const double scale = found.energy + most_work, energy = energy_of(scene, now);
+    const double scale = found.energy + most_work, energy = mechanical_energy(scene, now);
     // While touching some of it is in the contact; no number is a gain without end.
     if (now.penetration < 0 || !(energy < 2 * scale)) {
       const double gain = (energy - found.energy - work) / scale;

@@ -36,8 +36,6 @@ CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, Parts parts, con
 // One at random, the same for the same index on every machine: every other one is driven.
 CoupledScene coupled_scene(Law law, Edge edge, unsigned index, Parts parts = Parts::none);
 
-double energy_of(const Scene& scene, const Sample& sample);  // of masses and main spring, J
-
 // The command that runs it. It names the files of samples, one a step, that only the run itself knows.
 constexpr const char *drive_file = "FORCES", *base_file = "ACCELERATIONS";
 std::string text_of(const Request& request);

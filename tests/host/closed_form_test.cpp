@@ -159,15 +159,11 @@ TEST(ClosedForm, ArgumentsOutOfRangeHaveNoValue) {
     };
     EXPECT_FALSE(refused(sound));
     for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
-      Impact impact = sound;
-      impact.contact_stiffness = bad;
-      EXPECT_TRUE(refused(impact));
-      impact = sound;
-      impact.reduced_mass = bad;
-      EXPECT_TRUE(refused(impact));
-      impact = sound;
-      impact.speed = bad;
-      EXPECT_TRUE(refused(impact));
+      for (double Impact::*member : {&Impact::contact_stiffness, &Impact::reduced_mass, &Impact::speed}) {
+        Impact impact = sound;
+        impact.*member = bad;
+        EXPECT_TRUE(refused(impact));
+      }
     }
     for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) {
       Impact impact = sound;

@@ -9,6 +9,7 @@
 #include <impact/absorber.hpp>
 #include <type_traits>
 
+#include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "random.hpp"
 
@@ -233,10 +234,7 @@ void is_not_put_deeper() {
     const auto now = absorber.reading();
     return now.x2 - now.x1 - scene.clearance / 2;
   };
-  const auto kinetic = [&] {
-    const auto now = absorber.reading();
-    return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2) / 2;
-  };
+  const auto kinetic = [&] { return host::kinetic_energy(scene, absorber.reading()); };
   for (int n = 0; n < 1000 && absorber.state().contact.phase != Phase::released; ++n) absorber.step();
   ASSERT_GT(inside(), 1e-4);
   const double before = kinetic(), depth = inside();
@@ -303,8 +301,7 @@ TYPED_TEST(CorrectionsInEveryFormat, OfNothingLeaveABallFarFromItsStop) {
     scene.clearance = 0.16;
     scene.x1 = side * 0.12;
     scene.x2 = -side * 0.12;
-    Bounds bounds;
-    bounds.displacement = 0.125;
+    const Bounds bounds{0.125};
     Kernel kernel(Kernel::PlanType::make(scene, bounds, 1e-4));
     EXPECT_FALSE(kernel.is_touching());
     for (int n = 0; n < 10; ++n) {

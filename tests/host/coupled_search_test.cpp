@@ -14,6 +14,7 @@
 
 #include "coupled_limits.hpp"
 #include "host_ref/coupled_scenes.hpp"
+#include "host_ref/energies.hpp"
 #include "search.hpp"
 
 namespace impact::host {
@@ -143,7 +144,7 @@ CoupledScene scene_of(const Kept& kept) {
   scene.x2 = kept.x2;
   scene.v2 = kept.v2;
   request.bounds = Bounds{kept.displacement_bound, kept.speed_bound, 0, 0};
-  result.energy = (kept.main_mass * kept.v1 * kept.v1 + kept.ball_mass * kept.v2 * kept.v2) / 2;
+  result.energy = kinetic_energy(scene, scene);
   result.steps = 2000;
   return result;
 }
@@ -351,7 +352,7 @@ TEST(FoundInAField, ABallWhoseContactHasSpentItsEnergyDoesNotSinkThroughItsStop)
   scene.x2 = 0.005237009987810709;
   scene.v2 = -0.079866032697389691;
   request.bounds = Bounds{0.023790882019704335, 2.3231616687360592, 0, 0, 0};
-  found.energy = (scene.main_mass * scene.v1 * scene.v1 + scene.ball_mass * scene.v2 * scene.v2) / 2;
+  found.energy = kinetic_energy(scene, scene);
   found.steps = 2000;
   EXPECT_TRUE(run_coupled(found).is_accepted);
   EXPECT_LE(badness(found), 1);
@@ -360,28 +361,11 @@ TEST(FoundInAField, ABallWhoseContactHasSpentItsEnergyDoesNotSinkThroughItsStop)
 // On a base that shakes a ball of 800 main masses gains 5 % of the energy by being put into its stop. Of what is paid
 // for that one step of Newton's method leaves a square, a second one the square of that.
 TEST(FoundInAField, WhatABallGainsByItsStopIsPaidForToTheSecondOrder) {
-  const Everywhere at = {1,
-                         0.9869875330067599,
-                         1,
-                         0.64729916253687747,
-                         1,
-                         0,
-                         1,
-                         1,
-                         0,
-                         0.35744453478244798,
-                         0.99237002075362835,
-                         1,
-                         0.99734956338331215,
-                         0.94163691008981298,
-                         0.30209607280327472,
-                         0.18031668536024631,
-                         0.92473774659018393,
-                         0.29490809602390566,
-                         0.23092883313144685,
-                         0.97648966748162846,
-                         0.98157180543121925};
-  const CoupledRun run = run_coupled(scene_at({Law::hunt_crossley, false, Stepper::energy, Numeric::float64}, at));
+  const Everywhere point =
+      at(1, 0.9869875330067599, 1, 0.64729916253687747, 1, 0, 1, 1, 0, 0.35744453478244798, 0.99237002075362835, 1,
+         0.99734956338331215, 0.94163691008981298, 0.30209607280327472, 0.18031668536024631, 0.92473774659018393,
+         0.29490809602390566, 0.23092883313144685, 0.97648966748162846, 0.98157180543121925);
+  const CoupledRun run = run_coupled(scene_at({Law::hunt_crossley, false, Stepper::energy, Numeric::float64}, point));
   EXPECT_TRUE(run.is_accepted);
   EXPECT_LE(run.gain, 4 * 0.05 * 0.05 * 0.05 * 0.05);
 }

@@ -1,6 +1,7 @@
 // The energy ledger: what contact dissipates and the drive's work against the reference, and the balance with the
 // motion's own energies, over half a second of the paper's scene.
 
+#include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
 
@@ -37,9 +38,7 @@ Errors errors_of(const Request& request) {
     if (now.penetration > 0) continue;
     keep(largest.dissipated, now.energy_dissipated - reference[n].energy_dissipated);
     keep(largest.drive_work, now.drive_work - reference[n].drive_work);
-    keep(largest.balance, scene.main_mass * now.v1 * now.v1 / 2 + scene.ball_mass * now.v2 * now.v2 / 2 +
-                              scene.main_stiffness * now.x1 * now.x1 / 2 + now.energy_dissipated + damped -
-                              now.drive_work);
+    keep(largest.balance, mechanical_energy(scene, now) + now.energy_dissipated + damped - now.drive_work);
   }
   return largest;
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/simulation.hpp"
 #include "kinds.hpp"
@@ -160,10 +161,7 @@ TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
       for (int n = 1; n <= std::lround(duration / step); ++n) {
         simulation->step(0);
         const Sample now = simulation->sample();
-        const double energy = (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
-                               scene.main_stiffness * now.x1 * now.x1) /
-                              2;
-        largest = larger(largest, std::sqrt(energy) / (growth * now.t));
+        largest = larger(largest, std::sqrt(mechanical_energy(scene, now)) / (growth * now.t));
       }
       EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << step;
       // In the first step the drive is small; a thousand impacts' share at most.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "against_reference.hpp"
+#include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
 #include "random.hpp"
@@ -14,6 +15,7 @@
 namespace impact {
 namespace {
 
+using host::energy_with_weight;
 using host::larger;
 
 constexpr double weight = 9.81;  // m/s^2
@@ -88,8 +90,7 @@ TYPED_TEST(FieldIn, BallBouncesInTheKernelAsInClosedForm) {
   for (const double e : {1.0, 0.7}) {
     Scene scene = on_the_ground();
     scene.restitution = e;
-    Bounds bounds;
-    bounds.displacement = 0.12;
+    const Bounds bounds{0.12};
     const double step = 1e-4;
     using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity>;
     const auto plan = Absorber::PlanType::make(scene, bounds, step);
@@ -269,12 +270,7 @@ TEST(Field, AStiffContactUnderWeightGainsNothingInWideBounds) {
     using Kernel = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Float64, Gravity>;
     Kernel absorber(Kernel::PlanType::make(scene, {found.displacement, found.speed, 0, 0}, found.step));
     ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
-    const auto energy = [&](const auto& now) {
-      return (scene.main_mass * now.v1 * now.v1 + scene.main_stiffness * now.x1 * now.x1 +
-              scene.ball_mass * now.v2 * now.v2) /
-                 2 -
-             scene.gravity * (scene.main_mass * now.x1 + scene.ball_mass * now.x2);
-    };
+    const auto energy = [&](const auto& now) { return energy_with_weight(scene, now); };
     const auto depth_of = [&](const auto& now) {
       return (found.stops == Stops::right ? now.x2 - now.x1 : now.x1 - now.x2) - scene.clearance / 2;
     };
@@ -335,9 +331,7 @@ TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
   scene.contact_stiffness = 3e9;
   scene.restitution = 0.5;
   scene.x1 = scene.x2 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
-  Bounds bounds;
-  bounds.displacement = 0.05;
-  bounds.speed = 0.3;
+  const Bounds bounds{0.05, 0.3};
   using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity>;
   const auto plan = Absorber::PlanType::make(scene, bounds, 1e-4);
   ASSERT_EQ(plan.status, PlanStatus::ok);
@@ -523,8 +517,7 @@ TYPED_TEST(FieldIn, BothMassesFallFreely) {
   scene.drive_amplitude = 0;
   scene.gravity = weight;
   scene.v1 = scene.v2 = -1;
-  Bounds bounds;
-  bounds.displacement = 0.5;
+  const Bounds bounds{0.5};
   for (const double step : {1e-3, 1e-4}) {
     using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>;
     Absorber absorber(Absorber::PlanType::make(scene, bounds, step));
@@ -559,9 +552,7 @@ double error(const Fields& fields, double step) {
   if (Law::is_linear) run.scene.contact_damping = 20.81;
   run.scene.x1 = run.scene.x2 = fields.gravity / 1000;
   const int ratio = static_cast<int>(std::lround(sample_step / step));
-  Bounds bounds;
-  bounds.displacement = 0.2;
-  bounds.speed = 3;
+  Bounds bounds{0.2, 3};
   if (fields.is_shaken) {
     bounds.base_acceleration = longest_shaking;
     run.base_step = sample_step;
@@ -609,8 +600,7 @@ TEST(Field, KernelKeepsItsOrderInAField) {
 TYPED_TEST(FieldIn, ChangeOfPlanKeepsTheMotion) {
   Scene scene;
   scene.gravity = weight;
-  Bounds bounds;
-  bounds.displacement = 0.2;
+  const Bounds bounds{0.2};
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity>;
   Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-4));
   for (int n = 0; n < 200; ++n) absorber.step();
@@ -629,9 +619,7 @@ TYPED_TEST(FieldIn, BallThatFallsTooFastIsClamped) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
   scene.gravity = weight;
-  Bounds bounds;
-  bounds.displacement = 1;
-  bounds.speed = 0.5;
+  const Bounds bounds{1, 0.5};
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>;
   Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-3));
   for (int n = 0; n < 2000000; ++n) absorber.step();

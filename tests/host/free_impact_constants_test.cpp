@@ -122,9 +122,7 @@ TEST(DeepestPenetration, HoldsABallThatIsPressed) {
   scene.main_stiffness = 100;
   scene.main_damping = scene.drive_amplitude = 0;
   scene.contact_stiffness = 1e6;
-  Bounds bounds;
-  bounds.displacement = 0.1;
-  bounds.speed = 1e-5;
+  Bounds bounds{0.1, 1e-5};
   bounds.force = 0;
   const double load = 1 / (1 / scene.main_mass + 1 / scene.ball_mass) * 100 * 0.1 / 10;
   const double linear = 2 * load / scene.contact_stiffness,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "against_reference.hpp"
+#include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
 #include "random.hpp"
@@ -14,6 +15,8 @@
 namespace impact {
 namespace {
 
+using host::energy_with_weight;
+using host::kinetic_energy;
 using host::larger;
 
 // Two free masses, without momentum: the ball slides at v and is stopped by R/mu over v^2/(2 R/mu) (mu: the reduced
@@ -60,9 +63,7 @@ constexpr double floor_of = sizeof(typename Format::Value) == sizeof(double) ? 1
 // Exact while it slides; it stops within a step, and then nothing moves any more.
 TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
   const Slide slide;
-  Bounds bounds;
-  bounds.displacement = 0.1;
-  bounds.speed = 0.3;
+  const Bounds bounds{0.1, 0.3};
   for (const double step : {1e-3, 1e-4}) {
     using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, DryFriction, EnergyLedger>;
     Absorber absorber(Absorber::PlanType::make(slide.scene, bounds, step));
@@ -88,20 +89,24 @@ TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
   }
 }
 
-// A ball that friction holds against its weight, half way up an upright cavity whose main mass vibrates: it does not
-// creep, nor does its rate chatter, in 10^6 steps.
-TYPED_TEST(FrictionIn, HeldBallDoesNotCreep) {
+// A ball that friction holds against its weight, half way up an upright cavity.
+Scene half_way_up() {
   Scene scene;
   scene.gravity = 9.81;
   scene.ball_friction = 6;
   scene.clearance = 0.04;
-  scene.main_damping = 1;
-  scene.drive_amplitude = 3;
   scene.x1 = 1.3 * 9.81 / 1000;
   scene.x2 = scene.x1 + 0.005;
-  Bounds bounds;
+  return scene;
+}
+
+// Beside a main mass that vibrates it does not creep, nor does its rate chatter, in 10^6 steps.
+TYPED_TEST(FrictionIn, HeldBallDoesNotCreep) {
+  Scene scene = half_way_up();
+  scene.main_damping = 1;
+  scene.drive_amplitude = 3;
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
-  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-4));
+  Absorber absorber(Absorber::PlanType::make(scene, Bounds{}, 1e-4));
   for (int n = 0; n < 1000000; ++n) {
     absorber.step();
     const auto now = absorber.reading();
@@ -146,8 +151,7 @@ TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
   run.base_step = sample_step;
   for (int n = 0; n < 2000; ++n) run.base_samples.push_back(amplitude * std::sin(pulsation * n * sample_step));
   host::Reference reference(run);
-  Bounds bounds;
-  bounds.displacement = 0.2;
+  Bounds bounds{0.2};
   bounds.base_acceleration = 10;
   using Absorber = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Float64, BaseAcceleration, DryFriction>;
   const auto plan = Absorber::PlanType::make(scene, bounds, sample_step);
@@ -184,9 +188,7 @@ double error(double gravity, double friction, double step) {
   run.scene.ball_friction = friction;
   if (Law::is_linear) run.scene.contact_damping = 20.81;
   run.scene.x1 = run.scene.x2 = gravity / 1000;
-  Bounds bounds;
-  bounds.displacement = 0.2;
-  bounds.speed = 3;
+  const Bounds bounds{0.2, 3};
   using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity, DryFriction>;
   Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
   const int ratio = static_cast<int>(std::lround(2e-3 / step));
@@ -198,23 +200,18 @@ double error(double gravity, double friction, double step) {
 TEST(Friction, IsOfSecondOrder) {
   for (const double gravity : {0.0, -9.81})
     for (const double friction : {0.5, 2.5}) {
-      const auto falls = [&](double coarse, double fine) {
-        EXPECT_LT(fine, 1.5 * coarse / 256 * 4) << gravity << " " << friction;
+      const auto falls = [&](auto law, auto stepper) {
+        const auto error_at = error<decltype(law), decltype(stepper), Float64>;
+        EXPECT_LT(error_at(gravity, friction, 6.25e-5), 1.5 * error_at(gravity, friction, 1e-3) / 256 * 4)
+            << gravity << " " << friction;
       };
-      using M = Moment;
-      using E = EnergyConsistent;
-      using A = AverageAcceleration;
-      falls(error<HuntCrossley, M, Float64>(gravity, friction, 1e-3),
-            error<HuntCrossley, M, Float64>(gravity, friction, 6.25e-5));
-      falls(error<HuntCrossley, E, Float64>(gravity, friction, 1e-3),
-            error<HuntCrossley, E, Float64>(gravity, friction, 6.25e-5));
-      falls(error<HuntCrossley, A, Float64>(gravity, friction, 1e-3),
-            error<HuntCrossley, A, Float64>(gravity, friction, 6.25e-5));
-      falls(error<HookeNewton, M, Float64>(gravity, friction, 1e-3),
-            error<HookeNewton, M, Float64>(gravity, friction, 6.25e-5));
-      EXPECT_LT((error<HuntCrossley, M, Float64>(gravity, friction, 1e-4)), 5e-7);
-      EXPECT_LT((error<HuntCrossley, M, Fixed32>(gravity, friction, 1e-4)), 1e-6);
-      EXPECT_LT((error<HuntCrossley, M, Float32>(gravity, friction, 1e-4)), 1e-6);
+      falls(HuntCrossley{}, Moment{});
+      falls(HuntCrossley{}, EnergyConsistent{});
+      falls(HuntCrossley{}, AverageAcceleration{});
+      falls(HookeNewton{}, Moment{});
+      EXPECT_LT((error<HuntCrossley, Moment, Float64>(gravity, friction, 1e-4)), 5e-7);
+      EXPECT_LT((error<HuntCrossley, Moment, Fixed32>(gravity, friction, 1e-4)), 1e-6);
+      EXPECT_LT((error<HuntCrossley, Moment, Float32>(gravity, friction, 1e-4)), 1e-6);
     }
 }
 
@@ -238,9 +235,7 @@ double largest_gain() {
     scene.v2 = random.between(-0.3, 0.3);
     scene.x1 = random.between(-0.01, 0.01);
     scene.x2 = scene.x1 + random.between(-0.45, 0.45) * scene.clearance;
-    Bounds bounds;
-    bounds.displacement = 0.5;
-    bounds.speed = 3;
+    const Bounds bounds{0.5, 3};
     using Absorber = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64, Gravity, DryFriction>;
     const auto plan = Absorber::PlanType::make(scene, bounds, random.wide(2e-5, 1e-3));
     if (plan.status != PlanStatus::ok) continue;
@@ -250,14 +245,10 @@ double largest_gain() {
       const auto now = absorber.reading();
       const double inside = std::abs(now.x2 - now.x1) - scene.clearance / 2;
       const double stored = inside > 0 ? 0.4 * scene.contact_stiffness * inside * inside * std::sqrt(inside) : 0;
-      return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
-              scene.main_stiffness * now.x1 * now.x1) /
-                 2 -
-             scene.gravity * (scene.main_mass * now.x1 + scene.ball_mass * now.x2) + stored;
+      return energy_with_weight(scene, now) + stored;
     };
     const double sag = (scene.main_mass + scene.ball_mass) * scene.gravity / scene.main_stiffness;
-    const double size = scene.main_mass * scene.v1 * scene.v1 / 2 + scene.ball_mass * scene.v2 * scene.v2 / 2 +
-                        scene.main_stiffness * (scene.x1 - sag) * (scene.x1 - sag) / 2 +
+    const double size = kinetic_energy(scene, scene) + scene.main_stiffness * (scene.x1 - sag) * (scene.x1 - sag) / 2 +
                         scene.ball_mass * std::abs(scene.gravity) * scene.clearance;
     double least = energy();
     for (int n = 0; n < 20000; ++n) {
@@ -281,9 +272,7 @@ TYPED_TEST(FrictionIn, LedgerHasItsOwnLine) {
   run.scene.gravity = -9.81;
   run.scene.ball_friction = 2;
   run.scene.x1 = run.scene.x2 = -0.00981;
-  Bounds bounds;
-  bounds.displacement = 0.2;
-  bounds.speed = 3;
+  const Bounds bounds{0.2, 3};
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction, EnergyLedger>;
   Absorber absorber(Absorber::PlanType::make(run.scene, bounds, 1e-4));
   for (int n = 0; n < 4000; ++n) absorber.step();
@@ -304,19 +293,11 @@ TEST(Friction, LedgerClosesByTheAverageAcceleration) {
   scene.ball_friction = 2;
   scene.main_damping = 0;
   scene.x1 = scene.x2 = -0.00981;
-  Bounds bounds;
-  bounds.displacement = 0.2;
-  bounds.speed = 3;
+  const Bounds bounds{0.2, 3};
   using Absorber =
       Absorber<AtRunTime, HuntCrossley, AverageAcceleration, Sine, Float64, Gravity, DryFriction, EnergyLedger>;
   Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-3));
-  const auto energy = [&] {
-    const auto now = absorber.reading();
-    return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
-            scene.main_stiffness * now.x1 * now.x1) /
-               2 -
-           scene.gravity * (scene.main_mass * now.x1 + scene.ball_mass * now.x2);
-  };
+  const auto energy = [&] { return energy_with_weight(scene, absorber.reading()); };
   const double at_start = energy();
   for (int n = 0; n < 2000 || absorber.is_touching(); ++n) absorber.step();
   const auto& plan = absorber.plan;
@@ -391,17 +372,12 @@ TYPED_TEST(FrictionIn, NothingChangesNothing) {
 // the ball goes on as in closed form, and the friction's line of the ledger has what both masses have lost since.
 TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {
   Slide slide;
-  Bounds bounds;
-  bounds.displacement = 0.1;
-  bounds.speed = 0.5;
+  const Bounds bounds{0.1, 0.5};
   slide.scene.ball_friction = 20;
   const double deceleration = 20 * (1 / slide.scene.main_mass + 1 / slide.scene.ball_mass), step = 1e-4;
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, DryFriction, EnergyLedger>;
   Absorber absorber(Absorber::PlanType::make(slide.scene, bounds, step));
-  const auto energy = [&] {
-    const auto now = absorber.reading();
-    return (slide.scene.main_mass * now.v1 * now.v1 + slide.scene.ball_mass * now.v2 * now.v2) / 2;
-  };
+  const auto energy = [&] { return kinetic_energy(slide.scene, absorber.reading()); };
   for (int n = 0; n < 3; ++n) absorber.step();
   absorber.correct({}, TypeParam::sample(0.4 / absorber.velocity_unit()));
   const auto corrected = absorber.reading();
@@ -418,16 +394,10 @@ TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {
 // A ball that sticks under load goes on doing so: each correction begins with twice half an impulse, which the spring
 // makes (w0 h)^2 of g h^2 less or more than a whole one.
 TYPED_TEST(FrictionIn, HeldBallDoesNotCreepUnderCorrections) {
-  Scene scene;
-  scene.gravity = 9.81;
-  scene.ball_friction = 6;
-  scene.clearance = 0.04;
-  scene.x1 = 1.3 * 9.81 / 1000;
-  scene.x2 = scene.x1 + 0.005;
+  Scene scene = half_way_up();
   scene.drive_amplitude = 0;
-  Bounds bounds;
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
-  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-4));
+  Absorber absorber(Absorber::PlanType::make(scene, Bounds{}, 1e-4));
   for (int n = 0; n < 100000; ++n) {
     absorber.step();
     absorber.correct({}, {});
@@ -439,9 +409,7 @@ TYPED_TEST(FrictionIn, HeldBallDoesNotCreepUnderCorrections) {
 // To a plan without friction and back: nothing of the last impulse is left.
 TYPED_TEST(FrictionIn, EndsByAChangeOfPlan) {
   const Slide slide;
-  Bounds bounds;
-  bounds.displacement = 0.1;
-  bounds.speed = 0.3;
+  const Bounds bounds{0.1, 0.3};
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, DryFriction>;
   Scene smooth = slide.scene;
   smooth.ball_friction = 0;

@@ -34,9 +34,7 @@ double largest_miss(double damping, double steps_per_contact) {
                               : 0;
   scene.main_damping = damping * scene.main_mass / (time / 8);
   scene.v2 = v;
-  Bounds bounds;
-  bounds.displacement = 0.1;
-  bounds.speed = 0.81;
+  Bounds bounds{0.1, 0.81};
   bounds.force = 0;
   const double h = time / steps_per_contact;
   double worst = 0;

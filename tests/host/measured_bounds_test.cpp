@@ -9,6 +9,7 @@
 #include <random>
 #include <string>
 
+#include "host_ref/energies.hpp"
 #include "host_ref/tool/run.hpp"
 
 namespace impact::host {
@@ -73,13 +74,6 @@ Request random_request(unsigned seed) {
   return request;
 }
 
-double energy(const Scene& scene, const Sample& now) {
-  return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
-          scene.main_stiffness * now.x1 * now.x1) /
-             2 -
-         scene.gravity * (scene.main_mass * now.x1 + scene.ball_mass * now.x2);
-}
-
 TEST(MeasuredBounds, HoldAndGainNothing) {
   const char* const asked = std::getenv("IMPACT_MEASURED_SCENES");
   const unsigned scenes = asked ? static_cast<unsigned>(std::atol(asked)) : 300;
@@ -89,9 +83,10 @@ TEST(MeasuredBounds, HoldAndGainNothing) {
     double first = 0, largest = 0;
     try {
       const Outcome outcome = attempted(request, [&](Simulation& simulation) {
-        first = largest = energy(request.scene, simulation.sample());
-        run(simulation, request, 1,
-            [&](long, const double*, long) { largest = larger(largest, energy(request.scene, simulation.sample())); });
+        first = largest = energy_with_weight(request.scene, simulation.sample());
+        run(simulation, request, 1, [&](long, const double*, long) {
+          largest = larger(largest, energy_with_weight(request.scene, simulation.sample()));
+        });
       });
       ++runs;
       const std::string context = "scene " + std::to_string(seed) + ": " + std::string(name_of(outcome.made.stepper)) +

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <impact/absorber.hpp>
 
+#include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "random.hpp"
 
@@ -52,9 +53,7 @@ template <class Law, class Reading>
 double energy(const Scene& scene, const Reading& at) {
   const double inside = larger(std::abs(at.x2 - at.x1) - scene.clearance / 2, 0.0), k = scene.contact_stiffness;
   const double stored = Law::is_linear ? k * inside * inside / 2 : 0.4 * k * std::pow(inside, 2.5);
-  return (scene.main_mass * at.v1 * at.v1 + scene.main_stiffness * at.x1 * at.x1 + scene.ball_mass * at.v2 * at.v2) /
-             2 +
-         stored;
+  return mechanical_energy(scene, at) + stored;
 }
 
 // Of the energy, on average over the last steps; not a number where the plan refuses.

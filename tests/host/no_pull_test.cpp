@@ -199,9 +199,7 @@ double miss_where_a_drive_draws(double damping, double depth, double h) {
   run.sample_step = h;
   run.samples.assign(static_cast<size_t>(0.06 / h + 1.5), 1.0);
   run.samples[0] = 0;
-  Bounds bounds;
-  bounds.displacement = 0.03;
-  bounds.speed = 0.25;
+  Bounds bounds{0.03, 0.25};
   bounds.force = 1.1;
   return largest_miss<Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>>(run, bounds, h, 0.06);
 }
@@ -216,9 +214,7 @@ double miss_of_a_shaken_upright(double speed_of_restitution, double h) {
   run.scene.contact_damping = Exact::damping_ratio(0.05) * run.scene.contact_stiffness / speed_of_restitution;
   run.base_step = h;
   for (int n = 0; n * h < 1.2 + h; ++n) run.base_samples.push_back(n * h < 0.6 ? 0 : 14 * std::sin(25 * (n * h - 0.6)));
-  Bounds bounds;
-  bounds.displacement = 0.1;
-  bounds.speed = 3;
+  Bounds bounds{0.1, 3};
   bounds.force = 0;
   bounds.base_acceleration = 14.1;
   return largest_miss<Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, BaseAcceleration>>(run, bounds, h,

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/energies.hpp"
 #include "host_ref/error_measures.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/paper_scene.hpp"
@@ -64,10 +65,6 @@ Samples samples_of(const Case& run, int seconds) {
 double lone_x1(Case run, double t) {
   run.scene.clearance = 1e6;
   return sample_at(run, t).x1;
-}
-
-double mechanical_energy(const Scene& scene, const Sample& s) {
-  return (scene.main_mass * s.v1 * s.v1 + scene.main_stiffness * s.x1 * s.x1 + scene.ball_mass * s.v2 * s.v2) / 2;
 }
 
 TEST(ReferenceFlight, DampedVibration) {

@@ -9,6 +9,8 @@
 #include <impact/absorber.hpp>
 #include <type_traits>
 
+#include "host_ref/energies.hpp"
+
 namespace impact {
 namespace {
 
@@ -48,8 +50,7 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
   const double unit = plan.units.si_penetration_unit();
   const double work = state.drive_work.total() * plan.drive_scale * unit;
   const double dissipated = state.dissipated.total() * plan.force_scale * unit;
-  const double energy = scene.main_mass * now.v1 * now.v1 / 2 + scene.ball_mass * now.v2 * now.v2 / 2 +
-                        scene.main_stiffness * now.x1 * now.x1 / 2;
+  const double energy = host::mechanical_energy(scene, now);
   const double total = static_cast<double>(steps + extra);  // A step's two products of the drive, each by half an LSB;
                                                             // in Float32 of at most 10 N over 1 ms of 2 m/s, and as
   // much for the additions. A contact has two more and the energy stored, in its own unit.
@@ -139,11 +140,7 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
 
   Kernel absorber;
   auto before = absorber.reading();
-  const auto energy_of = [](const typename Kernel::Reading& now) {
-    return (scene.main_mass * now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2 +
-            scene.main_stiffness * now.x1 * now.x1) /
-           2;
-  };
+  const auto energy_of = [](const typename Kernel::Reading& now) { return host::mechanical_energy(scene, now); };
   const double at_start = energy_of(before);
   double by_field = 0, in_contacts = 0, field = scene.gravity;
   long turns = 0, stuck = 0, n = 0;

@@ -1,0 +1,79 @@
+// The table of values.hpp is read wherever a value has an effect: a value that is added to it, and forgotten elsewhere,
+// fails here.
+
+#include <gtest/gtest.h>
+
+#include <impact/absorber.hpp>
+#include <impact/explain.hpp>
+
+#include "host_ref/scene_values.hpp"
+
+namespace impact::host {
+namespace {
+
+// With every part, at a step at which any of these values may change a little.
+using WithParts = Absorber<AtRunTime, Exact, Moment, Sampled, Float64, BaseAcceleration, DryFriction>::PlanType;
+using WithoutParts = Absorber<AtRunTime, HuntCrossley, Moment, Sine, Float64>::PlanType;
+
+Values machine() {
+  Scene scene;
+  scene.contact_damping = 19560;
+  return {scene, Bounds{}, 1e-4};
+}
+
+double near(double value) { return value > 0 || value < 0 ? value * 0.99 : 1e-3; }
+
+TEST(Values, EachChangesTheIdentityOfThePlan) {
+  Values values = machine();
+  values.bounds.penetration = 0.05;
+  values.bounds.base_acceleration = 12;
+  const auto plan = WithParts::make(values.scene, values.bounds, values.step);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  for (const ParameterEntry& row : parameters) {
+    Values other = values;
+    double& value = *other.find(row.parameter);
+    value = near(value);
+    const auto changed = WithParts::make(other.scene, other.bounds, other.step);
+    EXPECT_EQ(changed.status, PlanStatus::ok) << row.name;
+    EXPECT_NE(changed.identity, plan.identity) << row.name;
+  }
+}
+
+// A restitution has no part: a law that has its own damping does not read it.
+TEST(Values, OfAPartAreRefusedByNameWithoutIt) {
+  for (const ParameterEntry& row : parameters) {
+    if (!row.is_of_part || row.parameter == Parameter::restitution) continue;
+    Values values = machine();
+    *values.find(row.parameter) = 1e-3;
+    const auto plan = WithoutParts::make(values.scene, values.bounds, values.step);
+    EXPECT_NE(plan.status, PlanStatus::ok) << row.name;
+    EXPECT_EQ(explain(plan.status, values).parameter, row.parameter) << row.name;
+  }
+}
+
+// A part that the tool does not name would leave the motion as it is.
+TEST(Values, OfAPartChangeTheMotionInTheTool) {
+  const auto end_of = [](const Request& request) {
+    const Outcome outcome = make_simulation(request);
+    if (!outcome.simulation) return open_bound;
+    for (int n = 0; n < 2000; ++n) outcome.simulation->step(0);
+    EXPECT_EQ(outcome.simulation->fault(), nullptr);
+    EXPECT_GT(outcome.simulation->sample().impacts, 0);
+    return outcome.simulation->sample().x2;
+  };
+  Request request;
+  request.stepper = Stepper::moment;
+  request.damping = Damping::exact;
+  request.bounds = Bounds{};
+  const double without = end_of(request);
+  for (const ParameterEntry& row : parameters) {
+    if (!row.is_of_part || !row.in_scene) continue;
+    Request other = request;
+    value_in(other, row) = row.parameter == Parameter::restitution ? 0.5 : 0.1;
+    const double with = end_of(other);
+    EXPECT_TRUE(with < without || with > without) << row.name << " " << with;
+  }
+}
+
+}  // namespace
+}  // namespace impact::host

@@ -18,8 +18,8 @@ struct Option {
   std::string placeholder;  // stands for the value in --help; empty for a flag
   std::string help;
   std::string allowed;
-  std::string initial;  // the default
-  bool scene;
+  std::string initial;                                       // the default
+  bool scene;                                                // may be a column of a sweep
   std::function<bool(Settings&, const std::string&)> store;  // false: the value is not allowed
   bool is_choice = false;                                    // of names
 
@@ -51,7 +51,7 @@ Value initial_value(const Field<Value>& field) {
   return field(settings);
 }
 
-Option number(const std::string& name, const std::string& unit, Range range, const Field<double>& field,
+Option number(const std::string& name, const std::string& unit, Range range, const Field<double>& field, bool scene,
               const char* help) {
   std::string placeholder = unit.substr(0, 3) == "of " ? "E" : unit.substr(0, unit.find(" ("));
   std::replace(placeholder.begin(), placeholder.end(), ' ', '.');
@@ -60,7 +60,7 @@ Option number(const std::string& name, const std::string& unit, Range range, con
           help,
           "a number from " + short_text(range.least) + " to " + short_text(range.most) + " " + unit,
           short_text(initial_value(field)),
-          true,
+          scene,
           [=](Settings& settings, const std::string& text) {
             const auto value = number_from(text);
             if (!value || !range.holds(*value)) return false;
@@ -72,7 +72,7 @@ Option number(const std::string& name, const std::string& unit, Range range, con
 Option number(const ParameterEntry& row) {
   const Field<double> field = [&row](Settings& settings) -> double& { return value_in(settings.request, row); };
   const std::string name = option_of(row);
-  Option option = number(name, row.unit, row.range, field, row.meaning);
+  Option option = number(name, row.unit, row.range, field, true, row.meaning);
   if (row.in_bounds) option.initial = "1.5 times what a float64 run reaches";
   for (const auto& [of, initial] :
        {std::pair("step",
@@ -148,7 +148,7 @@ const std::vector<Option>& options() {
                "moment-n into as many as required"),
         choice("numeric", numerics, field(&Request::numeric),
                "number format; the state of float32 is compensated, that of float32-plain is not"),
-        number("duration", "s", {0, 1e7}, field(&Request::duration),
+        number("duration", "s", {0, 1e7}, field(&Request::duration), true,
                "simulated time, rounded to whole steps, at most 1e9 of them")
             .by_default("1, or as long as the samples of a file last")};
     for (const ParameterEntry& row : parameters) all.push_back(number(row));
@@ -156,7 +156,7 @@ const std::vector<Option>& options() {
 
         choice("stops", stops_kinds, field(&Scene::stops), "stops that the ball can reach"),
 
-        number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed),
+        number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed), true,
                "speed at which hunt-crossley has the restitution of --restitution; the other laws do not read it"),
         flag("paper-damping", field(&Settings::paper_damping), true,
              "with --restitution: the paper's (2.3), (2.4) and (2.9) instead of the exact relation"),

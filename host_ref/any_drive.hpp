@@ -1,6 +1,6 @@
 #pragma once
-// A drive that is a sine where the scene has a pulsation, and samples where it has none: the tool's, which thus
-// compiles each kernel once. Every bit is that of Sine or of Sampled.
+// The tool's drive: a sine if the scene has a pulsation, and samples if it has none. Each kernel is therefore compiled
+// only once. Every bit is that of Sine or of Sampled.
 
 #include <impact/motion/no_drive.hpp>
 #include <impact/motion/sampled.hpp>
@@ -8,7 +8,7 @@
 
 namespace impact::host {
 
-struct AnyDrive : NoDrive {  // whose Handover it has: the tool changes no plan while it runs
+struct AnyDrive : NoDrive {  // has the Handover of NoDrive, since the tool changes no plan while it runs
   static constexpr bool is_sine = false, is_sampled = true;  // step() takes a sample; a sine does not look at it
 
   template <class Format>

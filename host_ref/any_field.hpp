@@ -1,12 +1,12 @@
 #pragma once
-// A field that is a base's acceleration where the bounds have one, and weight where they have none: the tool's, which
-// thus compiles each kernel with parts once. Every bit is that of BaseAcceleration or of Gravity.
+// The tool's field: a base's acceleration if the bounds have one, else weight. Each kernel with parts is therefore
+// compiled only once. Every bit is that of BaseAcceleration or of Gravity.
 
 #include <impact/motion/field.hpp>
 
 namespace impact::host {
 
-struct AnyField : BaseAcceleration {  // whose constants are all 0 for weight: its samples do nothing then
+struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samples have no effect
   template <class Format>
   struct FieldPlan : BaseAcceleration::FieldPlan<Format> {
     bool is_shaken;

@@ -13,7 +13,7 @@ bool in_range(const Impact& impact) {
          std::isfinite(impact.contact_stiffness + impact.contact_damping + impact.reduced_mass + impact.speed);
 }
 
-// The argument where a function that is negative at `low` and not at `high` changes sign.
+// The argument at which a function changes sign that is negative at `low` and not at `high`.
 template <typename Function>
 double sign_change(Function function, double low, double high) {
   for (;;) {
@@ -29,8 +29,8 @@ double damping_ratio(const Impact& impact) {
 }
 double approach_energy(const Impact& impact) { return impact.reduced_mass * impact.speed * impact.speed / 2; }
 
-// acos(zeta) / sqrt(1 - zeta^2), continued past 1: the phase omega t of the deepest penetration, and half that of zero
-// force.
+// acos(zeta) / sqrt(1 - zeta^2), continued beyond zeta = 1. It is the phase omega t of the deepest penetration, and
+// half of the phase of zero force.
 double phase_of_peak(double zeta) {
   const double distance = 1 - zeta;
   if (std::abs(distance) < 1e-4) return 1 + distance * (1.0 / 3 + distance * (2.0 / 15 + distance * (2.0 / 35)));
@@ -59,13 +59,14 @@ double hunt_crossley_restitution(double a) {
   return std::min(1.0, sign_change([&](double w) { return G(-w) - target; }, 0, std::min(a, 1.0)) / a);
 }
 
-// Where the speed has fallen from a to x, in units of k1 / c1: `fall` = (G(a) - G(x)) / a^2, 1/2 at the peak for Hertz.
+// The penetration at which the speed has fallen from a to x, in units of k1 / c1. `fall` = (G(a) - G(x)) / a^2, which
+// is 1/2 at the peak for Hertz.
 double penetration(const Impact& impact, double fall) {
   return std::pow(5 * approach_energy(impact) / impact.contact_stiffness * fall, 0.4);
 }
 
-// Integral over [0, length] of a function of the distances to both ends, at which it may be singular (tanh-sinh,
-// Takahasi & Mori 1974).
+// The integral over [0, length] of a function of the distances to both ends, where it may be singular (tanh-sinh
+// method, Takahasi & Mori 1974).
 template <typename Function>
 double integral(Function function, double length) {
   constexpr double step = 1.0 / 64;
@@ -81,8 +82,9 @@ double integral(Function function, double length) {
 
 double hertz_peak_penetration(const Impact& impact) { return penetration(impact, 0.5); }
 
-// For strong damping, by y = ln(1 + c1 V/k1), since 1 + c1 V/k1 at the end is exp(-1 - a), less than a double's last
-// place of 1: dt = mu v0/(a k1) dy / delta^(3/2), from y = ln(1 + a) down to the -w with the same exp(y) - 1 - y.
+// The contact time for strong damping. At the end 1 + c1 V/k1 is exp(-1 - a), less than an LSB of 1 in double.
+// Therefore the variable is y = ln(1 + c1 V/k1), with dt = mu v0/(a k1) dy / delta^(3/2). It runs from ln(1 + a) down
+// to the -w with the same exp(y) - 1 - y.
 double hunt_crossley_contact_time(const Impact& impact, double a) {
   const double start = std::log1p(a), level = a - start;
   const double w = sign_change([&](double end) { return end + std::expm1(-end) - level; }, 0, level + 1);
@@ -202,7 +204,7 @@ std::optional<double> peak_force(const Impact& impact) {
     case Law::hunt_crossley: {
       const double a = impact.contact_damping * impact.speed / impact.contact_stiffness;
       if (a <= 0) return impact.contact_stiffness * std::pow(hertz_peak_penetration(impact), 1.5);
-      // Where d/dx of (G(a) - G(x))^(3/5) (1 + x) vanishes: G(a) - G(x) = 3 x / 5.
+      // d/dx of (G(a) - G(x))^(3/5) (1 + x) is 0 at G(a) - G(x) = 3 x / 5.
       const double x = sign_change([&](double speed) { return 0.6 * speed - gain(a, a - speed); }, 0, a);
       return impact.contact_stiffness * (1 + x) * std::pow(penetration(impact, gain(a, a - x) / (a * a)), 1.5);
     }

@@ -16,10 +16,10 @@ namespace {
 
 double between(double u, double least, double most) { return least + (most - least) * u; }
 double decade(double u, double least, double most) { return std::exp(between(u, std::log(least), std::log(most))); }
-// For a coordinate that chooses and then says how much: its place in [from, to].
+// Rescales a coordinate in [from, to] to 0 to 1. One coordinate first chooses a case and then its size.
 double part(double u, double from, double to) { return std::clamp((u - from) / (to - from), 0.0, 1.0); }
 
-// From -1 to 1, by the finaliser of Steele, Lea & Flood's SplitMix64 (2014).
+// A random number from -1 to 1, by the finaliser of Steele, Lea & Flood's SplitMix64 (2014).
 double noise(long i) {
   uint64_t z = static_cast<uint64_t>(i) * 0x9E3779B97F4A7C15u;
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -31,7 +31,7 @@ double noise(long i) {
 constexpr int order = 24;
 struct Force {
   double f[order + 1] = {};
-  double spread = 0;  // the largest less the least
+  double spread = 0;  // the largest minus the smallest
   double at_end = 0;
 
   static Force sine(const Scene& scene, double t, double h) {
@@ -79,7 +79,7 @@ struct Flight {
     double a[order + 1] = {x, u};
     const double turn = stiffness * h * h / mass, share = h * h / mass;
     for (int n = 0; n + 2 <= order; ++n) a[n + 2] = (share * force.f[n] - turn * a[n]) / ((n + 1) * (n + 2));
-    // The work by Gauss's method on 8 points: of degree 15.
+    // The work by Gauss's method on 8 points, exact up to degree 15.
     constexpr double points[][2] = {
         {0.019855071751231856, 0.050614268145188088}, {0.10166676129318658, 0.11119051722668723},
         {0.2372337950418355, 0.15685332293894369},    {0.40828267875217511, 0.181341891689181},
@@ -98,7 +98,7 @@ struct Flight {
     for (int n = order; n >= 0; --n) end += a[n];
   }
 
-  // With that of what else has moved the mass to x.
+  // Adds the work on the displacement that contact and friction added up to x.
   double work_to(double x, const Force& force) const {
     return work + (x - end) * (force.f[0] + force.at_end) / 2 + std::abs(x - end) * force.spread / 2;
   }
@@ -243,7 +243,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
     if (drive == DriveKind::sine) on_main = Force::sine(scene, t, h);
     if (drive == DriveKind::sampled) on_main = Force::line(force, share_of(found.samples, scene, now, t, i) * size);
     force = on_main.at_end;
-    // Another number of the noise's, and against the main mass's way.
+    // The base has other random numbers than the drive, and moves against the main mass.
     const double next_base = -share_of(found.samples, scene, now, t, i + found.steps) * largest_base;
     outcome.simulation->step(force, next_base);
     const Sample before = now;
@@ -259,7 +259,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
       work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_to(now.x1, on_main);
     most_work = larger(most_work, work);
     const double scale = found.energy + most_work, energy = mechanical_energy(scene, now);
-    // While touching some of it is in the contact; no number is a gain without end.
+    // While the ball touches, the contact stores some energy. A NaN counts as an infinite gain.
     if (now.penetration < 0 || !(energy < 2 * scale)) {
       const double gain = (energy - found.energy - work) / scale;
       if (!(gain <= result.gain)) result.gain = gain;

@@ -1,13 +1,16 @@
 #pragma once
-// Random scenes of the coupled machine: a ball between two stops in a mass on a spring, undamped but for its contacts,
-// over masses 1e-2 to 1e2 kg, mass ratios 1e-3 to 1e3, w0 h up to 0.9, stiffnesses 1e2 to 1e13, clearances 1e-5 to 0.1
-// m, and two edges of that: a ball that crosses its clearance within a step, and a ball of three to a thousand times
-// the main mass. Undriven, driven by a sine of 1e-4 to 2.9 rad a step, half of them within 5 % of the main mass's own,
-// or by samples: noise, a square wave, or a force that always pushes where the main mass goes.
+// Random scenes of the coupled machine: a ball between two stops in a mass on a spring. Only the contacts are damped.
 //
-// The bounds are what the energy at the start and the drive allow, no tighter and no wider: with E the energy of all,
-// E' <= F |v1| and |v1| <= (2 E/M)^(1/2), so that (2 E)^(1/2) grows by no more than F t/M^(1/2), and in a field of a by
-// no more than a t (M + m)^(1/2).
+//     main mass 1e-2 to 1e2 kg     mass ratio 1e-3 to 1e3      w0 h up to 0.9
+//     stiffness 1e2 to 1e13        clearance 1e-5 to 0.1 m
+//
+// Some scenes are at an edge: a ball that crosses its clearance within a step, or one of 3 to 1000 times the main mass.
+// The drive is none, a sine of 1e-4 to 2.9 rad per step, or samples. Half of the sines are within 5 % of the main
+// mass's own frequency. Samples are noise, a square wave, or a force that always pushes in the direction of motion.
+//
+// The bounds are exactly what the energy at the start and the drive allow. With the total energy E, E' <= F |v1| and
+// |v1| <= (2 E/M)^(1/2). Therefore (2 E)^(1/2) grows by at most F t/M^(1/2), and in a field a by at most a t (M +
+// m)^(1/2).
 
 #include <array>
 #include <string>
@@ -27,30 +30,30 @@ struct CoupledScene {
   double base = 0;                   // the base's largest acceleration, m/s^2
 };
 
-// What a scene is drawn by: each coordinate from 0 to 1. The last three are of its parts.
+// The coordinates of a scene, each from 0 to 1. The last three are for its parts.
 constexpr size_t coordinates = 18;
 using Place = std::array<double, coordinates>;
 enum class Parts { none, some };
 CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, Parts parts, const Place& place);
 
-// One at random, the same for the same index on every machine: every other one is driven.
+// A random scene. The same index gives the same scene on every machine. Every second scene has a drive.
 CoupledScene coupled_scene(Law law, Edge edge, unsigned index, Parts parts = Parts::none);
 
-// The command that runs it. It names the files of samples, one a step, that only the run itself knows.
+// The command that runs a scene. Its files of samples, one per step, exist only in the run itself.
 constexpr const char *drive_file = "FORCES", *base_file = "ACCELERATIONS";
 std::string text_of(const Request& request);
 
-// Steps the scene. The energy that contact has made is that of both masses and the main spring, less the energy at the
-// start and the work of drive and field; counted while the ball is apart, over the energy at the start and the most
-// work until then. The work is that of the exact flight, and in a step with contact or friction that on the
-// displacement x by them as well: it lies between x times the least and the largest force in the step, and the most is
-// taken.
+// Steps the scene. The energy gain of contacts is the energy of both masses and the main spring, minus the energy at
+// the start and the work of drive and field. It is measured while the ball is apart, relative to the energy at the
+// start plus the largest work until then. The work is that of the exact flight. Contact and friction may move a mass by
+// a further x in a step. The work on x lies between x times the smallest and x times the largest force in the step, and
+// the larger one counts.
 struct CoupledRun {
   bool is_accepted = false, has_fault = false;
-  bool is_warned = false;  // of a stepper that was named, that it may gain energy
+  bool is_warned = false;  // true if the tool warns that the named stepper may gain energy
   double gain = 0;
-  double returned = 0;  // what the ledger ever went back by, over the same
-  // The same gain with what friction's ledger has taken, and what that ever went back by.
+  double returned = 0;  // the largest decrease of the ledger, relative to the same energy
+  // The same two numbers including friction and its ledger.
   double rubbed = 0;
 };
 CoupledRun run_coupled(const CoupledScene& scene);

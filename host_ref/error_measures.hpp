@@ -1,11 +1,11 @@
 #pragma once
-// What "error" means, once for the tests, the tool and the report.
+// The definition of "error" for the tests, the tool and the report.
 //
-// Point by point: the largest |x1 - x1 of the reference| over the samples, in metres, on a horizon over which
-// trajectories are comparable. Past it they part company whatever computes them, and only statistics compare.
+// Point by point it is the largest |x1 - x1 of the reference| over the samples, in metres. It makes sense only for as
+// long as trajectories are comparable. The motion is chaotic, so later only statistics can be compared.
 //
-// A run in 32 bits has two errors: the method's, of the same scheme run in float64 against the reference, and
-// rounding's, of the 32-bit run against that float64 run.
+// A run in 32 bits has two errors. That of the method is the difference between the same scheme in float64 and the
+// reference. That of rounding is the difference between the 32-bit run and that float64 run.
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@ namespace impact::host {
 
 using Samples = std::vector<Sample>;
 
-// Largest |x1| difference, m, over the samples that both have; they are to be at the same instants.
+// The largest difference of x1, m, over the samples that both have. They must be at the same instants.
 double largest_difference(const Samples& a, const Samples& b);
 
 struct ErrorParts {
@@ -24,10 +24,10 @@ struct ErrorParts {
 };
 ErrorParts error_parts(const Samples& reference, const Samples& float64, const Samples& rounded);
 
-// When |x1| of a and b first differ by `threshold` metres: the horizon of comparability.
+// The instant at which x1 of a and b first differ by `threshold` metres. Until then they are comparable.
 std::optional<double> time_of_difference(const Samples& a, const Samples& b, double threshold);
 
-// Of the samples from the instant `from` on, evenly spaced.
+// Statistics of the samples from the instant `from` on, which must be evenly spaced.
 struct Statistics {
   double rms = 0;               // of x1, m
   double maximum = 0;           // of |x1|, m

@@ -1,6 +1,6 @@
 #pragma once
-// The larger and the smaller of two numbers, and a NaN where either is one: IEEE 754-2019's maximum and minimum.
-// A largest error taken by std::max(largest, error) or std::fmax drops a NaN and passes; this one fails every bound.
+// The larger and the smaller of two numbers, or a NaN if either is one: maximum and minimum of IEEE 754-2019. With
+// std::max(largest, error) or std::fmax the largest error loses a NaN, and a test passes. With this one it fails.
 
 namespace impact::host {
 

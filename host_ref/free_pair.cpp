@@ -9,7 +9,7 @@
 namespace impact::host {
 namespace {
 
-// A contact that comes too late out of a contact does so within four times its length and a few steps.
+// A contact that ends too late still ends within four times its length and a few steps.
 long most_steps(const FreePair& free) {
   return std::lround(4 * contact_time(impact_of(free)).value() / free.step) + 20;
 }
@@ -85,7 +85,7 @@ std::optional<Rebounds> rebounds(const FreePair& free, Stepper stepper, Numeric 
 
 std::optional<Rebounds> rebounds(Request request, long steps, const MakeSimulation& make) {
   Rebounds result;
-  const long looked_every = std::max(1L, steps / 64);  // apart, the pair keeps its velocities
+  const long looked_every = std::max(1L, steps / 64);  // while apart, the pair keeps its velocities
   const double first = request.scene.x2, speed = request.scene.v2 - request.scene.v1;
   for (int i = 0; i < phases_of_impact; ++i) {
     const double phase = static_cast<double>(i) / phases_of_impact;

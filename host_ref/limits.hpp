@@ -1,5 +1,5 @@
 #pragma once
-// Numbers and limits in the words of a message.
+// Numbers and limits as the text of a message.
 
 #include <cmath>
 #include <cstdio>
@@ -18,7 +18,7 @@ inline std::string rounded_text(double value, int digits) {
 }
 inline std::string short_text(double value) { return rounded_text(value, 6); }
 
-// The fewest digits that are read as this very number.
+// The shortest text that is read as exactly this number.
 inline std::string shortest_text(double value) {
   for (int digits = 1; digits < 17; ++digits) {
     const std::string text = rounded_text(value, digits);
@@ -27,7 +27,7 @@ inline std::string shortest_text(double value) {
   return rounded_text(value, 17);
 }
 
-// Both ends of a range in six digits, or as many more as it takes, rounded to the inside.
+// Both ends of a range, rounded towards its inside, in six digits or more if necessary.
 inline std::pair<std::string, std::string> texts_within(double least, double most) {
   const auto inside = [](double value, int digits, int direction) {
     const std::string nearest = rounded_text(value, digits);

@@ -1,5 +1,5 @@
 #pragma once
-// The lists of laws, steppers, formats, drives and dampings: as the tool's options name them, and as C++ does.
+// The lists of laws, steppers, formats, drives and dampings, with their names in the tool's options and in C++.
 
 #include "host_ref/simulation.hpp"
 
@@ -23,7 +23,7 @@ inline constexpr Named<Numeric> numerics[] = {IMPACT_FORMATS(IMPACT_NAMED_FORMAT
 inline constexpr Named<DriveKind> drives[] = {{DriveKind::none, "none", "NoDrive"},
                                               {DriveKind::sine, "sine", "Sine"},
                                               {DriveKind::sampled, "sampled", "Sampled"}};
-// By the restitution that comes out, Exact is all but the first.
+// With the restitution that a formula leads to, Exact serves all except the first.
 inline constexpr Named<Damping> dampings[] = {{Damping::constant, "constant", "HuntCrossley"},
                                               {Damping::hunt_crossley, "hunt-crossley", "Exact"},
                                               {Damping::hunt_crossley, "per-impact", "Exact"},
@@ -46,7 +46,7 @@ constexpr const Named<Enumerator>& in(const Named<Enumerator> (&list)[size], Enu
     if (known.value == value) return known;
   return list[0];
 }
-// Stores the value of that name; false where there is none.
+// Stores the value of that name. Returns false if there is none.
 template <class Enumerator, size_t size>
 bool store(const Named<Enumerator> (&list)[size], std::string_view name, Enumerator& value) {
   for (const auto& known : list)

@@ -14,7 +14,7 @@ namespace {
 using Real = long double;
 constexpr Real real(double x) { return static_cast<Real>(x); }
 
-// A function on a window of time, scaled to [0, 1], as its Taylor series about the window's start.
+// A function on a window of time that is scaled to [0, 1], as a Taylor series about the start of the window.
 constexpr int order = 30;
 using Series = Eigen::Matrix<Real, order + 1, 1>;
 using SeriesOrColumn = Eigen::Ref<const Series>;
@@ -38,9 +38,9 @@ Real product(const SeriesOrColumn& p, const SeriesOrColumn& q, int k) {
   return sum;
 }
 
-// The first s in [0, end] at which p rises through zero. The bound on |p''| makes a parabola above p, and the search
-// advances to where that parabola reaches zero: it cannot pass a root, and near one it converges quadratically. A
-// positive p that is falling is the rounding of an event just past.
+// The first s in [0, end] at which p rises through zero. A bound on |p''| gives a parabola above p. The search advances
+// to the zero of that parabola. It cannot pass a root, and near one it converges quadratically. A positive p that falls
+// is the rounding of an event that has just happened.
 std::optional<Real> first_rise(Series p, Real end) {
   if (p[0] >= 0 && p[1] > 0) return Real{0};
   p[0] = std::min(p[0], Real{0});
@@ -57,22 +57,22 @@ std::optional<Real> first_rise(Series p, Real end) {
   return std::nullopt;
 }
 
-// A window is a fraction of the fastest vibration, so that it holds one interior maximum at most.
+// A window is a fraction of the fastest vibration, so that it contains at most one maximum inside.
 Real largest(const SeriesOrColumn& p, Real end) {
   const Real at_ends = std::max(value(p, 0), value(p, end));
   const auto peak = first_rise(-derivative(p), end);
   return peak ? std::max(at_ends, value(p, *peak)) : at_ends;
 }
 
-// Main mass, ball relative to the main mass, drive, field, sliding: x1, v1, y, y', F and its partner G (F' = w G,
-// G' = -w F for a sine; F' = G for a sampled drive), the field's acceleration and its slope, the sign of y'.
+// The state z: x1, v1, y and y' of the ball relative to the main mass, the drive's F and its partner G, the field's
+// acceleration and its slope, and the sign of y'. For a sine F' = w G and G' = -w F, for a sampled drive F' = G.
 constexpr int size = 9;
 using Vector = Eigen::Matrix<Real, size, 1>;
 using Generator = Eigen::Matrix<Real, size, size>;
 
-// z' = A z over windows of about half a radian of the fastest mode, on which the series of exp(A t) z has far more
-// terms than rounding leaves room for. The tolerance sets the window as it sets a Taylor step, so that runs at two
-// tolerances differ in their rounding too.
+// z' = A z over windows of some half a radian of the fastest mode. There the series of exp(A t) z has more terms than
+// rounding requires. The tolerance determines the window like a Taylor step, so that runs with two tolerances differ in
+// their rounding too.
 class LinearFlow {
  public:
   LinearFlow(const Generator& generator, Real tolerance) {
@@ -84,7 +84,7 @@ class LinearFlow {
 
   Real window() const { return window_; }
 
-  // Of each component of z on the window, one in a column.
+  // The series of each component of z on the window, one per column.
   Eigen::Matrix<Real, order + 1, size> series(const Vector& z) const {
     Eigen::Matrix<Real, order + 1, size> result;
     result.row(0) = z;
@@ -98,7 +98,7 @@ class LinearFlow {
   Generator scaled_;
 };
 
-// The scene in the reference's arithmetic.
+// The scene in the arithmetic of the reference.
 struct Constants {
   explicit Constants(const Scene& scene)
       : M(real(scene.main_mass)),
@@ -115,7 +115,7 @@ struct Constants {
 };
 
 void add_inputs(Generator& a, const Constants& scene, DriveKind drive) {
-  a(1, 6) = 1;  // the field, which the relative motion does not feel
+  a(1, 6) = 1;  // the field, which does not change the relative motion
   a(6, 7) = 1;
   if (drive == DriveKind::sine) {
     a(4, 5) = scene.pulsation;
@@ -149,7 +149,7 @@ Generator sticking_generator(const Constants& scene, DriveKind drive) {
   return a;
 }
 
-// Linear between samples, and the last one after them; t in steps.
+// The value at t, in steps: linear between samples, and the last one after them.
 Real between(const std::vector<double>& samples, Real t) {
   if (samples.empty()) return 0;
   const Real position = std::clamp(t, Real{0}, static_cast<Real>(samples.size() - 1));
@@ -229,14 +229,14 @@ class Reference::Motion {
   }
 
  private:
-  enum class Phase { apart, touching, released };  // released: let go at zero force, still penetrating
+  enum class Phase { apart, touching, released };  // released at zero force, and still penetrating
 
   struct Instant {
     Real t = 0, x1 = 0, v1 = 0, y = 0, rate = 0, dissipated = 0, drive_work = 0, peak_force = 0, rubbed = 0;
   };
 
-  // What ends a window, at a fraction of it: a change of phase, the end of the sliding or of the sticking, or the
-  // window's own length.
+  // The event that ends a window, at a fraction of it: a change of phase, the end of sliding or sticking, or the end of
+  // the window itself.
   struct Event {
     Real at;
     Phase next;
@@ -244,7 +244,7 @@ class Reference::Motion {
     bool turns = false;
   };
 
-  // Columns of the series of a window. A linear window has the last three only, its state comes from the flow.
+  // Columns of the series of a window. A linear window has only the last three, since its state comes from the flow.
   enum { time, x1, v1, r, u, applied, partner, field, dissipated, drive_work, force, columns };
 
   bool linear_contact() const { return run_.law == Law::hooke_newton; }
@@ -292,7 +292,7 @@ class Reference::Motion {
     return segment_ + 1 < run_.samples.size() ? segment_end(segment_) : std::numeric_limits<Real>::infinity();
   }
 
-  // Of the field's acceleration, now and for a while.
+  // The field's acceleration now, and its slope.
   std::pair<Real, Real> field_now() const {
     const auto& base = run_.base_samples;
     const Real step = real(run_.base_step);
@@ -309,12 +309,12 @@ class Reference::Motion {
   }
 
   bool is_stuck() const { return scene_.friction > 0 && sliding_ == 0; }
-  // What friction must do on the ball to hold it, N.
+  // The friction force on the ball that makes it stick, N.
   Real holding_force() const {
     const Real contact = phase_ == Phase::touching ? static_cast<Real>(side_) * law_force() : 0;
     return scene_.m / (scene_.M + scene_.m) * (drive().first - scene_.k * now_.x1 - scene_.c * now_.v1) + contact;
   }
-  // At rest.
+  // Decides at a sliding rate of 0.
   void stick_or_slide() {
     now_.rate = 0;
     sliding_ = 0;
@@ -369,7 +369,7 @@ class Reference::Motion {
     }
   }
 
-  // Where in the window the instant t is, as a fraction.
+  // The instant t as a fraction of the window.
   Real place_of(Real t) const {
     if (flow_) return (t - start_.t) / flow_->window();
     Series remaining = series_.col(time);
@@ -401,7 +401,8 @@ class Reference::Motion {
     return result;
   }
 
-  // Where the sliding's rate is 0. One that begins has a growing rate, whatever the rounding of its first slope.
+  // The instant at which the sliding rate is 0. At the beginning of sliding the rate grows, even if its first slope is
+  // rounded to another sign.
   std::optional<Real> turn(const Series& rate, Real end) const {
     Series against = -static_cast<Real>(sliding_) * rate;
     if (now_.rate == 0) against[1] = std::min(against[1], Real{0});
@@ -427,7 +428,7 @@ class Reference::Motion {
     end_ = event_.at == whole && whole < 1 ? end_of_drive : start_.t + event_.at * flow_->window();
   }
 
-  // Until the force that holds the ball is more than friction's.
+  // The instant at which sticking requires more than the friction force.
   void open_sticking_window(Real end_of_drive) {
     follow(*sticking_flow_, 0);
     const Real share = scene_.m / (scene_.M + scene_.m);
@@ -484,9 +485,11 @@ class Reference::Motion {
     end_linear_window(whole, end_of_drive);
   }
 
-  // With u the penetration rate, a1 the main mass's acceleration (a field's part in it apart) and ' = d/dtheta: t' = r,
-  // r' = u / 2, u' = r delta'', x1' = r v1, v1' = r a1, force = r^3 (k1 + c1 u). Each line of the recursion is one of
-  // these.
+  // With the penetration rate u, the main mass's acceleration a1 (without that of the field) and ' = d/dtheta,
+  //
+  //     t' = r    r' = u / 2    u' = r delta''    x1' = r v1    v1' = r a1    force = r^3 (k1 + c1 u)
+  //
+  // Each line of the recursion is one of these.
   void open_power_law_window(Real end_of_drive) {
     flow_ = nullptr;
     const Real side = static_cast<Real>(side_);
@@ -528,7 +531,7 @@ class Reference::Motion {
       c(k + 1, drive_work) = product(c.col(applied), x1_rate, k) / next;
     }
 
-    // The step, no more than twice the last one, whose last two terms are within tolerance of the largest.
+    // The longest step, at most twice the last one, whose last two terms are within the tolerance of the largest one.
     Series powers = Series::Ones();
     const auto resolved = [&](Real step) {
       for (int k = 1; k <= order; ++k) powers[k] = powers[k - 1] * step;
@@ -568,10 +571,10 @@ class Reference::Motion {
   Phase phase_ = Phase::apart;
   int side_ = 1;
   long impacts_ = 0;
-  size_t segment_ = 0, base_segment_ = 0;  // of a sampled drive, of the base
-  int sliding_ = 0;                        // the sign of y', 0 where friction holds it
+  size_t segment_ = 0, base_segment_ = 0;  // of a sampled drive and of the base
+  int sliding_ = 0;                        // the sign of y', or 0 while the ball sticks
 
-  // The window in progress.
+  // The present window.
   Instant start_;
   Real end_ = 0;
   Event event_{};

@@ -1,12 +1,13 @@
 #pragma once
-// The reference: the scene's motion solved to rounding, piece by piece between the instants at which contact begins and
-// ends. It shares the scene's definition with the kernel, and no numerics.
+// The reference computes the scene's motion to rounding, piece by piece between the instants at which contact begins
+// and ends. It shares the scene's definition with the kernel, but no numerics.
 //
-// Free flight and Hooke-Newton contact are linear and are solved by the matrix exponential of the system augmented with
-// its drive. Hertz and Hunt-Crossley contact is regularised with r = sqrt(penetration) and the fictitious time theta,
-// dt = r dtheta, in which the equations are polynomial and analytic from impact to separation; they are solved by
-// Taylor series of adaptive step. A ball that dry friction holds moves with the main mass, by the exponential of both
-// masses as one; where the sliding ends, turns or begins is found as contact's instants are. Arithmetic is long double.
+// Free flight and Hooke-Newton contact are linear. They use the matrix exponential of the system augmented with its
+// drive. Contact of Hertz and Hunt-Crossley is regularised with r = sqrt(penetration) and the fictitious time theta,
+// with dt = r dtheta. In theta the equations are polynomial, and analytic from impact to separation. Taylor series with
+// an adaptive step solve them. A ball that sticks by dry friction moves with the main mass, by the exponential of both
+// masses as one. The instants at which sliding begins, reverses or ends are found like those of contact. All arithmetic
+// is in long double.
 
 #include <memory>
 #include <vector>
@@ -15,13 +16,11 @@
 
 namespace impact::host {
 
-// One run: what is computed. A sampled drive is linear between samples, samples[i] being the force at i sample_step,
-// and keeps its last value after them.
+// The definition of a run. A sampled drive is linear between samples and keeps its last value after them. samples[i] is
+// the force at i sample_step. In the same way base_samples[i] is the base's acceleration at i base_step.
 //
-// The base's acceleration likewise, base_samples[i] at i base_step.
-//
-// A damping ratio a sets Hunt-Crossley's c1 = a k1/v0 from the approach speed v0 when a contact begins; a contact under
-// way at t = 0 has Scene::contact_damping, and without one (0) every contact has.
+// A damping ratio a > 0 sets c1 = a k1/v0 of Hunt-Crossley when a contact begins with the approach speed v0. A contact
+// under way at t = 0 has Scene::contact_damping. With a = 0 all contacts have it.
 struct Case {
   Law law = Law::hunt_crossley;
   Scene scene = paper_scene(Law::hunt_crossley);
@@ -29,15 +28,15 @@ struct Case {
   std::vector<double> samples{};       // N
   double sample_step = 0;              // s
   double damping_ratio = 0;            // a
-  std::vector<double> base_samples{};  // m/s^2; none: the base rests
+  std::vector<double> base_samples{};  // m/s^2; without samples the base rests
   double base_step = 0;                // s
 };
 
-constexpr double least_approach_speed = 1e-6;  // m/s; keeps c1 finite for a ball laid on its stop
+constexpr double least_approach_speed = 1e-6;  // m/s; keeps c1 finite for a ball that starts at its stop
 
 double drive_force(const Case& run, double t);  // F(t), N
 
-// Largest relative size of the Taylor terms left out in a step.
+// The largest relative size of the Taylor terms that a step omits.
 constexpr double reference_tolerance = 1e-17;
 
 class Reference {
@@ -48,9 +47,10 @@ class Reference {
 
   void advance(double t);  // to the instant t, not before the present one
 
-  // The present state. `impacts` counts penetrations begun: neither one under way at t = 0 nor the return of the force
-  // to a ball that was let go while penetrating. `energy_dissipated` is the work done on the contact less the energy
-  // its spring stores, which is nil while apart or let go; `friction_dissipated` what sliding takes.
+  // The present state. `impacts` counts the penetrations that began. A penetration at t = 0 does not count, nor does
+  // the return of the force to a ball that was released inside its stop. `energy_dissipated` is the work on the contact
+  // minus the energy that its spring stores, which is 0 while the ball is apart or released. `friction_dissipated` is
+  // the energy that sliding takes.
   Sample sample() const;
 
  private:
@@ -59,7 +59,7 @@ class Reference {
 };
 
 // Samples at i sample_interval, i = 0 .. duration / sample_interval, and an estimate of the error of their
-// displacements: the largest difference, in metres, from a run at a thousand times the tolerance.
+// displacements. The estimate is the largest difference, in metres, from a run with a thousand times the tolerance.
 struct Trajectory {
   std::vector<Sample> samples;
   double error_estimate = 0;

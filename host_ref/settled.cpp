@@ -81,8 +81,8 @@ double clamped(double bound) { return smaller(bound_range.most, larger(bound_ran
 bool is_open(double bound) { return std::isnan(bound); }
 Bounds stated_in(const Request& request) { return request.bounds.value_or(open_bounds); }
 
-// What is stated, and in place of what is open these, with room for the ball to reach a stop; the samples' bounds are
-// their own.
+// The stated bounds, completed by `these`. There is room for the ball to reach a stop. The bounds of samples are the
+// largest samples.
 Bounds completed(const Request& asked, double displacement, double speed, double penetration) {
   const Bounds stated = stated_in(asked);
   const auto or_else = [](double bound, double found) { return is_open(bound) ? found : bound; };
@@ -94,8 +94,8 @@ Bounds completed(const Request& asked, double displacement, double speed, double
           or_else(stated.base_acceleration, base)};
 }
 
-// Half as much again as a run has reached, with room for the cavity and for a step's way. Without a contact the
-// penetration is what the others allow.
+// 1.5 times what a run has reached, with room for the cavity and for the displacement in a step. Without a contact the
+// bound of the penetration is 0: the other bounds determine it.
 Bounds bounds_of(const Request& asked, const Reached& reached) {
   constexpr double margin = 1.5;
   const auto with_margin = [](double value) { return smaller(bound_range.most, larger(1e-6, margin * value)); };
@@ -115,7 +115,7 @@ Bounds scaled(const Request& asked, const Bounds& bounds, double times) {
                    bounds.penetration > 0 ? clamped(times * bounds.penetration) : 0);
 }
 
-// A stated bound limits nothing here: where it is passed, the run raises the requested fault.
+// The open bounds. A stated bound is infinite here, because a run that passes it must raise a fault.
 Bounds only_open(const Bounds& stated, const Bounds& bounds) {
   constexpr double none = std::numeric_limits<double>::infinity();
   const auto of = [](double asked_for, double bound) { return is_open(asked_for) ? bound : none; };
@@ -123,7 +123,7 @@ Bounds only_open(const Bounds& stated, const Bounds& bounds) {
           of(stated.penetration, bounds.penetration)};
 }
 
-// A bound that was passed, further off; all of them where it is none of these that ended the run.
+// Widens the bound that was passed, or all of them if another reason ended the run.
 Bounds wider_than(const Request& asked, const Bounds& bounds, const Reached& reached, double times) {
   const bool is_any = reached.is_within(bounds);
   const auto wider = [&](double bound, double value) {
@@ -133,7 +133,7 @@ Bounds wider_than(const Request& asked, const Bounds& bounds, const Reached& rea
                    bounds.penetration > 0 ? wider(bounds.penetration, reached.penetration) : 0);
 }
 
-// The stepper that was named where a plan with these bounds takes it, or else the rule's.
+// The named stepper if a plan with these bounds accepts it, or else that of the rule.
 bool makes_plan(Request& request, Stepper named, Planned& planned) {
   for (const Stepper stepper : {named, Stepper::automatic}) {
     request.stepper = stepper == Stepper::automatic ? chosen(request) : stepper;
@@ -144,8 +144,7 @@ bool makes_plan(Request& request, Stepper named, Planned& planned) {
   return false;
 }
 
-// A run takes longer steps where they are exact enough to find bounds: to 0.5 % of the restitution, with twenty in a
-// period.
+// A run to find bounds takes longer steps if they are exact enough: to 0.5 % of the restitution, with 20 in a period.
 void take_longer_steps(Request& trial, Planned& planned) {
   constexpr double longest_phase = 0.3, restitution_error = 5e-3;
   if (!trial.samples.empty() || trial.is_shaken || trial.stepper != Stepper::moment) return;
@@ -165,8 +164,8 @@ void take_longer_steps(Request& trial, Planned& planned) {
   }
 }
 
-// How deep an impact at this speed goes. The ends of steps see less of a contact that takes few of them or only a part
-// of one; sub-steps, and another format's steps, may end where it is deepest.
+// The depth of an impact at this speed. A contact of few steps may be deeper than the penetrations at their ends show.
+// Sub-steps, and steps of another format, may end where it is deepest.
 double depth_within_steps(const Request& request, double speed) {
   if (!(speed > 0) || (sub_steps(request) <= 1 && request.stepper != Stepper::energy)) return 0;
   const Scene& scene = request.scene;
@@ -178,13 +177,13 @@ double depth_within_steps(const Request& request, double speed) {
 
 struct Measured {
   Bounds bounds;
-  bool is_of_run;  // or none could be made
+  bool is_of_run;  // false if no run could be made
 };
 
-// Half as much again as what a float64 run reaches, so that a rounding cannot pass them. A run counts where it stays
-// within what its own plan was judged for: until then wider bounds are tried, by whatever stepper takes them. So does
-// the run of the stepper that takes the bounds found, where that is another one. Where no bound is wide enough, that
-// run raises the fault.
+// 1.5 times what a float64 run reaches, so that no rounding passes them. A run counts if it stays within the bounds of
+// its own plan. Until then wider bounds are tried, with any stepper that accepts them. If another stepper accepts the
+// bounds that were found, its run must stay within them too. If no bound is wide enough, the requested run raises the
+// fault.
 Measured measure(const Request& asked) {
   constexpr int most_rounds = 20, doubled_rounds = 6;
   const Bounds stated = stated_in(asked);
@@ -199,8 +198,8 @@ Measured measure(const Request& asked) {
   };
   Bounds bounds = estimated_bounds(asked);
   if (!makes_plan_with(bounds)) {
-    // An estimate may be far too much, or too little for a start within a stop.
-    const bool may_be_other = hangs_on_bounds(planned.status, request);
+    // An estimate may be far too large, or too small for a start inside a stop.
+    const bool may_be_other = depends_on_bounds(planned.status, request);
     bool is_made = false;
     for (double times = 2; may_be_other && !is_made && times < 1e4; times *= 2)
       is_made = makes_plan_with(scaled(asked, bounds, 1 / times)) || makes_plan_with(scaled(asked, bounds, times));
@@ -213,7 +212,7 @@ Measured measure(const Request& asked) {
     const Stepper stepper = request.stepper;
     take_longer_steps(request, planned);
     const Bounds limits = only_open(stated, bounds);
-    // No further than there are samples.
+    // The run ends with the samples.
     long steps = step_count(request);
     for (const auto* samples : {&request.samples, &request.base_samples})
       if (!samples->empty()) steps = std::min(steps, static_cast<long>(samples->size()));
@@ -235,10 +234,10 @@ Measured measure(const Request& asked) {
 
 }  // namespace
 
-// The largest speed is that of the start and what the drive can add in the run, F/M over the difference of the
-// pulsations (a beat; at resonance, over the decay c/(2 M) of the vibration or the inverse of the run's duration), and
-// what a stop that is pressed at the start gives back; at least half a metre per second. The displacement is what the
-// main mass makes of it.
+// The largest speed is the sum of three speeds, and at least 0.5 m/s: that of the start, that which the drive adds, and
+// that from a stop that is compressed at the start. The drive adds F/M over the difference of the angular frequencies
+// (a beat). At resonance it is F/M over the decay c/(2 M), or over the inverse of the run's duration. The displacement
+// follows from that speed by the main mass's vibration.
 Bounds estimated_bounds(const Request& asked) {
   const Scene& scene = asked.scene;
   const double natural = natural_pulsation(scene), slowest = 1 / asked.duration;
@@ -247,7 +246,7 @@ Bounds estimated_bounds(const Request& asked) {
     driven = scene.drive_amplitude /
              std::max({std::abs(natural - scene.drive_pulsation), scene.main_damping / (2 * scene.main_mass), slowest});
   driven = std::max(driven, largest_of(asked.samples) / std::max(natural, slowest));
-  // A field's acceleration on both masses.
+  // A field accelerates both masses.
   driven += (scene.main_mass + scene.ball_mass) * (std::abs(scene.gravity) + largest_of(asked.base_samples)) /
             std::max(natural, slowest);
   const double depth = larger(0.0, initial_penetration(scene)),
@@ -274,7 +273,7 @@ double Bounds::*open_bound_passed(const char* fault, const Bounds& stated) {
   return nullptr;
 }
 
-bool hangs_on_bounds(PlanStatus status, const Request& request) {
+bool depends_on_bounds(PlanStatus status, const Request& request) {
   if (status == PlanStatus::ok || status == PlanStatus::step || status == PlanStatus::drive_pulsation) return false;
   if (status == PlanStatus::steps_per_contact || status == PlanStatus::contact_time ||
       status == PlanStatus::stop_out_of_reach)
@@ -296,10 +295,10 @@ Settled settled(const Request& asked, bool may_run) {
     return plan(with);
   };
   result.planned = planned(request);
-  // What hardly moves is told from rest, in the LSBs of a format, by wider bounds than it reaches; and a start deep
-  // in a stop is one within wider ones. To wider bounds a contact is no longer.
+  // A rejected plan may be accepted with wider bounds: for a motion of a few LSBs, or for a start deep inside a stop.
+  // Wider bounds make no contact longer.
   const PlanStatus status = result.planned.status;
-  const bool may_be_wider = found.is_of_run && status != PlanStatus::contact_time && hangs_on_bounds(status, request);
+  const bool may_be_wider = found.is_of_run && status != PlanStatus::contact_time && depends_on_bounds(status, request);
   for (double times = 2; may_be_wider && result.planned.status != PlanStatus::ok && times < 0x1p30; times *= 2) {
     const Bounds& bounds = *request.bounds;
     const double speed = clamped(times * bounds.speed);

@@ -1,5 +1,5 @@
 #pragma once
-// From a request as it was asked to the stepper and the bounds that it is planned with.
+// Completes a request: finds the stepper and the bounds that are not stated.
 
 #include <impact/law/resolution.hpp>
 #include <impact/stepper/moment/substepped.hpp>
@@ -10,39 +10,40 @@ namespace impact::host {
 
 struct Settled {
   Request request;    // with a stepper and bounds
-  bool is_automatic;  // its stepper was not stated
-  Bounds stated;      // those that were, the others open
+  bool is_automatic;  // true if the rule chose the stepper
+  Bounds stated;      // the stated bounds; the others are open
   Planned planned;
 };
-// Without `may_run`, bounds that are open are those of the estimate.
+// Without `may_run` open bounds are estimated, and no run is made.
 Settled settled(const Request& asked, bool may_run = true);
 
-// Of requests with bounds.
+// The contact that the bounds of a request allow. The request must have bounds.
 Resolution resolution(const Request& request);
-// In a step in contact: 1 of Moment; 0 of a stepper for which no formula says the error.
+// The number of sub-steps of a step in contact. It is 1 for Moment, and 0 for a stepper without a formula for its
+// error.
 int sub_steps(const Request& request);
-// By how much the restitution of the fastest impact that the bounds allow misses the law's; NaN where no formula says.
+// The error of the restitution in the fastest impact that the bounds allow. NaN if there is no formula for it.
 double restitution_error(const Request& request);
-// m, of x1, by the formula of the kernel's rule; NaN for a stepper that the rule never takes.
+// The expected error of x1 in m, by the formula of the kernel's rule. NaN for a stepper that the rule never takes.
 double expected_error_of(const Request& request);
-// More sub-steps than these round away more than they gain.
+// The largest useful number of sub-steps. With more, rounding adds more error than the sub-steps remove.
 constexpr int most_sub_steps_in(Numeric numeric) {
   return numeric == Numeric::float64 ? SubsteppedMoment<>::most : 512;
 }
-// By the plan's rule.
+// The stepper that the kernel's rule chooses.
 Stepper chosen(const Request& request, int most_sub_steps = SubsteppedMoment<>::most);
 Planned plan(const Request& request);
 
-// The bound that a fault, or nullptr, says is passed, where it is not stated: one that may be widened. Else nullptr.
+// The open bound that a fault says was passed, which may be widened. Else nullptr. `fault` may be nullptr.
 double Bounds::*open_bound_passed(const char* fault, const Bounds& stated);
-// Whether with other bounds a plan that was refused so may be made.
-bool hangs_on_bounds(PlanStatus status, const Request& request);
+// True if a plan that was rejected with this status may be accepted with other bounds.
+bool depends_on_bounds(PlanStatus status, const Request& request);
 
-// The damping coefficient with which the law has the scene's restitution, Hunt-Crossley at an impact of this speed.
+// The damping coefficient with which the law has the scene's restitution. For Hunt-Crossley that is at this speed.
 std::optional<double> damping_of(const Request& request, double impact_speed, bool by_paper);
 double natural_pulsation(const Scene& scene);  // rad/s
-// The largest magnitude; no number where a sample is none, and no plan takes that for a bound.
+// The largest magnitude of the samples. It is NaN if a sample is NaN, and then no plan accepts it as a bound.
 double largest_of(const std::vector<double>& samples);
-Bounds estimated_bounds(const Request& asked);  // from the start and the drive, where they are open
+Bounds estimated_bounds(const Request& asked);  // estimates open bounds from the start and the drive
 
 }  // namespace impact::host

@@ -175,7 +175,7 @@ Refusal refusal_before_a_run(const Request& asked) {
   if (!state_true_restitution(request)) return refusal_of_restitution(asked);
   const Settled made = settled(request, false);
   const bool may_be_taken = made.planned.status == PlanStatus::ok ||
-                            (has_open_bounds(request) && hangs_on_bounds(made.planned.status, made.request));
+                            (has_open_bounds(request) && depends_on_bounds(made.planned.status, made.request));
   return may_be_taken ? Refusal{} : refusal_of(made);
 }
 

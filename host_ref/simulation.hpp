@@ -1,6 +1,6 @@
 #pragma once
-// The kernel behind one run-time interface: the tool, the tests and the report choose law, stepper and number format by
-// name; what steps is the same template that a firmware image compiles, with its plan made at run time.
+// The kernel with an interface at run time. The tool, the tests and the report choose law, stepper and number format
+// from lists. The kernel is the same template that a firmware image compiles. Its plan is made at run time.
 
 #include <cmath>
 #include <cstdlib>
@@ -51,22 +51,22 @@ struct Request {
   Stepper stepper = Stepper::automatic;
   Numeric numeric = Numeric::float64;
   DriveKind drive = DriveKind::sine;
-  Damping damping = Damping::constant;  // of Hunt-Crossley; all but constant by Scene::restitution
+  Damping damping = Damping::constant;  // of Hunt-Crossley; all others follow from Scene::restitution
   Scene scene = paper_scene(Law::hunt_crossley);
   bool damping_is_by_restitution = false;  // Scene::contact_damping is found from --restitution
   double step = 1e-4;                      // h, s
-  std::optional<Bounds> bounds{};          // what is absent or no number is looked for: see make_simulation
+  std::optional<Bounds> bounds{};          // an absent or NaN bound is open: make_simulation finds it
   double duration = 1.0;                   // s, used only to find bounds
   std::vector<double> samples{};           // drive samples, N, used only to find bounds
   bool is_shaken = false;                  // the base accelerates:
   std::vector<double> base_samples{};      // m/s^2, used only to find bounds
   bool counts_drive_work = true;           // for Sample::drive_work
 };
-bool has_open_bounds(const Request& request);  // that a run is to find
+bool has_open_bounds(const Request& request);  // true if a run must find a bound
 long step_count(const Request& request);       // duration / step to the nearest whole number
 
-// Gravity, friction or a base that accelerates: with Moment, its sub-steps, EnergyConsistent and Impulsive. The others
-// reject it with the name.
+// True if the request has gravity, friction or a base that accelerates. Moment, its sub-steps, EnergyConsistent and
+// Impulsive support these parts. The other steppers reject them, and the refusal names the part.
 inline bool has_parts(const Request& request) {
   const Scene& scene = request.scene;
   return scene.gravity < 0 || scene.gravity > 0 || scene.ball_friction > 0 || request.is_shaken;
@@ -76,12 +76,12 @@ inline bool has_parts(const Request& request) {
 struct Sample {
   double t = 0, x1 = 0, v1 = 0, x2 = 0, v2 = 0;
   double penetration = 0;          // negative while apart, m
-  double contact_force = 0;        // >= 0 when tension is clamped, N
+  double contact_force = 0;        // N, >= 0 if tension is clamped
   double energy_dissipated = 0;    // by contact since the start, J
   double energy_stored = 0;        // by contact now, J
-  double drive_work = 0;           // by the drive since the start, J, where it is counted
+  double drive_work = 0;           // by the drive since the start, J, if it is counted
   double friction_dissipated = 0;  // by dry friction since the start, J
-  long impacts = 0;                // contacts begun since the start
+  long impacts = 0;                // the number of contacts that began since the start
   double impact_speed = 0;         // rate of penetration at which the last one began, m/s
   double peak_force = 0;           // largest contact force since the start, N
 };
@@ -96,14 +96,14 @@ struct Reached {
     speed = larger(speed, larger(std::abs(v1), std::abs(v2)));
     penetration = larger(penetration, depth);
   }
-  // A penetration's bound of 0 is none. False for what is no number.
+  // True if all values are within the bounds. A penetration bound of 0 does not count. False if any value is a NaN.
   bool is_within(const Bounds& bounds) const {
     return displacement <= bounds.displacement && speed <= bounds.speed &&
            (bounds.penetration == 0 || penetration <= bounds.penetration);
   }
 };
 
-// The samples of the next `count` steps, where n have been made; nullptr where there are none. One of them, or 0.
+// The samples of the `count` steps after step n, or nullptr if the run has none.
 inline const double* samples_after(long n, long count, const std::vector<double>& samples) {
   if (samples.empty()) return nullptr;
   if (samples.size() < static_cast<size_t>(n + count)) std::abort();  // never a step without a sample
@@ -123,17 +123,16 @@ class Simulation {
   // Advances by h; `force` and `base` (its acceleration) are the samples at the end of the step.
   virtual void step(double force, double base = 0) = 0;
   virtual Sample sample() const = 0;      // the state now
-  virtual const char* fault() const = 0;  // nullptr, or why the state is no longer to be trusted
+  virtual const char* fault() const = 0;  // nullptr, or the reason why the state is no longer valid
 
-  // As many steps at once, with x1 at the end of each; `forces` and `base` may be null. Stops behind a step that raises
-  // a fault, and returns how many raised none.
+  // Makes several steps and stores x1 at the end of each. `forces` and `base` may be null. Stops after a step that
+  // raises a fault. Returns the number of steps without a fault.
   virtual long run(long steps, const double* forces, double* x1, const double* base = nullptr);
-  // What the state reaches now and at the end of as many steps, or up to the first that raises a fault or passes a
-  // bound.
+  // The largest values now and at the ends of several steps. Stops after a step that raises a fault or passes a bound.
   virtual Reached reached_in(long steps, const double* forces, const double* base, const Bounds& bounds);
 };
 
-// A request that the kernel cannot plan, with the field at fault ("contact-stiffness", as the tool's option), its value
+// The reason why the kernel cannot plan a request: the tool's option at fault, such as "contact-stiffness", its value,
 // and what is allowed.
 struct Refusal {
   std::string field, value, allowed;
@@ -143,27 +142,28 @@ struct Refusal {
 struct Outcome {
   std::unique_ptr<Simulation> simulation;
   Refusal refusal;
-  Request made;             // as it was planned: its stepper and bounds are those of the plan
-  std::string description;  // what the plan's rule chose, or what to beware of; one line or nothing
+  Request made;             // the request with the stepper and the bounds of the plan
+  std::string description;  // the choice of the rule, or a warning; at most one line
 };
 
-// Bounds that are open are half as much again as what a float64 run of `duration` reaches, one that stays within what
-// its own plan was judged for.
+// Makes a plan and a simulation. An open bound becomes 1.5 times the largest value of a float64 run of `duration`. That
+// run must stay within the bounds of its own plan.
 Outcome make_simulation(const Request& request);
 
-// For another attempt, with bounds twice as wide, where the run has passed one that was found: a motion over many
-// impacts is chaotic, and differs from format to format. Nothing where no such bound was passed.
+// The request for another attempt with twice the bounds, if the run has passed a bound that was found, else nothing. A
+// motion over many impacts is chaotic, so formats may reach different values.
 std::optional<Request> widened(const Request& asked, const Outcome& outcome);
 
-// The law's own, at an impact of this speed of two free masses.
+// The restitution of the law for an impact of two free masses at this speed.
 double restitution_at(const Request& request, double speed);
 
-// What of that can be told without a run: its field is empty where nothing speaks against the request.
+// The refusals that are possible without a run. The field is empty if the request may be accepted.
 Refusal refusal_before_a_run(const Request& request);
 
-// The longest of 1, 2 and 5 times a power of ten at which the plan's rule takes Moment with a restitution within
-// automatic_error of the law's, and the motion is shown: a hundred steps in `duration`, thirty in a period of drive and
-// main mass, four in a flight across the clearance. From 0.01 ms to 5 ms; 0.1 ms where none does.
+// The step that the tool chooses, from 0.01 ms to 5 ms. It is the longest of 1, 2 and 5 times a power of ten for which
+// the rule takes Moment and the restitution is within automatic_error of the law's. There are at least 100 steps in
+// `duration`, 30 in a period of drive and main mass, and four in a flight across the clearance. If no step has all
+// this, it is 0.1 ms.
 constexpr double automatic_error = 1e-5;
 double automatic_step(const Request& request);
 

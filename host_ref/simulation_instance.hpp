@@ -1,7 +1,7 @@
 #pragma once
-// The kernel behind the run-time interface under one law in one format, with every stepper and drive; with Parts with
-// weight, a base that accelerates and dry friction, of which values of 0 make the bits of an absorber that names none.
-// Source files that CMakeLists.txt writes instantiate plan_with_law, so that they compile side by side.
+// The kernel behind the run-time interface, for one law and one format, with every stepper and drive. With Parts it has
+// weight, a base that accelerates and dry friction. If their values are 0, the bits are those without these parts.
+// CMakeLists.txt writes source files that instantiate plan_with_law, so that they compile in parallel.
 
 #include "host_ref/any_field.hpp"
 #include "host_ref/simulation_of.hpp"

@@ -13,18 +13,18 @@
 
 namespace impact::host {
 
-// Either a simulation or why there is none.
+// A simulation, or the reason why there is none.
 struct Planned {
   std::unique_ptr<Simulation> simulation;
   PlanStatus status = PlanStatus::ok;
 };
 
-// With any stepper and drive: simulation_instance.hpp.
+// Plans with any stepper and drive (simulation_instance.hpp).
 template <class Format, class ContactLaw, class... Parts>
 Planned plan_with_law(const Request& request, const Bounds& bounds);
 struct AnyField;  // any_field.hpp
 
-// The law in double at a penetration and its rate, for what the tool prints beside the state.
+// The force of the law in double, from a penetration and its rate. The tool prints it with the state.
 template <class ContactLaw>
 double law_force(const Scene& scene, double damping, double penetration, double rate) {
   const double shape = ContactLaw::is_linear ? 1 : penetration * std::sqrt(penetration);
@@ -32,7 +32,7 @@ double law_force(const Scene& scene, double damping, double penetration, double 
   return elastic + damping * shape * rate;
 }
 
-// The kernel's ledger, with the drive's work where it is requested.
+// The kernel's ledger, with the work of the drive if it is requested.
 struct Ledger : EnergyLedger {
   template <class Format>
   struct State : EnergyLedger::State<Format> {
@@ -102,7 +102,7 @@ class KernelSimulation final : public Simulation {
     if constexpr (has_impulse) {
       sample.contact_force = std::abs(plan.units.fraction(kernel_.contact_force())) * plan.force_unit();
     } else if (kernel_.is_touching()) {
-      // Pointwise, a force of Hooke-Newton's can act at the end of a step that ends just outside.
+      // With a classical scheme, a force of Hooke-Newton may act at the end of a step that ends just outside.
       const double depth = ContactLaw::is_linear ? sample.penetration : larger(sample.penetration, 0.0);
       sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, side * (now.v2 - now.v1));
       if (scene.tension == Tension::clamp || !ContactLaw::is_linear)
@@ -130,18 +130,18 @@ class KernelSimulation final : public Simulation {
         return speed_fault.data();
       case Fault::penetration:
         return penetration_fault.data();
-      case Fault::plan:  // not met: what is refused is not made
+      case Fault::plan:  // impossible, since no simulation is made from a rejected plan
         return "a plan that was refused";
     }
     return nullptr;
   }
 
  private:
-  // Whether a contact's force is known by its impulse only.
+  // True if only the impulse of a contact is known, not its force.
   static constexpr bool has_impulse =
       detail::is_one_of<DryFriction, Parts...> || Kernel::Contact::traits.is_instantaneous;
 
-  // By x2 - x1; of the stop that is touched, where one is.
+  // The penetration from x2 - x1, of the stop that is touched, if any.
   double penetration(double y) const {
     const double gap = scene_.clearance / 2;
     if (!has_impulse && kernel_.is_touching()) return (kernel_.state().at_left ? -1 : 1) * y - gap;
@@ -167,7 +167,7 @@ class KernelSimulation final : public Simulation {
     else
       return 0;
   }
-  // reading().x1, without making its unit at every step.
+  // The same as reading().x1, without computing its unit at every step.
   double displacement() const {
     const auto x1 = Kernel::Field::position(kernel_.plan, kernel_.state(), kernel_.state().x1);
     if constexpr (std::is_same_v<Format, Fixed32>)
@@ -200,7 +200,7 @@ Planned plan_for(const Request& request, const Bounds& bounds) {
   return {std::make_unique<Run>(request, plan), PlanStatus::ok};
 }
 
-// No drive is samples of nothing; a bound that is stated for them still makes room for as large a force.
+// A request without a drive has samples of 0. If Bounds::force is stated, the plan still reserves room for it.
 template <class Format, class ContactLaw, class Stepper, class... Parts>
 Planned plan_with_drive(Request request, Bounds bounds) {
   if (request.drive != DriveKind::sine) request.scene.drive_pulsation = 0;
@@ -208,14 +208,14 @@ Planned plan_with_drive(Request request, Bounds bounds) {
     request.scene.drive_amplitude = larger(request.scene.drive_amplitude, bounds.force);
     bounds.force = 0;
   }
-  // What most sweeps are made of has a kernel of its own, which is a twentieth faster.
+  // The configuration of most sweeps has a kernel of its own, which is 5 % faster.
   if constexpr (std::is_same_v<Stepper, Moment> && sizeof...(Parts) == 0)
     if (request.drive == DriveKind::sine) return plan_for<Format, ContactLaw, Stepper, Sine>(request, bounds);
   return plan_for<Format, ContactLaw, Stepper, AnyDrive, Parts...>(request, bounds);
 }
 
-// What `found` makes of the kernel's type for the request's law. By the restitution that comes out, `Exact` is every
-// law that sets the damping at each impact: make_simulation.
+// The result of `found` for the kernel's type of the request's law. `Exact` serves all laws that set the damping at
+// each impact, because make_simulation first computes the restitution that the law leads to.
 template <class Found>
 auto by_law(const Request& request, const Found& found) {
   if (request.law == Law::hooke_newton) return found(HookeNewton{});

@@ -1,12 +1,12 @@
 #pragma once
-// What a textbook would have one write, for a system of n degrees of freedom in matrices,
+// Methods as textbooks describe them, for a system of n degrees of freedom in matrices,
 //
 //     M x'' + C x' + K x + N(x, x') = F(t)
 //
 // Newmark's family (Newmark 1959; Hughes, The Finite Element Method, ch. 9) with gamma = 1/2 in acceleration form,
-// solved by Newton's method with the full tangent, and the classical Runge-Kutta method. The absorber stands on it in
-// the two coordinates x1, x2. It is the yardstick of the kernel's classical schemes, and the baseline of its error
-// report.
+// solved by Newton's method with the full tangent, and the classical Runge-Kutta method. The absorber uses them with
+// the two coordinates x1 and x2. The tests compare the kernel's classical schemes with them, and they are a baseline of
+// the report.
 
 #include <Eigen/Dense>
 #include <functional>
@@ -31,14 +31,15 @@ struct InternalForce {
 using InternalForceLaw =
     std::function<InternalForce(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity)>;
 
-// The state a step h after `start`. `external` is F at the end of the step; `start` holds the acceleration found there.
+// The state a step h after `start`. `external` is F at the end of the step. `start` contains the acceleration at its
+// instant.
 Motion newmark_step(const LinearSystem& system, double beta, double h, const Motion& start,
                     const Eigen::VectorXd& external, const InternalForceLaw& internal);
 
-// The absorber by Newmark's method, contact taken pointwise: the contact force at the end of a step is the law's at the
-// state there if the step's trial penetration (that of the step solved without contact force at its end) is positive,
-// and nil otherwise; clamped, it is no less than zero. A power of a negative penetration is zero. A per-impact c1 is
-// set from the penetration rate at the start of the step in which the contact begins.
+// The absorber by Newmark's method. The trial penetration is that of a step without contact force at its end. If it is
+// positive, the contact force at the end of the step is that of the law at that state, else 0. Clamped, it is at least
+// 0. A power of a negative penetration is 0. A damping per impact is set from the rate of penetration at the start of
+// the step in which the contact begins.
 class TextbookNewmark {
  public:
   TextbookNewmark(const Case& run, double beta, double step);
@@ -56,8 +57,8 @@ class TextbookNewmark {
   Sample sample_;
 };
 
-// The absorber by the classical Runge-Kutta method of fourth order, the force of the present penetration in every
-// stage. It has the constant c1 only.
+// The absorber by the classical Runge-Kutta method of fourth order. Each stage has the force of its own penetration. c1
+// is constant.
 class TextbookRungeKutta {
  public:
   TextbookRungeKutta(const Case& run, double step);

@@ -7,7 +7,7 @@ namespace impact::host {
 Request without_absorber(const Request& request) {
   Request bare;
   bare.law = Law::hertz;
-  // The others fly alike, exactly, and this one at every step that any of them takes.
+  // All of these steppers fly exactly and alike, and this one accepts every step that one of them accepts.
   bare.stepper = is_classical(request.stepper) ? request.stepper : Stepper::energy;
   bare.drive = request.drive;
   bare.samples = request.samples;

@@ -5,7 +5,8 @@
 
 namespace impact::host {
 
-// The stops out of the ball's reach, and so soft that they allow any step: it depends on no value of ball and contact.
+// The stops are out of the ball's reach, and so soft that they allow any step. The motion depends on no value of ball
+// and contact.
 Request without_absorber(const Request& request);
 
 }  // namespace impact::host

@@ -1,5 +1,5 @@
-// What the page calls. Text passes through one buffer, numbers as arrays of doubles that the page reads where they lie;
-// a run is known by its slot, and so is a line, a run of which only the displacement is kept.
+// The functions that the page calls. Text passes through one buffer. Numbers are arrays of doubles that the page reads in
+// this module's memory. A run has a slot. So has a line, which is a run that records only the displacement.
 
 #include <algorithm>
 #include <cstring>
@@ -32,7 +32,7 @@ struct Asked {
   Request request;
   Outcome outcome;
 };
-// Of the scene in the buffer, or nothing and its refusal there.
+// Plans the scene in the buffer. If it is refused, returns nothing, and the refusal is in the buffer.
 std::optional<Asked> asked(bool with_absorber) {
   auto [request, refusal] = scene_from(text, files);
   if (!with_absorber) request = without_absorber(request);
@@ -54,15 +54,15 @@ EXPORT(text) char* text_buffer() { return text; }
 
 EXPORT(default_scene) void write_default_scene() { reply(default_scene()); }
 
-// A file of samples: room for its text, then its name in the buffer.
+// A file of samples. The page first gets memory for its text, then writes its name into the buffer.
 EXPORT(room) char* room(size_t size) {
   long_text.resize(size);
   return long_text.data();
 }
 EXPORT(write_file) void write_file() { files.write(text, long_text); }
 
-// The scene in the buffer. The answer there: "planned", the stepper taken, why, the contact damping that a restitution
-// led to; or "refused", the option, its value, what is allowed.
+// Plans the scene in the buffer. The answer in the buffer is "planned", the stepper, the reason, and the contact damping
+// that a restitution led to. Or it is "refused", the option, its value, and what is allowed.
 EXPORT(plan) bool plan(int slot) {
   auto& run = runs[slot];
   run.reset();
@@ -74,7 +74,7 @@ EXPORT(plan) bool plan(int slot) {
   run.emplace(scene->request, std::move(scene->outcome.simulation));
   return true;
 }
-EXPORT(forget) void forget(int slot) { runs[slot].reset(); }
+EXPORT(discard) void discard(int slot) { runs[slot].reset(); }
 
 EXPORT(advance) bool advance(int slot, int steps) {
   runs[slot]->advance(steps);
@@ -123,7 +123,7 @@ EXPORT(law_restitution) double law_restitution(int slot, double speed) {
   return restitution_at(runs[slot]->request(), speed);
 }
 
-// As impact-sim writes it with --every row_every.
+// The rows that impact-sim writes with --every row_every.
 EXPORT(csv) const char* write_csv(int slot) {
   const RecordedRun& run = *runs[slot];
   const int digits = significant_digits(run.request().numeric);
@@ -137,7 +137,7 @@ EXPORT(csv) const char* write_csv(int slot) {
   return long_text.c_str();
 }
 
-// As impact-sim --rig writes it for the command of which the buffer has the options.
+// The header that impact-sim --rig writes for the options in the buffer.
 EXPORT(rig) const char* write_rig(int slot) {
   std::vector<Argument> arguments;
   for_each_line(text, [&](std::string_view option, std::string_view value) {

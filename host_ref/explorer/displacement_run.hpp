@@ -1,6 +1,6 @@
 #pragma once
-// A simulation of which only the main mass's displacement is looked at, and which therefore goes several times as fast
-// as a recorded one: the machine without absorber, and the points of a sweep.
+// A simulation that records only the main mass's displacement, for the machine without absorber and the points of a sweep.
+// It is several times as fast as a recorded run.
 
 #include <host_ref/simulation.hpp>
 #include <vector>
@@ -18,7 +18,7 @@ class DisplacementRun {
  public:
   DisplacementRun(const Request& request, std::unique_ptr<Simulation> simulation);
 
-  void advance(long steps);  // not beyond the request's duration, and not beyond a fault
+  void advance(long steps);  // stops at the end of the request's duration, and at a fault
   bool is_done() const { return done_ >= steps_ || has_fault_; }
 
   const std::vector<DisplacementRow>& rows() const { return rows_; }

@@ -54,15 +54,15 @@ export class Kernel {
     if (!isPlanned) return { refusal: { option: lines[0], value: lines[1], allowed: lines[2] } };
     return { stepper: lines[0], why: lines[1], contactDamping: Number(lines[2]) };
   }
-  forget(slot) {
-    this.calls.forget(slot);
+  discard(slot) {
+    this.calls.discard(slot);
   }
 
-  // Whether there is more to do.
+  // Returns true if there is more to do.
   advance(slot, steps) {
     return this.calls.advance(slot, steps) !== 0;
   }
-  // A line is a run of which only the displacement is kept, faster. Whether there is one.
+  // A line is a faster run that records only the displacement. Returns true if it was planned.
   planLine(slot, options, withAbsorber) {
     this.#say(options);
     return this.calls.plan_line(slot, withAbsorber) !== 0;
@@ -81,7 +81,7 @@ export class Kernel {
     return this.calls.fault(slot) ? this.#textAt(this.calls.text()) : '';
   }
 
-  // Views: of no use after the next call that records.
+  // Views, which are invalid after the next call that records.
   rows(slot) {
     return this.#table(this.calls.rows(slot), this.calls.row_count(slot), rowWidth);
   }

@@ -40,7 +40,7 @@ class Page {
     this.frames = { count: 0, total: 0, longest: 0 };
     this.edited = 'a';
     this.nextDrawing = 0;
-    this.due = new Set();  // runs to start anew
+    this.due = new Set();  // runs that must start again
     this.time = 0;
     this.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.controls = new Controls(find('controls'), kernel.files, (name, value) => this.change(name, value));
@@ -95,14 +95,14 @@ class Page {
     this.start(['b']);
   }
 
-  // With the next frame, however many changes come before it.
+  // Starts with the next frame, even after several changes.
   start(letters) {
     for (const letter of letters) this.due.add(letter);
     this.sweepIsDue = true;
     this.speak();
     this.time = Math.min(this.time, this.a.duration);
   }
-  // The words and the link follow what has changed, once it is calm.
+  // Texts and link follow a change after a moment without another one.
   speak() {
     this.hasSpoken = false;
     this.changedAt = performance.now();
@@ -206,7 +206,7 @@ class Page {
     find('sweep-progress').value = this.sweep.progress;
   }
 
-  // What there is no time for until `deadline` comes first in the next frame.
+  // Work that does not fit before `deadline` comes first in the next frame.
   #draw(deadline) {
     const { ready, plots, time } = this;
     find('time').value = time / this.a.duration * find('time').max;
@@ -237,7 +237,7 @@ class Page {
       this.nextDrawing = (this.nextDrawing + 1) % drawings.length;
     }
   }
-  // The part of the run that is seen: all of it, or what is about the instant shown.
+  // The visible part of the run: all of it, or the part around the present instant.
   #window() {
     const length = Math.min(Number(find('window').value) || Infinity, this.a.duration);
     const left = Math.min(Math.max(0, this.time - length / 2), this.a.duration - length);
@@ -264,7 +264,7 @@ class Page {
     return scene.law !== 'hertz' && ['restitution', 'paper'].includes(scene['damping-by']) ? `; c1 = ${short(plan.contactDamping, 4)}` : '';
   }
 
-  // The words and tables, which need not follow within a frame.
+  // Texts and tables, which may follow later than within a frame.
   #showWords() {
     find('numbers').tBodies[0].replaceChildren(...this.ready.map((run) => numbersRow(run)));
     const summary = this.ready.map((run) => sentenceOf(run, this.compares)).join(' ') || `No run: ${this.runs.a.refusal.option} ${this.runs.a.refusal.value} is refused.`;

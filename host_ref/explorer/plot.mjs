@@ -18,7 +18,7 @@ export class Plot {
     stage.append(this.canvas, this.cursor);
     this.pen = this.canvas.getContext('2d', { alpha: false });
     this.drawn = '';
-    // Asked at each frame, the size would have the page laid out anew.
+    // Reading the size in each frame would cause a new layout of the page.
     this.size = [0, 0];
     new ResizeObserver(() => { this.size = [this.canvas.clientWidth, this.canvas.clientHeight]; }).observe(this.canvas);
   }

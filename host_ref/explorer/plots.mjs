@@ -1,4 +1,4 @@
-// The plots of the runs: each draws anew when what it shows has changed, and else only moves its cursor.
+// The plots of the runs. Each draws again when its data have changed, and otherwise only moves its cursor.
 
 import { column, lineColumn } from './kernel.mjs';
 import { Plot, theme } from './plot.mjs';
@@ -45,14 +45,15 @@ export class DisplacementPlot extends Plot {
   }
 }
 
-// What has been lost, to contact, dry friction and the main damper, and what is in motion and springs; above them, as a
-// line, what the start, the drive, the weight and the base have supplied: where that is not their sum, the step has made or lost energy.
+// The energies lost to contact, dry friction and the main damper, and those in motion and springs, as areas. A line shows
+// the energy that the start, the drive, the weight and the base have supplied. If it is not the sum of the areas, the step has
+// created or lost energy.
 export class EnergyPlot extends Plot {
   constructor(figure) {
     super(figure, { x: { label: 't, s' }, y: { label: 'energy, J' } });
   }
   draw(run, window, cursor) {
-    // A stop that is far too stiff for the step takes and gives more than all the rest: that is cut off.
+    // A stop that is far too stiff for the step exchanges more energy than all else. The picture cuts this off.
     const rows = run.rows(), { mostSupplied, mostFound, leastDissipated } = run.totals();
     const heights = roomy(Math.max(leastDissipated, -mostSupplied), Math.max(mostSupplied, Math.min(mostFound, 2 * mostSupplied)));
     const range = { ...window, ...heights };
@@ -68,8 +69,8 @@ export class EnergyPlot extends Plot {
   }
 }
 
-// Each contact is a loop; that of the instant shown, or the last before it, stands out. An impulsive step has no force
-// over penetration to show: its impact is at an instant.
+// Each contact is a loop. The loop of the present instant, or the last one before it, is highlighted. An impulsive step has
+// no force over penetration, because its impact is at an instant.
 export class LoopPlot extends Plot {
   constructor(figure) {
     super(figure, { x: { label: 'penetration, mm', scale: 1e3 }, y: { label: 'contact force, N' } });
@@ -153,7 +154,7 @@ export class SweepPlot extends Plot {
   draw(sweep, runs) {
     const { least, most } = sweep;
     const highest = Math.max(1e-6, ...sweep.curves.flatMap(({ own, bare }) => [extremes(own, 1)[1], extremes(bare, 1)[1]]));
-    // Near resonance the bare mass goes through the roof: the runs are to fill the picture.
+    // Near resonance the bare mass exceeds the picture, because the runs determine its range.
     const own = Math.max(1e-6, ...sweep.curves.map((curve) => extremes(curve.own, 1)[1]));
     const range = { left: least, right: most, bottom: 0, top: roomy(0, Math.min(highest, 3 * own)).top };
     if (this.begin(sweep.version, range)) {

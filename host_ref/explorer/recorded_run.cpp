@@ -66,7 +66,7 @@ void RecordedRun::note(const Sample& now) {
                    rubbed, lost, found, supplied, side});
 }
 
-// With the step before a contact and the one after it, so that a loop is seen to close.
+// Includes the step before a contact and the one after it, so that a loop is drawn closed.
 void RecordedRun::note_contact(const Sample& now) {
   if (!is_in_contact(now) && !is_in_contact(before_)) return;
   if (done_ % contact_every_ != 0) return;
@@ -74,7 +74,7 @@ void RecordedRun::note_contact(const Sample& now) {
   contacts_.push_back({now.t, now.penetration, now.contact_force});
 }
 
-// An impact is over once the ball is outside and no force is left; one that follows at once ends it too.
+// An impact ends when the ball is outside and the force is 0, or when another impact follows at once.
 void RecordedRun::note_impact(const Sample& now) {
   const bool begins = now.impacts != before_.impacts;
   if (in_impact_ && begins) end_impact(before_);
@@ -98,7 +98,7 @@ double RecordedRun::motion_energy(const Sample& now) const {
          half_square(scene.ball_mass, now.v2) + now.energy_stored;
 }
 
-// Of weight and of the base's acceleration, linear between samples, by the trapezoidal rule.
+// The work of weight and of the base's acceleration, which is linear between samples, by the trapezoidal rule.
 double RecordedRun::field_work(const Sample& now) const {
   const Scene& scene = request_.scene;
   double acceleration = scene.gravity;

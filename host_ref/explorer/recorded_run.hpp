@@ -1,26 +1,26 @@
 #pragma once
-// A simulation with what the page draws of it: its motion in rows, its contacts as force over penetration, its impacts
-// as restitution over speed. Everything is in SI units.
+// A simulation with the data that the page draws: its motion in rows, its contacts as force over penetration, its impacts
+// as restitution over speed. All values are in SI units.
 
 #include <host_ref/simulation.hpp>
 #include <vector>
 
 namespace impact::host {
 
-// The columns of a motion's row.
+// The columns of a row of the motion.
 struct Row {
   double t, x1, v1, x2, v2, penetration, contact_force, energy_dissipated;
-  double energy_rubbed;    // J: lost to contact and to dry friction
-  double energy_lost;      // J: and, c v1^2 by the trapezoidal rule, to the main damper
-  double energy_found;     // J: lost, kinetic of both masses, in the main spring and in the contact
-  double energy_supplied;  // J: at the start, and since then by drive, weight and base; what was supplied must be found
-  double side;             // of the contact under way: -1 left, 1 right, 0 apart
+  double energy_rubbed;    // J: lost to contact and dry friction
+  double energy_lost;      // J: the same plus the loss to the main damper, c v1^2 by the trapezoidal rule
+  double energy_found;     // J: the same plus kinetic energies and those stored in the main spring and the contact
+  double energy_supplied;  // J: at the start, and since then by drive, weight and base; it must equal energy_found
+  double side;             // of the present contact: -1 left, 1 right, 0 apart
 };
 struct ContactPoint {
   double t, penetration, force;
 };
-// By the energy that the ledger says it has lost: e^2 = 1 - loss / (mu V^2/2), which holds whatever else pushes the
-// main mass meanwhile; above 1 where contact has created energy.
+// The restitution of an impact from its energy loss in the ledger: e^2 = 1 - loss / (mu V^2/2). This holds for any other
+// forces on the main mass. It is above 1 if the contact has created energy.
 struct ImpactPoint {
   double t, speed, restitution;
 };
@@ -31,14 +31,14 @@ struct Totals {
   double least_x1 = 0, most_x1 = 0, most_supplied = 0, most_found = 0, least_dissipated = 0;
 };
 
-// So many that a run has at most 40000 rows.
+// The number of steps per row, so that a run has at most 40000 rows.
 long steps_of_a_row(long steps);
 
 class RecordedRun {
  public:
   RecordedRun(const Request& request, std::unique_ptr<Simulation> simulation);
 
-  void advance(long steps);  // not beyond the request's duration, and not beyond a fault
+  void advance(long steps);  // stops at the end of the request's duration, and at a fault
   bool is_done() const;
 
   const char* fault() const { return simulation_->fault(); }

@@ -2,7 +2,7 @@
 
 import { missingFile, optionsOf } from './scene.mjs';
 
-// The page's own limit: beyond, impact-sim is the place.
+// The limit of the page. For longer runs use impact-sim.
 const mostSteps = 2e6;
 export const stepsBetweenLooksAtTheClock = 500;
 
@@ -17,7 +17,7 @@ export class Run {
     this.scene = scene;
     this.isReady = this.isDone = false;
     ++this.version;
-    this.kernel.forget(this.slot);
+    this.kernel.discard(this.slot);
     this.refusal = this.#pageRefusal(scene);
     if (this.refusal) return;
     const options = optionsOf(scene, this.kernel.files);
@@ -28,12 +28,12 @@ export class Run {
     this.isReady = true;
   }
   stop() {
-    this.kernel.forget(this.slot);
+    this.kernel.discard(this.slot);
     this.isReady = false;
     ++this.version;
   }
 
-  // Until `deadline` of performance.now(); whether it has done anything.
+  // Computes until `deadline` of performance.now(). Returns true if it has done anything.
   work(deadline) {
     if (!this.isReady || this.isDone) return false;
     let more = true;

@@ -11,7 +11,7 @@ namespace impact::host {
 class SampleFiles {
  public:
   void write(const std::string& name, std::string_view text) { files_[name] = {std::string(text), {}}; }
-  // As samples of a kind, read once.
+  // The file's samples of this kind, which are read only once.
   const Column& column(const SampleKind& kind, const std::string& name);
 
  private:

@@ -1,5 +1,5 @@
-// Files of samples, one a line and step: a person's own, and an example of a base that shakes. What a file's lines mean,
-// and whether they are numbers, the kernel's side says (sample_files.cpp).
+// Files of samples, one per line and step: the user's own, and an example of a base that shakes. sample_files.cpp decides
+// what the lines mean and whether they are numbers.
 
 const mostInLink = 200000;  // letters
 
@@ -51,7 +51,7 @@ export class SampleFiles {
   }
 }
 
-// What an accelerometer on a machine that runs up would give: 5 m/s^2, from 20 to 60 rad/s within two seconds.
+// The readings of an accelerometer on a machine that runs up: 5 m/s^2, from 20 to 60 rad/s within two seconds.
 function shakenBase(step, count) {
   const lines = [];
   for (let n = 1; n <= count; ++n) {

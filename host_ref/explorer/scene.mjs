@@ -1,6 +1,6 @@
-// The values of a scene, by the names of impact-sim's options: what the controls show, what the kernel is asked, the
-// command and the link are all made from this one list. A slider's range is what is of use; the kernel's own is wider,
-// and it says so itself. `zero`: a logarithmic slider ends in 0. `samples`: the name of a file of them, in this unit.
+// The values of a scene, by the names of impact-sim's options. The controls, the kernel's input, the command and the link
+// all follow from this list. A slider has a useful range. The kernel's own range is wider, and the kernel prints it in its
+// refusals. `zero` means that a logarithmic slider ends in 0. `samples` means a file of samples, in this unit.
 
 export const groups = [
   { title: 'Contact', values: [
@@ -61,7 +61,7 @@ function statesBounds(scene) {
 export const isSampled = ({ drive }) => drive === 'drive-file' || drive === 'base-file';
 export const isShown = (value, scene) => !value.shown || value.shown(scene);
 
-// The kernel's defaults, and what only the page has.
+// The kernel's defaults, and values that only the page has.
 export function initialScene(kernel) {
   const ofThePage = {
     'damping-by': 'c1', 'impact-speed': 0.8, 'tension': 'clamp', 'stops': 'both', 'drive': 'sine', 'duration': 2,
@@ -76,7 +76,7 @@ export function initialScene(kernel) {
 // The paper's, tables 1 and 2.
 export const usualDamping = { 'hooke-newton': 20.81, 'hertz': 0, 'hunt-crossley': 19560 };
 
-// As [option, value] pairs, those that the scene depends on; `files` makes the example's.
+// The options that the scene depends on, as [option, value] pairs. `files` makes the example's file.
 const pageOnly = ['damping-by', 'bounds', 'base'];
 export function optionsOf(scene, files) {
   const options = [];
@@ -91,8 +91,8 @@ export function optionsOf(scene, files) {
   return options;
 }
 
-// The options of the command: impact-sim's own defaults are left out, but for the damping, which depends on the law, and
-// the step, which it would choose; and but for the duration beside a file, which would last as long.
+// The options of the command, without the values that are impact-sim's defaults. The damping stays, because its default
+// depends on the law, and so does the step, which impact-sim would choose. With a file the duration stays as well.
 const toolDefaults = { duration: '1', tension: 'clamp', stops: 'both', drive: 'sine' };
 const alwaysStated = ['contact-damping', 'restitution', 'step'];
 export function argumentsOf(scene, initial, every, files) {
@@ -103,6 +103,6 @@ export function argumentsOf(scene, initial, every, files) {
 }
 // The files that options name.
 export const filesOf = (options) => options.filter(([name]) => fileValues.some((value) => value.name === name)).map(([, file]) => file);
-// The value of a requested file that is not there yet.
+// The value of a requested file that has not been loaded yet.
 export const missingFile = (scene) => fileValues.find((value) => isShown(value, scene) && scene[value.name] === '');
 export const commandOf = (options) => ['impact-sim', ...options.map(([name, text]) => `--${name}=${text}`)].join(' ');

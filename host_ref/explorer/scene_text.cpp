@@ -8,14 +8,14 @@
 namespace impact::host {
 namespace {
 
-// How the contact damping is stated, by c1 itself or by a restitution; and the files of samples.
+// How the contact damping is stated (by c1 or by a restitution), and the files of samples.
 struct Stated {
   bool restitution = false, by_paper = false;
   double impact_speed = 0.8;  // m/s
   std::string drive_file, base_file, base_acceleration_file;
 };
 
-// False where the value is none of the option's.
+// Returns false if the option does not have this value.
 bool store(Request& request, Stated& stated, std::string_view option, std::string_view text) {
   Scene& scene = request.scene;
   if (option == "law") return store(laws, text, request.law);
@@ -41,7 +41,7 @@ bool store(Request& request, Stated& stated, std::string_view option, std::strin
   return false;
 }
 
-// As impact-sim reads them.
+// Reads them like impact-sim.
 Refusal take_samples(Request& request, const Stated& stated, SampleFiles& files) {
   const struct {
     const SampleKind& kind;

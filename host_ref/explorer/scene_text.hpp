@@ -1,6 +1,6 @@
 #pragma once
-// A scene as text, one "option value" a line: the options are impact-sim's, so that the page's state, its link and the
-// command that it shows are one list.
+// A scene as text, with one "option value" per line. The options are those of impact-sim, so that the page's state, its
+// link and the command that it shows are the same list.
 
 #include <host_ref/explorer/sample_files.hpp>
 #include <host_ref/simulation.hpp>
@@ -21,10 +21,10 @@ void for_each_line(std::string_view text, Line with_option_and_value) {
 
 struct ScenePlan {
   Request request;
-  Refusal refusal;  // without a field when there is none
+  Refusal refusal;  // its field is empty if there is no refusal
 };
 ScenePlan scene_from(std::string_view text, SampleFiles& files);
 
-std::string default_scene();  // in the same form, what --contact-damping depends on left out
+std::string default_scene();  // law, stepper, format and the values of the scene, in the same form
 
 }  // namespace impact::host

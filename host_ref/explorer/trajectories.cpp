@@ -1,4 +1,4 @@
-// The console and the start of trajectory_test in WebAssembly: a page or node is what prints.
+// The console and the start of trajectory_test in WebAssembly, where a page or node prints.
 
 #include <board/console.hpp>
 

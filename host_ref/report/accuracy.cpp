@@ -1,8 +1,8 @@
-// accuracy OUTPUT.csv: the error over 1 s of the paper's scene, |x1| every 10 ms, of every stepper and number format of
-// the kernel and, in float and in double, of the baselines, parted into the method's (the same run in double) and
-// rounding's (error_measures.hpp). Time is the fastest of five runs; the kernel's is taken through its run-time
-// interface, all steps at once, contact's energy ledger and impact log included. contact_share is the share of steps
-// with contact at either end, from the reference.
+// accuracy OUTPUT.csv: the error of x1 every 10 ms over 1 s of the paper's scene. It has every stepper and number
+// format of the kernel, and the baselines in float and in double. The error is divided into those of the method (the
+// same run in double) and of rounding (error_measures.hpp). The time is that of the fastest of five runs. The kernel
+// makes all steps in one call of its interface at run time, with energy ledger and impact log. contact_share is the
+// share of steps with contact at either end, from the reference.
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +33,7 @@ struct LawReference {
   double contact_time = 0;  // s
 
   explicit LawReference(const Case& run) {
-    constexpr int fine = 100;  // samples an interval
+    constexpr int fine = 100;  // samples per interval
     const Samples all = reference_trajectory(run, interval / fine, duration).samples;
     for (size_t i = 0; i < all.size(); ++i) {
       if (i % fine == 0) samples.push_back(all[i]);
@@ -50,7 +50,7 @@ struct Run {
   double nanoseconds_per_step = 0;
 };
 
-// `make()` gives a fresh model; `go(model, x1)` makes all steps and says where x1 was at the end of each interval.
+// `make()` returns a new model. `go(model, x1)` makes all steps and stores x1 at the end of each interval.
 template <class Make, class Go>
 Run timed_run(double start, int steps_per_interval, Make make, Go go) {
   Run run;
@@ -72,7 +72,7 @@ Run timed_run(double start, int steps_per_interval, Make make, Go go) {
 
 void write_row(Output& output, Law law, std::string_view method, std::string_view numeric, double step,
                const ErrorParts& error, double time, double contact_share) {
-  if (!(error.total < 1)) return;  // metres: no longer this scene
+  if (!(error.total < 1)) return;  // m; a larger error is that of a run that has diverged
   std::string row = std::string(name_of(law)) + "," + std::string(method) + "," + std::string(numeric);
   append_numbers(row, {step, error.total, error.method, error.rounding, time, contact_share}, 4);
   output.write(row + "\n");
@@ -113,7 +113,7 @@ class StepLength {
               reference_.contact_share(request_.step));
   }
 
-  // Without samples where the request is refused or the run raises a fault.
+  // There are no samples if the request is refused or the run raises a fault.
   Run kernel_run(Stepper stepper, Numeric numeric) const {
     Request request = request_;
     request.stepper = stepper;

@@ -1,6 +1,7 @@
-// attenuation OUTPUT.csv: what the ball takes of the main mass's vibration, level and upright, with dry friction and
-// without, over the drive's pulsation. The paper's scene over 5 s from rest, by the kernel in fixed32 at 0.1 ms;
-// upright the ball begins on its lower stop. A swing is half of the way between the extremes of x1.
+// attenuation OUTPUT.csv: how much the ball reduces the main mass's vibration, over the angular frequency of the drive.
+// The rig is level or upright, with or without dry friction. It is the paper's scene over 5 s from rest, by the kernel
+// in fixed32 at 0.1 ms. In the upright rig the ball starts on its lower stop. A swing is half of the distance between
+// the extremes of x1.
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,9 @@
-// coupled OUTPUT.csv: random scenes of the coupled machine (coupled_scenes.hpp), half of them driven, by the rule and
-// by each stepper where the plan accepts it. scenes: accepted ones. faults: of them within their bounds.
-// energy_gain_max: the largest growth of the energy over that of the start while the ball is apart.
+// coupled OUTPUT.csv: random scenes of the coupled machine (coupled_scenes.hpp), half of them driven. Each runs with
+// the rule's stepper and with every other stepper that the plan accepts.
+//
+//     scenes            the number of accepted scenes
+//     faults            the number of faults in them
+//     energy_gain_max   the largest growth of the energy while the ball is apart, relative to the energy at the start
 
 #include <host_ref/coupled_scenes.hpp>
 #include <host_ref/report/report_program.hpp>
@@ -13,7 +16,7 @@ namespace {
 
 using namespace host;
 
-constexpr unsigned scenes = 150;  // an edge
+constexpr unsigned scenes = 150;  // per edge
 
 void append_row(std::string& rows, Law law, Stepper stepper, Numeric numeric) {
   long accepted = 0, faults = 0;

@@ -1,9 +1,9 @@
-// error_vs_time OUTPUT.csv ACCURACY.csv COST.csv...: the error of every method against the instructions that it takes
-// per simulated second on a target,
+// error_vs_time OUTPUT.csv ACCURACY.csv COST.csv...: the error of every method against its instructions per simulated
+// second on a target,
 //
-//     (free (1 - s) + contact s) / h      mean instructions of a step, s the share of steps in contact
+//     (free (1 - s) + contact s) / h      with the average instructions of a step and the share s of steps in contact
 //
-// and whether a method is on the frontier: no other of that target and law has a smaller error for as few instructions.
+// A method is on the frontier if no other of that target and law has a smaller error for as few instructions.
 
 #include <algorithm>
 #include <host_ref/closed_form.hpp>
@@ -25,8 +25,8 @@ struct Point {
   }
 };
 
-// Whether a step costs what it does at 1 ms and 0.1 ms, where costs are measured: the energy-consistent step of a power
-// law takes three to four times as much where a contact lasts fewer than 20 steps at the largest speed
+// True if a step costs as much as at 1 ms and 0.1 ms, where costs are measured. The energy-consistent step of a power
+// law costs three to four times as much if a contact at the largest speed has fewer than 20 steps
 // (impact/stepper/energy/power.hpp).
 bool costs_as_measured(const std::string& law, const std::string& newmark, double step) {
   if (newmark != "energy" || law == "hooke-newton") return true;

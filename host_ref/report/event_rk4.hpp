@@ -1,8 +1,8 @@
 #pragma once
-// A baseline for stiff stops: Runge-Kutta of fourth order that locates every touch and release, what a user would
-// write, in double on a host and in float for an FPU. Free flight is in whole steps, or to the root of the cubic
-// through a step's penetrations and rates. A contact is in `contact_steps` parts of what an elastic impact at its
-// closing speed lasts. Hunt-Crossley, both stops, a sine.
+// A baseline for stiff stops, as a user would write it: Runge-Kutta of fourth order that locates every touch and
+// release. It is in double on a host and in float for an FPU. Free flight advances by whole steps, or to the root of
+// the cubic through a step's penetrations and rates. An elastic impact at the same closing speed would have
+// `contact_steps` steps. The scene has Hunt-Crossley, both stops and a sine.
 
 #include <host_ref/report/textbook_methods.hpp>
 #include <impact/scene.hpp>
@@ -84,7 +84,8 @@ class EventRk4 {
             now_.x2 + sixth * (a.x2 + 2 * (b.x2 + c.x2) + d.x2), now_.v2 + sixth * (a.v2 + 2 * (b.v2 + c.v2) + d.v2)};
   }
   State advanced(Real h) const { return side_ == 0 ? advanced<0>(h) : side_ > 0 ? advanced<1>(h) : advanced<-1>(h); }
-  // When the stop's surface is passed on the way to `next`: Newton's method on the cubic, begun on the chord.
+  // The instant at which the ball passes the face of the stop on its way to `next`. Newton's method on the cubic starts
+  // from a straight line.
   Real root(const State& next, int stop, Real h) const {
     const Real from = beyond(now_, stop), to = beyond(next, stop), way = to - from,
                start = h * signed_by(stop, now_.v2 - now_.v1), rise = h * signed_by(stop, next.v2 - next.v1) - start,

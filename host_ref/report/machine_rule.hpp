@@ -1,6 +1,7 @@
 #pragma once
-// The stepper that a firmware's Chosen<> takes for the paper's main mass at a stop, in impacts at 0.8 m/s without damping:
-// the restitution of two free masses does not say how far a contact may last beside the main mass's vibration.
+// The stepper that a firmware's Chosen<> takes for the paper's main mass at a stop, for impacts at 0.8 m/s without
+// damping. The restitution of two free masses does not show how long a contact may be compared with the main mass's
+// vibration.
 
 #include <host_ref/settled.hpp>
 

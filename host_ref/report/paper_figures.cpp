@@ -1,5 +1,5 @@
-// paper_figures FOLDER RUNS.csv: what the paper's figures show, from the runs of target/paper_runs.cpp and, beside
-// them, from the reference: FOLDER/figures.csv, and for the pictures FOLDER/paper_traces.csv and
+// paper_figures FOLDER RUNS.csv: the quantities of the paper's figures, from the runs of target/paper_runs.cpp and from
+// the reference. It writes FOLDER/figures.csv, and for the pictures FOLDER/paper_traces.csv and
 // FOLDER/paper_restitutions.csv.
 //
 // attenuation: 1 - peak with the absorber / peak without it, both since the start.
@@ -37,7 +37,7 @@ std::vector<Curve> kernel_curves(const std::string& path) {
   return curves;
 }
 
-// At the instants of `kernel`, the peak looked at every 0.5 ms as there.
+// The reference at the instants of `kernel`. As there, the peak is that of samples every 0.5 ms.
 Curve reference_curve(const PaperRun& run, const Curve& kernel) {
   host::Case scene;
   scene.law = run.law;
@@ -116,7 +116,7 @@ class Figures {
   Output output_;
 };
 
-// The largest |x1| difference over the first second, where trajectories are comparable.
+// The largest difference of x1 over the first second, in which trajectories are comparable.
 double early_difference(const Curves& curves) {
   double largest = 0;
   for (size_t i = 0; i < curves.kernel.size() && curves.kernel[i].t <= 1; ++i)

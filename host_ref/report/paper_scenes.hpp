@@ -1,5 +1,5 @@
 #pragma once
-// The runs behind the paper's figures, for the image on the emulated target and for the reference beside it.
+// The runs for the paper's figures, for an image on an emulated target and for the reference.
 //
 // Tables 1 and 2, 40 rad/s, from rest with the ball in the middle, stops at +-d/2. Hooke-Newton pulls before it
 // separates, as (2.1) is written. Figure 8: c1 of a restitution by (2.3) with (2.4), and by (2.9) at the 0.8 m/s of
@@ -21,10 +21,10 @@ struct PaperRun {
 };
 
 constexpr double least_restitution = 0.4, restitution_step = 0.05;
-constexpr int restitutions = 13;  // to 1
+constexpr int restitutions = 13;  // up to 1
 constexpr int traced_runs = 4, paper_runs = traced_runs + 2 * restitutions;
 
-// ln x = 2 artanh((x - 1)/(x + 1)), to rounding for x from 0.4 to 1.
+// ln x = 2 artanh((x - 1)/(x + 1)), exact within rounding for x from 0.4 to 1.
 constexpr double logarithm(double x) {
   const double z = (x - 1) / (x + 1);
   double sum = 0, power = z;

@@ -1,12 +1,12 @@
 #pragma once
-// y^(3/2) = y sqrt(y) in one number, with the kernel's table of square roots: for the textbook methods.
+// y^(3/2) = y sqrt(y) in one function, with the kernel's table of square roots, for the textbook methods.
 
 #include <impact/numeric/square_root.hpp>
 
 namespace impact {
 
-// |relative error| <= 2^-27 + 2^-24 + 2^-29 for every float from 2^-84, where the result is FLT_MIN, to 2^(256/3),
-// where it is FLT_MAX; never falls. Above, and for infinity, FLT_MAX; below, and for y < 0 and NaN, 0.
+// The relative error is at most 2^-27 + 2^-24 + 2^-29 for every float from 2^-84 to 2^(256/3). A larger y never has a
+// smaller result. Above that range, and for infinity, the result is FLT_MAX. Below, and for y < 0 and a NaN, it is 0.
 inline float power_three_halves(float y) {
   constexpr uint32_t lowest = 0x15800000, highest = 0x6a214517, infinity = 0x7f800000, largest = 0x7f7fffff;
   const uint32_t bits = bits_of(y);

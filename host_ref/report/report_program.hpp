@@ -1,5 +1,5 @@
 #pragma once
-// The main of a report's program: arguments in, a message and exit code 1 where something is missing.
+// The main function of a report's program. If something is missing, it prints a message and returns the exit code 1.
 
 #include <exception>
 #include <iostream>

@@ -1,10 +1,13 @@
 // stability OUTPUT.csv: one impact of two free masses (k = c = 0, no drive; 1 kg and 0.3 kg at 0.8 m/s) at every step
 // length and contact stiffness, over 64 phases of the impact within the step. c1 gives restitution 0.68 exactly.
 //
-// restitution: rebound speed over approach speed, least and largest over the phases (free_pair.hpp). energy_gain_max:
-// largest relative growth of the energy of relative motion. accepted: 1 where the plan accepts the configuration; where
-// it does not because of the stepper's range of steps per contact, the step is made in double nevertheless, to see what
-// lies beyond. textbook-rk4 is the classical Runge-Kutta method, which has no plan. machine_rule: machine_rule.hpp.
+//     restitution       rebound speed over approach speed, smallest and largest over the phases (free_pair.hpp)
+//     energy_gain_max   the largest relative growth of the energy of the relative motion
+//     accepted          1 if the plan accepts the configuration
+//     machine_rule      see machine_rule.hpp
+//
+// If a plan is rejected because a contact has too few steps, the run is made in double nevertheless, to show the
+// result. textbook-rk4 is the classical Runge-Kutta method, which has no plan.
 
 #include <array>
 #include <atomic>
@@ -25,7 +28,7 @@ namespace {
 
 using namespace host;
 
-// A stepper at any number of steps per contact.
+// A stepper without its limit on the number of steps per contact.
 template <class Stepper>
 struct Unranged : Stepper {
   static constexpr Range steps(const Resolution&) { return any_step; }

@@ -1,6 +1,6 @@
-// step_budget OUTPUT.csv BUDGETS.csv COSTS.csv...: instructions of a step, one row a phase; `all` has the larger of
-// `free` and `contact`, and no mean. Beside it what BUDGETS.csv has: the budget, the memory, and cycles where a model
-// of the core has counted them. A count that is not its budget is said on standard error.
+// step_budget OUTPUT.csv BUDGETS.csv COSTS.csv...: the instructions of a step, one row per phase. `all` has the larger
+// count of `free` and `contact`, and no average. Further columns come from BUDGETS.csv: the budget, the memory, and
+// cycles if a model of the core has counted them. A count that differs from its budget is printed on standard error.
 
 #include <algorithm>
 #include <host_ref/extremes.hpp>

@@ -1,7 +1,7 @@
-// stiff OUTPUT.csv: what stops of any stiffness do to the error. The largest difference of x1 from the reference over
-// 0.4 s, every 4 ms (every 12 ms at steps that do not divide 4 ms), and the time of a simulated second on this host. Of
-// the stepper that impact-sim's rule takes, of sub-steps of every number, of the impulsive step, and of a Runge-Kutta
-// method that locates the touch (event_rk4.hpp) with different numbers of steps in a contact.
+// stiff OUTPUT.csv: the error against the stiffness of the stops. It is the largest difference of x1 from the reference
+// over 0.4 s, every 4 ms (every 12 ms at steps that do not divide 4 ms). The time is that of a simulated second on this
+// host. The methods are the rule's stepper, sub-steps of every number, the impulsive step, and a Runge-Kutta method
+// that locates the touch (event_rk4.hpp), with different numbers of steps in a contact.
 
 #include <algorithm>
 #include <chrono>
@@ -47,7 +47,7 @@ Measured measured(const Model& start, double h, const std::vector<host::Sample>&
   return result;
 }
 
-// An infinite error of what the plan refuses.
+// The error is infinite if the plan is rejected.
 template <class Stepper, class Format>
 Measured by_kernel(const Scene& scene, double h, const std::vector<host::Sample>& reference) {
   using Driven = Absorber<AtRunTime, HuntCrossley, Stepper, Sine, Format>;

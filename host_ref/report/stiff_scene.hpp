@@ -1,13 +1,13 @@
 #pragma once
-// The report's stiff stops: the scene, from rest over 0.4 s, and the runs at a stop like steel, which are the same on a
-// host, for their errors, and on a target, for their cost.
+// The stiff stops of the report: the scene, from rest over 0.4 s, and the runs at a stop like steel. The same runs give
+// the errors on a host and the cost on a target.
 
 #include <host_ref/report/event_rk4.hpp>
 #include <impact/absorber.hpp>
 
 namespace impact::report {
 
-// Hunt-Crossley; e = 0.68 at 0.8 m/s, whatever the stiffness.
+// Hunt-Crossley with e = 0.68 at 0.8 m/s, for any stiffness.
 constexpr Scene stiff_scene(double stiffness) {
   Scene scene;
   scene.main_damping = 0.5;
@@ -17,7 +17,7 @@ constexpr Scene stiff_scene(double stiffness) {
   return scene;
 }
 inline constexpr Bounds stiff_bounds{0.05, 1.5};
-inline constexpr double stiff_interval = 4e-3;  // s, between two looks at x1
+inline constexpr double stiff_interval = 4e-3;  // s, between two samples of x1
 inline constexpr int stiff_rows = 102;
 inline constexpr double stiff_duration = stiff_rows * stiff_interval;
 
@@ -45,7 +45,7 @@ void run_at_steel(const char* numeric, const Run& run) {
   run_kernel<Impulsive, Format>("impulsive", numeric, run);
   run_kernel<SubsteppedMoment<>, Format>("moment-n", numeric, run);
 }
-// With more steps in a contact float rounds away what they gain.
+// With more steps in a contact, the rounding of float adds more error than they remove.
 template <class Run>
 void run_events_at_steel(const Run& run) {
   constexpr int steps[] = {4000, 2000, 1000, 500, 200}, parts[] = {4, 6, 8, 12, 16, 24, 32};

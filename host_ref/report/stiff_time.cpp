@@ -1,5 +1,5 @@
-// stiff_time OUTPUT.csv COST.csv...: the error of the runs at a stop like steel (stiff_scene.hpp), found on this host,
-// against what a simulated second costs on the targets, in instructions.
+// stiff_time OUTPUT.csv COST.csv...: the error of the runs at a stop like steel (stiff_scene.hpp), measured on this
+// host, against the instructions of a simulated second on the targets.
 
 #include <cmath>
 #include <host_ref/extremes.hpp>

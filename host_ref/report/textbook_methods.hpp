@@ -1,13 +1,12 @@
 #pragma once
-// What one would write today for a microcontroller, from a textbook and with the C library: the yardstick of the error
-// and cost report. One source runs on the host and on the emulated targets.
+// Methods that one would write today for a microcontroller, from a textbook and with the C library. They are the
+// baselines of the report. One source runs on the host and on the emulated targets.
 //
 //     TextbookNewmark   average acceleration (gamma = 1/2, beta = 1/4) in acceleration form; in contact Newton's method
-//     on
-//                       both masses until the correction is below `converged` of the acceleration
-//     TextbookRk4       the classical Runge-Kutta method, the force of the present penetration in every stage
-//     TunedRk4          the same with a sine turned by w h/2 twice a step in place of the library's: with y sqrt(y)
-//                       the strongest simple peer
+//                       on both masses, until the correction is below `converged` of the acceleration
+//     TextbookRk4       the classical Runge-Kutta method; each stage has the force of its own penetration
+//     TunedRk4          the same with a sine that turns by w h/2 twice per step, instead of the library's. With
+//                       y sqrt(y) it is the strongest simple baseline
 //
 // The others evaluate the drive by the library's sine. The power delta^(3/2) is a policy.
 
@@ -18,7 +17,7 @@
 
 namespace impact::report {
 
-// Of the C library: builtins, because an image has no C headers.
+// Functions of the C library, as builtins, because an image has no C headers.
 inline float sine(float x) { return __builtin_sinf(x); }
 inline double sine(double x) { return __builtin_sin(x); }
 
@@ -35,7 +34,7 @@ struct KernelLookup {
   static double three_halves(double y) { return y * __builtin_sqrt(y); }
 };
 
-// A Rig states scene and step as the kernel's does. The scene has a constant c1, both stops, and a clamped force.
+// A Rig has a scene and a step, like the kernel's. The scene has a constant c1, both stops, and a clamped force.
 template <class Real, class Rig, Law law, class Power>
 class TextbookModel {
  public:
@@ -189,7 +188,7 @@ class TunedRk4 : public RungeKutta<Real, Rig, law, Power> {
   struct Phasor {
     Real sine, cosine;
   };
-  // By the angle a, as an increment: with 1 - cos a the rounding stays that of a small number.
+  // Turns by the angle a. It adds an increment with 1 - cos a, so that the rounding is that of a small number.
   Phasor turned(const Phasor& p) const {
     return {p.sine + (p.cosine * sine_ - p.sine * versine_), p.cosine - (p.sine * sine_ + p.cosine * versine_)};
   }

@@ -10,10 +10,10 @@
 
 namespace impact::host {
 
-// Largest |x1| of the main mass alone, run once for all scenes that share what it depends on.
+// The largest |x1| of the main mass alone. One run serves all scenes with the same values for it.
 class BareRuns {
  public:
-  // `drive_file`: what the request's samples are from. 0 where the mass alone can not be run.
+  // `drive_file` is the file of the request's samples. Returns 0 if the mass alone cannot be run.
   double largest(const Request& request, const std::string& drive_file);
 
  private:

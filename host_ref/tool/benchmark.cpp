@@ -10,7 +10,7 @@
 namespace impact::host {
 namespace {
 
-// A negative number when there is no such stepper.
+// A negative number if there is no such stepper.
 double nanoseconds_per_step(Law law, Stepper stepper, Numeric numeric) {
   Settings settings;
   settings.request.law = law;
@@ -18,7 +18,7 @@ double nanoseconds_per_step(Law law, Stepper stepper, Numeric numeric) {
   settings.request.numeric = numeric;
   settings.request.duration = 2;
   settle(settings, {});
-  if (stepper == Stepper::impulsive) {  // which takes a stiff stop
+  if (stepper == Stepper::impulsive) {  // it requires a stiff stop
     settings.request.scene.contact_stiffness *= 1e6;
     settings.request.scene.contact_damping *= law == Law::hooke_newton ? 1e3 : 1e6;
   }

@@ -1,7 +1,7 @@
 #pragma once
-// Nanoseconds a step on this machine for each law, stepper and number format: law,newmark,numeric,host_ns_per_step.
-// The paper's scene over 2 s at h = 0.1 ms, for impulsive with stops of 10^6 times the stiffness; the fastest of five
-// runs, because whatever disturbs a run only slows it down.
+// Nanoseconds per step on this machine for each law, stepper and number format: law,newmark,numeric,host_ns_per_step.
+// It is the paper's scene over 2 s at h = 0.1 ms, for impulsive with stops of 10^6 times the stiffness. The fastest of
+// five runs counts, because disturbances only slow a run down.
 
 #include <host_ref/tool/settings.hpp>
 

@@ -15,13 +15,13 @@ namespace {
 
 struct Option {
   std::string name;
-  std::string placeholder;  // stands for the value in --help; empty for a flag
+  std::string placeholder;  // replaces the value in --help; empty for a flag
   std::string help;
   std::string allowed;
   std::string initial;                                       // the default
-  bool scene;                                                // may be a column of a sweep
-  std::function<bool(Settings&, const std::string&)> store;  // false: the value is not allowed
-  bool is_choice = false;                                    // of names
+  bool scene;                                                // true if it may be a column of a sweep
+  std::function<bool(Settings&, const std::string&)> store;  // returns false if the value is not allowed
+  bool is_choice = false;                                    // true if the values are names
 
   Option by_default(const char* text) && {
     initial = text;
@@ -68,7 +68,7 @@ Option number(const std::string& name, const std::string& unit, Range range, con
             return true;
           }};
 }
-// Of the kernel's table.
+// An option for a row of the kernel's table.
 Option number(const ParameterEntry& row) {
   const Field<double> field = [&row](Settings& settings) -> double& { return value_in(settings.request, row); };
   const std::string name = option_of(row);
@@ -218,7 +218,7 @@ const Option* find_option(const std::string& name) {
   return nullptr;
 }
 
-// Levenshtein's distance: the fewest insertions, deletions and replacements of a letter.
+// Levenshtein's distance: the smallest number of insertions, deletions and replacements of a letter.
 size_t edits_between(const std::string& a, const std::string& b) {
   std::vector<size_t> row(b.size() + 1);
   for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -233,10 +233,10 @@ size_t edits_between(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-// What it is called in C++ and in the READMEs, where the option has another name.
+// Names in C++ and in the READMEs, if the option has another name.
 constexpr std::pair<const char*, const char*> other_names[] = {{"stepper", "newmark"}, {"format", "numeric"}};
 
-// Without case and dashes, as C++ has it.
+// The name in lower case and without dashes, to compare it with a name in C++.
 std::string plain(const std::string& name) {
   std::string letters;
   for (const char letter : name)
@@ -244,7 +244,7 @@ std::string plain(const std::string& name) {
   return letters;
 }
 
-// The choice that is meant by a name like Moment, HuntCrossley or AverageAcceleration; what another option has by it.
+// A suggestion for a name like Moment, HuntCrossley or AverageAcceleration: a value of this option or of another one.
 std::string meant(const Option& option, const std::string& value) {
   std::string best;
   std::istringstream names(option.allowed);
@@ -277,7 +277,7 @@ const Option& option_named(const std::string& name, const std::string& value) {
                                                               : holding + "?"));
 }
 
-// As lines of at most 100 columns under an option's name.
+// Breaks a text into lines of at most 100 columns, for the paragraph of an option.
 std::string indented(const std::string& text) {
   constexpr size_t width = 94;
   std::string lines;

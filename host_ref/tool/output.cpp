@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The unfinished files, for the signal handler: only lock-free atomics may be read there.
+// The unfinished files, for the signal handler, which may read only lock-free atomics.
 std::array<std::atomic<const char*>, 8> unfinished{};
 
 extern "C" void remove_unfinished(int signal) {
   for (const auto& path : unfinished) {
     if (const char* name = path.load()) unlink(name);
   }
-  raise(signal);  // the default action, which SA_RESETHAND has put back
+  raise(signal);  // the default action, which SA_RESETHAND has restored
 }
 
 void watch_signals() {
@@ -50,7 +50,7 @@ void forget_unfinished(const char* path) {
   }
 }
 
-// What a link leads to, there or not; of a loop of links one of them.
+// The target of a link, even if it does not exist. For a loop of links it is one of them.
 std::string behind_links(fs::path path) {
   std::error_code none;
   for (int links = 0; links < 40 && fs::is_symlink(path, none); ++links)

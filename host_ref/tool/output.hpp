@@ -1,7 +1,7 @@
 #pragma once
-// A file that appears whole or not at all: written beside its target and renamed at the end. Standard output, devices
-// and pipes are written directly. Every write, the flush and the close are checked. A signal that ends the program
-// takes the unfinished files with it.
+// A file that appears whole or not at all. It is written under another name and renamed at the end. Standard output,
+// devices and pipes are written directly. Every write, the flush and the close are checked. A signal that ends the
+// program deletes the unfinished files.
 
 #include <cstdio>
 #include <stdexcept>
@@ -10,11 +10,11 @@
 
 namespace impact::host {
 
-// `-` is standard input, or standard output, where a file is expected.
+// The file name `-` means standard input or standard output.
 inline std::string readable_path(const std::string& path) { return path == "-" ? "/dev/stdin" : path; }
 inline bool is_standard_output(const std::string& path) { return path.empty() || path == "-"; }
 
-// Exit code 1; the message names the file and the system's reason (errno).
+// Leads to exit code 1. The message names the file and the system's reason (errno).
 struct OutputError : std::runtime_error {
   explicit OutputError(const std::string& file);
 };
@@ -36,7 +36,8 @@ class Output {
   std::FILE* file_ = nullptr;
 };
 
-// Whether two names stand for one file that is or would be a regular one, however they are spelled.
+// True if two paths name the same file, also if they are spelled differently or it does not exist yet. Only regular
+// files count.
 bool is_same_file(const std::string& a, const std::string& b);
 
 }  // namespace impact::host

@@ -53,7 +53,7 @@ std::string title(const Request& request) {
          short_text(request.scene.drive_pulsation) + " rad/s";
 }
 
-// Whether gnuplot, which says nothing of a full disk, has written it to its end. Of a device it cannot be told.
+// True if the file is complete, since gnuplot does not report a full disk. For a device this cannot be determined.
 bool is_whole(const std::string& path) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return true;
@@ -74,7 +74,8 @@ void draw(const std::string& path, const Request& request, const Curve& with_abs
     return;
   }
   Output output(path);
-  // Vermilion and blue of Okabe and Ito's palette, which colour-blind readers tell apart; widths differ for print.
+  // Vermilion and blue of Okabe and Ito's palette, which colour-blind readers can distinguish. The widths differ for
+  // print.
   const std::string script =
       "set terminal svg size 960,480 font 'sans-serif,15' background rgb 'white' noenhanced\n"
       "set output " +
@@ -92,7 +93,7 @@ void draw(const std::string& path, const Request& request, const Curve& with_abs
       data_block("$without", without_absorber) + data_block("$with", with_absorber) +
       "plot $without with lines linewidth 1 linecolor rgb '#D55E00' title 'without absorber', "
       "$with with lines linewidth 2 linecolor rgb '#0072B2' title 'with absorber'\n";
-  std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies shows in its exit status
+  std::signal(SIGPIPE, SIG_IGN);  // if gnuplot fails, its exit status shows it
   std::FILE* gnuplot = popen("gnuplot", "w");
   if (!gnuplot) throw OutputError(path);
   std::fputs(script.c_str(), gnuplot);

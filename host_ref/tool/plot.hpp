@@ -7,8 +7,8 @@
 
 namespace impact::host {
 
-// A curve of any length in a few thousand points: of each run of steps the lowest and the highest, so that no peak is
-// lost.
+// A curve of any length in a few thousand points. They are the lowest and the highest value of each group of steps, so
+// that no peak is lost.
 class Curve {
  public:
   explicit Curve(long steps) : steps_per_run_(steps / 2000 + 1) {}
@@ -38,7 +38,7 @@ class Curve {
   std::vector<Point> points_;
 };
 
-// Says so on standard error when there is no gnuplot, and draws nothing.
+// Without gnuplot it prints this on standard error and draws nothing.
 void draw(const std::string& path, const Request& request, const Curve& with_absorber, const Curve& without_absorber);
 
 }  // namespace impact::host

@@ -1,5 +1,5 @@
 #pragma once
-// How far a run is, on standard error: only when that is a terminal and only after the first second.
+// Shows the progress of a run on standard error, if that is a terminal, after the first second.
 
 #include <unistd.h>
 

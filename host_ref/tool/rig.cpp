@@ -9,7 +9,7 @@
 namespace impact::host {
 namespace {
 
-// As a shell takes it, in one line that no backslash goes on beyond.
+// An argument as a shell reads it, in one line without a backslash at its end.
 std::string quoted(const std::string& text) {
   const auto is_plain = [](char letter) {
     return std::isalnum(static_cast<unsigned char>(letter)) ||
@@ -48,12 +48,13 @@ std::string line(const std::string& name, const std::string& value, const std::s
 std::string rig_text(const Request& made, const std::vector<Argument>& arguments) {
   const Scene& scene = made.scene;
   const Bounds& bounds = *made.bounds;
-  // No other rig in the same program has this name, whatever reads its members.
+  // The name is unique in a program, so that code may read the members of several rigs.
   char type[] = "Rig_12345678";
   std::snprintf(type, sizeof type, "Rig_%08x", static_cast<unsigned>(fingerprint_of_rig(scene, bounds, made.step)));
   std::string text =
-      "#pragma once\n// The absorber of this run, bit for bit; bounds that the command leaves open are those that it "
-      "found:\n//\n//     " +
+      "#pragma once\n// The absorber of this run. It computes the same bits. Bounds that the command does not state "
+      "were "
+      "found by the\n// run:\n//\n//     " +
       command(arguments) + "\n\n#include <impact/absorber.hpp>\n\nstruct " + type +
       " {\n  static constexpr impact::Scene scene = [] {\n    "
       "impact::Scene scene;\n";
@@ -69,7 +70,8 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
     }
   };
   lines_of("scene.", true);
-  text += line("scene.stops", std::string("impact::") + in(stops_kinds, scene.stops).type, "that are there");
+  text +=
+      line("scene.stops", std::string("impact::") + in(stops_kinds, scene.stops).type, "stops that the ball can reach");
   text += line("scene.tension", std::string("impact::") + in(tensions, scene.tension).type, "whether a stop may pull");
   text += "    return scene;\n  }();\n  static constexpr impact::Bounds bounds = [] {\n    impact::Bounds bounds;\n";
   lines_of("bounds.", false);

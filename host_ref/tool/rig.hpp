@@ -1,6 +1,5 @@
 #pragma once
-// A run as the firmware would make it: a header with its scene, bounds, step and types, whose absorber makes the run's
-// own bits.
+// A header for firmware with the scene, bounds, step and types of a run. Its absorber computes the same bits.
 
 #include <host_ref/tool/options.hpp>
 #include <string>
@@ -8,7 +7,7 @@
 
 namespace impact::host {
 
-// `made`: the request as it was planned; `arguments`: the command, which stands in a comment.
+// `made` is the request as it was planned. `arguments` is the command, which the header has as a comment.
 std::string rig_text(const Request& made, const std::vector<Argument>& arguments);
 
 }  // namespace impact::host

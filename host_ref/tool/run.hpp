@@ -13,7 +13,8 @@ inline Outcome outcome_of(const Request& request) {
   return outcome;
 }
 
-// The outcome of attempt(simulation), with bounds that are wider each time that it passes one that was found.
+// The result of attempt(simulation). After an attempt that passes a bound that was found, it tries again with wider
+// bounds.
 template <class Attempt>
 Outcome attempted(const Request& request, Attempt attempt) {
   Outcome outcome = outcome_of(request);
@@ -27,8 +28,9 @@ Outcome attempted(const Request& request, Attempt attempt) {
   return outcome;
 }
 
-// Calls observe(n, x1, count) for the initial state and after at most `every` steps: n steps are done, the last `count`
-// of which led to the displacements x1. Stops at a fault and returns it, else nullptr.
+// Calls observe(n, x1, count) for the initial state, and then after at most `every` steps. n is the number of steps so
+// far, and x1 has the displacements after the last `count` steps. Stops at a fault and returns it, else returns
+// nullptr.
 template <class Observe>
 const char* run(Simulation& simulation, const Request& request, long every, Observe observe) {
   std::array<double, 1024> x1{simulation.sample().x1};

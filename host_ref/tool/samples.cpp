@@ -6,7 +6,7 @@
 namespace impact::host {
 namespace {
 
-// What a base that moves by z puts on the main mass: k z + c z', z' from the samples beside.
+// The force k z + c z' of a base with the displacement z on the main mass. z' follows from the neighbouring samples.
 std::vector<double> forces_of(const std::vector<double>& z, const Scene& scene, double step) {
   std::vector<double> forces(z.size());
   for (size_t n = 0; n < z.size(); ++n) {
@@ -41,7 +41,7 @@ void drive_by(Request& request, const SampleKind& kind, const std::vector<double
 void shake_by(Request& request, const std::vector<double>& accelerations) {
   request.is_shaken = true;
   request.base_samples = accelerations;
-  // A bound of 0 is that of the samples.
+  // If the bound is 0, the largest sample becomes the bound.
   if (request.bounds && !(request.bounds->base_acceleration > 0))
     request.bounds->base_acceleration = largest_of(accelerations);
 }

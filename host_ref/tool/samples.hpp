@@ -1,5 +1,6 @@
 #pragma once
-// Columns of samples, one a line, line n at the end of step n: a force, a base's displacement, or its acceleration.
+// Columns of samples, one per line, with line n for the end of step n. They are a force, or the displacement or
+// acceleration of a base.
 
 #include <host_ref/simulation.hpp>
 #include <string>
@@ -18,15 +19,15 @@ inline constexpr SampleKind drive_samples{"drive-file", 1e9, "N"}, base_displace
 
 struct Column {
   std::vector<double> samples;
-  Refusal refusal;  // without a field when there is none
+  Refusal refusal;  // its field is empty if there is no refusal
 };
-// Appends a line of `file`; false where it is no sample, and the column is refused.
+// Appends a line of `file`. Returns false if it is not a sample, and then stores the refusal.
 bool take_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line);
 
-// Samples of a drive or of a base's displacement, which is a force, for a request whose scene and step are known.
+// Passes samples of a drive, or of a base's displacement as a force, to a request whose scene and step are known.
 void drive_by(Request& request, const SampleKind& kind, const std::vector<double>& samples);
 void shake_by(Request& request, const std::vector<double>& accelerations);
-// To the steps of the request; what is wrong with too few of them.
+// Cuts the samples to the number of steps. Returns a refusal if there are too few.
 Refusal cut(std::vector<double>& samples, const Request& request, const SampleKind& kind, const std::string& file);
 
 }  // namespace impact::host

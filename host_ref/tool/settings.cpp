@@ -61,7 +61,7 @@ void settle(Settings& settings, const Given& given) {
   refuse_unless(!has("sweep"), "plot", "only without --sweep");
   refuse_unless(!has("sweep"), "rig", "only without --sweep");
   for (const char* name : {"every", "summary", "part"}) refuse_unless(!has("sweep"), name, "only without --sweep");
-  // Nothing written may take the place of what is read, or of what is written beside it; standard input is read once.
+  // No output may replace an input or another output. Standard input may be read only once.
   struct File {
     const char* name;
     std::string path;
@@ -92,7 +92,7 @@ void settle(Settings& settings, const Given& given) {
       refuse_unless(name == "benchmark" || name == "output", name.c_str(), "only without --benchmark");
     }
   }
-  if (has("sweep")) return;  // the rest concerns each scene, not what they share
+  if (has("sweep")) return;  // the rest is done for each scene
 
   refuse_unless(!has("restitution"), "contact-damping", "only without --restitution");
   refuse_unless(request.law != Law::hertz || scene.contact_damping == 0, "contact-damping",
@@ -147,7 +147,7 @@ void settle(Settings& settings, const Given& given) {
     settings.remarks.push_back("--drive-pulsation " + short_text(scene.drive_pulsation) + " rad/s is " +
                                short_text(scene.drive_pulsation / (2 * pi)) +
                                " Hz. If you meant hertz, multiply them by 6.2832");
-  // A file of samples and a stepper that was named are for a step that the user knows.
+  // With a file of samples or a named stepper, the tool does not choose the step.
   settings.is_step_automatic = !has("step") && !has_file && request.stepper == Stepper::automatic;
   if (settings.is_step_automatic) request.step = automatic_step(request);
   if (request.duration / request.step > most_steps)

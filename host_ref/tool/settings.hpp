@@ -1,5 +1,5 @@
 #pragma once
-// What one call of the tool requests, and the one way to reject it.
+// The settings of one call of the tool, and the exception for bad input.
 
 #include <host_ref/simulation.hpp>
 #include <host_ref/tool/text.hpp>
@@ -11,21 +11,21 @@
 namespace impact::host {
 
 struct Shard {
-  long index = 1, count = 1;  // the index-th of every `count` scenes
+  long index = 1, count = 1;  // every count-th scene, beginning with the index-th
 };
 
 struct Settings {
   Request request;
   long every = 1;
-  double impact_speed = 0.8;  // m/s, at which Hunt-Crossley is to show the stated restitution
+  double impact_speed = 0.8;  // m/s, at which Hunt-Crossley has the stated restitution
   bool paper_damping = false, benchmark = false, is_step_automatic = false;
   bool is_quiet = false, is_damping_unstated = false;
   std::string drive_file, base_file, base_acceleration_file, output, plot, rig, sweep, summary, part;
-  std::vector<std::string> remarks;  // what was not stated and may be taken for something else
+  std::vector<std::string> remarks;  // assumptions that the user may not expect
   Shard shard;
 };
 
-// Exit code 2: one line, whatever the input holds, that names the option, its value and what is allowed.
+// Leads to exit code 2. For any input the message is one line, with the option, its value and what is allowed.
 struct BadInput : std::runtime_error {
   BadInput(const std::string& option, const std::string& value, const std::string& allowed)
       : std::runtime_error(in_one_line(option + (value.empty() ? "" : " ") + value + ": allowed: " + allowed)) {}
@@ -33,10 +33,10 @@ struct BadInput : std::runtime_error {
   BadInput(const std::string& where, const BadInput& what) : std::runtime_error(where + ": " + what.what()) {}
 };
 
-using Given = std::map<std::string, std::string>;  // the options as they were given: name without dashes, value
+using Given = std::map<std::string, std::string>;  // the stated options: name without dashes, value
 
-// Refuses options that contradict each other and settles what depends on several: the contact damping (from
-// --restitution, or the law's default), the drive's samples, the duration that a drive file implies.
+// Refuses options that contradict each other, and computes values that depend on several options. These are the contact
+// damping (from --restitution, or the law's default), the samples of the drive, and the duration of a drive file.
 void settle(Settings& settings, const Given& given);
 
 }  // namespace impact::host

@@ -67,7 +67,7 @@ std::vector<std::string> Summary::lines() const {
   const Request& made = outcome_.made;
   const Scene& scene = made.scene;
   std::vector<std::string> lines;
-  // Measurable quantities, computed from the stated ones: a wrong unit shows here.
+  // Measurable quantities, computed from the stated ones, so that a wrong unit is noticed.
   const double w0 = std::sqrt(scene.main_stiffness / scene.main_mass);
   std::string machine = "the ball weighs " + percent(scene.ball_mass / scene.main_mass) + " of the main mass";
   if (w0 > 0)

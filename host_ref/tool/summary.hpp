@@ -1,5 +1,5 @@
 #pragma once
-// What a run has come to: impacts, peaks, shares of the bounds, the stepper's error, what a step costs on a part.
+// The summary of a run: impacts, peaks, shares of the bounds, the stepper's error, the cost of a step on a part.
 
 #include <host_ref/tool/settings.hpp>
 #include <string>
@@ -9,11 +9,11 @@ namespace impact::host {
 
 class Summary {
  public:
-  Summary(const Settings& settings, const Outcome& outcome);  // both outlive it
+  Summary(const Settings& settings, const Outcome& outcome);  // both must outlive the summary
 
-  void see(const Sample& sample);  // the start, and after each step
+  void see(const Sample& sample);  // call it for the start and after each step
 
-  // Lines for a reader, and one of JSON for a program.
+  // The summary as lines for a reader, and as one line of JSON.
   std::vector<std::string> lines() const;
   std::string json(const char* fault) const;
 
@@ -24,8 +24,8 @@ class Summary {
   double largest_x1_ = 0, largest_v1_ = 0, largest_x2_ = 0, largest_v2_ = 0, fastest_impact_ = 0;
 };
 
-// The largest instructions of a step in flight and in contact, as the project's budgets have them for this part; 0
-// where they do not.
+// The largest numbers of instructions of a step in flight and in contact, from the project's budgets for this part.
+// They are 0 if the budgets have no such row.
 struct StepCost {
   long free = 0, contact = 0;
 };

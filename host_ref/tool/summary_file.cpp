@@ -41,7 +41,7 @@ void SummaryFile::take_over(const std::map<long, std::string>& keys) {
                     "a new file, or the rows of an earlier run of the same sweep with the same drive files");
   };
 
-  const size_t whole = text.rfind('\n') + 1;  // 0 without one
+  const size_t whole = text.rfind('\n') + 1;  // 0 if there is no whole line
   if (text.compare(0, header_.size(), header_, 0, whole ? header_.npos : text.size()) != 0) throw refusal();
   for (size_t start = std::min(whole, header_.size()); start < whole;) {
     const size_t end = text.find('\n', start) + 1;

@@ -1,6 +1,6 @@
 #pragma once
-// The rows of a sweep, in a file that survives interruption: each row is written at once and whole, under a lock that
-// keeps a second run out. Standard output, devices and pipes only receive rows.
+// The rows of a sweep, in a file that survives an interruption. Each row is written in one piece. A lock prevents a
+// second run from writing the file. Standard output, devices and pipes only receive rows.
 
 #include <map>
 #include <string>
@@ -10,8 +10,9 @@ namespace impact::host {
 
 class SummaryFile {
  public:
-  // Empty path, or -: standard output. Takes over the whole rows that an interrupted run left and drops a torn last
-  // one. `keys`: how the row of each scene begins. A file that holds anything else is left as it is: BadInput.
+  // An empty path or - is standard output. Keeps the whole rows of an interrupted run, and drops an incomplete last
+  // one. `keys` are the beginnings of the rows of all scenes. If a file contains anything else, it is not changed, and
+  // BadInput is thrown.
   SummaryFile(const std::string& path, const std::string& header, const std::map<long, std::string>& keys);
   ~SummaryFile();
   SummaryFile(const SummaryFile&) = delete;
@@ -20,7 +21,7 @@ class SummaryFile {
   bool holds(long scene) const { return rows_.count(scene) != 0; }
   const std::string& row(long scene) const { return rows_.at(scene); }
   void add(long scene, const std::string& row);
-  void finish();  // puts a file's rows in the order of the scenes
+  void finish();  // sorts the rows of a file in the order of the scenes
 
  private:
   void take_over(const std::map<long, std::string>& keys);

@@ -26,8 +26,8 @@ namespace {
 struct SweptScene {
   long number = 0;
   std::vector<Argument> arguments;
-  Settings settings;  // without the samples of a drive file, of which there may be many
-  std::string key;    // how its row begins: the number and the values, each with its comma
+  Settings settings;  // without the samples of a drive file, since there may be many
+  std::string key;    // the beginning of its row: the number and the values, each with its comma
 };
 
 struct Sweep {
@@ -36,7 +36,7 @@ struct Sweep {
   std::map<long, std::string> keys;
 };
 
-// Of a line as RFC 4180 has it: a cell in quotes may hold commas, and a quote as two.
+// The cells of a line in the format of RFC 4180: a cell in quotes may contain commas, and two quotes mean one.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
   bool is_quoted = false;
@@ -68,8 +68,7 @@ void expect_readable_again(const std::vector<Argument>& arguments) {
   }
 }
 
-// That a kernel exists for the scene, as far as it can be told before anything runs; the rest is left to the row's
-// `fault`.
+// Checks whether the kernel accepts the scene, as far as that is possible without a run. Later refusals are in `fault`.
 Settings checked(const std::vector<Argument>& arguments) {
   expect_readable_again(arguments);
   Settings settings = settings_from(arguments);
@@ -179,7 +178,7 @@ Summary summary_of(Simulation& simulation, const Request& request) {
   return summary;
 }
 
-// What follows the key in a scene's row.
+// The part of a scene's row after the key.
 std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {
   Request request = scene.settings.request;
   if (request.drive == DriveKind::sampled || request.is_shaken) request = settings_from(scene.arguments).request;
@@ -205,7 +204,7 @@ std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {
   return ",,,,," + one_cell(bad.what()) + "\n";
 }
 
-// The steps that were chosen where none was given.
+// The steps that the tool chose, if --step is not stated.
 void say_steps(const std::vector<SweptScene>& scenes) {
   double shortest = step_range.most, longest = 0;
   for (const SweptScene& scene : scenes) {
@@ -261,7 +260,7 @@ int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) 
   file.finish();
   const bool fault = std::any_of(sweep.scenes.begin(), sweep.scenes.end(), [&](const SweptScene& scene) {
     const std::string& row = file.row(scene.number);
-    return row.compare(row.size() - 2, 2, ",\n") != 0;  // its last cell names one
+    return row.compare(row.size() - 2, 2, ",\n") != 0;  // the last cell names a fault
   });
   return fault ? 3 : 0;
 }

@@ -1,20 +1,21 @@
 #pragma once
-// Many scenes: one a line of a CSV whose header names options, one summary row each, on all cores. A row is
+// Runs many scenes on all cores. The input is a CSV whose header names options, with one scene per line. The output has
+// one row per scene:
 //
-//     scene,<the options given>,max_x1,rms_x1,attenuation,energy_dissipated,impacts,fault
+//     scene,<the stated options>,max_x1,rms_x1,attenuation,energy_dissipated,impacts,fault
 //
-// with a column drive_samples before max_x1 where a drive file is among the options: a fingerprint of its samples, so
-// that rows of a file that has changed since are not taken for those of this sweep.
-// scene: number of the line among the scenes, from 1. attenuation: 1 - max |x1| / max |x1| of the same main mass
-// without absorber; empty when that does not move. Rows are written as scenes finish. With --output, rows that a file
-// of the same sweep already holds are kept, a torn last one is dropped, and a finished file is put in the order of the
-// scenes.
+// `scene` is the number of the line among the scenes, from 1. `attenuation` is 1 - max |x1| / max |x1| of the same main
+// mass without absorber, and empty if that does not move. With a drive file there is a column drive_samples before
+// max_x1. It is a fingerprint of the samples, so that rows from an older version of the file are detected.
+//
+// A row is written when its scene is finished. With --output, the rows that an interrupted run of the same sweep left
+// are kept, and an incomplete last one is dropped. A finished file is sorted in the order of the scenes.
 
 #include <host_ref/tool/options.hpp>
 
 namespace impact::host {
 
-// Returns the exit code: 0, or 3 when the kernel raised a fault in a scene.
+// Returns the exit code: 0, or 3 if the kernel raised a fault in a scene.
 int run_sweep(const Settings& settings, const std::vector<Argument>& arguments);
 
 }  // namespace impact::host

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers to and from text, in the C locale whatever the environment says.
+// Converts numbers to and from text, always in the C locale.
 
 #include <cctype>
 #include <charconv>
@@ -14,7 +14,7 @@
 
 namespace impact::host {
 
-// As R and spreadsheets may write a number.
+// Removes the plus sign that R and spreadsheets may write.
 inline std::string_view without_plus(std::string_view text) {
   return text.substr(text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+' ? 1 : 0);
 }
@@ -27,7 +27,7 @@ inline std::optional<long> whole_number_from(std::string_view text) {
   return error == std::errc{} && stop == end ? std::optional<long>(value) : std::nullopt;
 }
 
-// Finite numbers only; one too small for a double is 0.
+// Accepts finite numbers only. A number that is too small for a double becomes 0.
 inline std::optional<double> number_from(std::string_view text) {
   text = without_plus(text);
   double value = 0;
@@ -36,7 +36,7 @@ inline std::optional<double> number_from(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc::invalid_argument || stop != end) return {};
   if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
-#else  // a library that reads whole numbers only, as the explorer's does
+#else  // for a library that reads whole numbers only, such as the explorer's
   const std::string copy(text);
   char* end = nullptr;
   value = std::strtod(copy.c_str(), &end);
@@ -51,17 +51,17 @@ inline void append_number(std::string& text, double value, int significant_digit
               std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, significant_digits).ptr);
 }
 
-// Each after a comma.
+// Appends each number after a comma.
 inline void append_numbers(std::string& text, std::initializer_list<double> values, int significant_digits) {
   for (const double value : values) append_number(text += ',', value, significant_digits);
 }
 
-// Enough to tell neighbouring values of the format apart.
+// The number of digits that distinguishes neighbouring values of the format.
 inline int significant_digits(Numeric numeric) {
   return numeric == Numeric::float64 ? 17 : numeric == Numeric::fixed32 ? 13 : 9;
 }
 
-// Control characters, of which a NUL would end a message early, become question marks.
+// Replaces control characters by question marks. A NUL, for example, would end a message early.
 inline std::string in_one_line(std::string text) {
   for (char& letter : text) {
     if (std::iscntrl(static_cast<unsigned char>(letter))) letter = '?';
@@ -74,7 +74,7 @@ inline std::string_view trimmed(std::string_view text) {
   return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-// Of a file's first line: what some programs put before it to say that it is UTF-8.
+// Removes the byte order mark that some programs write at the beginning of a UTF-8 file.
 inline std::string_view without_byte_order_mark(std::string_view line) {
   return line.substr(line.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
 }

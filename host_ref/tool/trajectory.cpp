@@ -39,7 +39,7 @@ Curve bare_curve(const Request& request) {
   return curve;
 }
 
-// Run before it is written, where its bounds are to be found.
+// Runs the scene once before anything is written, if bounds must be found.
 Outcome outcome_that_holds(const Request& request) {
   if (!has_open_bounds(request)) return outcome_of(request);
   Progress progress("steps to find bounds", step_count(request));
@@ -70,7 +70,7 @@ int write_trajectory(const Settings& settings, const std::vector<Argument>& argu
   Curve curve(steps);
   const Curve bare = plots ? bare_curve(request) : Curve(0);
   Summary summary(settings, outcome);
-  // Each step is looked at for what a summary says of the whole run.
+  // A summary requires every step of the run.
   const long seen_every = settings.is_quiet && settings.summary.empty() ? settings.every : 1;
   Output output(settings.output);
   output.write("t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n");

@@ -5,7 +5,7 @@
 
 namespace impact::host {
 
-// Returns the exit code: 0, or 3 when the kernel raised a fault.
+// Returns the exit code: 0, or 3 if the kernel raised a fault.
 int write_trajectory(const Settings& settings, const std::vector<Argument>& arguments);
 
 }  // namespace impact::host

@@ -18,7 +18,7 @@ const duels = pointsFrom(point('cortex-m3', 'moment', 'fixed32', '2e-6', '10'), 
 const found = duel(duels, 'cortex-m3', 'hertz', 1e-6);
 equal([found.kernel.cost, found.baseline.method, found.ratio], [30, 'tuned-rk4', 2], 'a duel is between the cheapest that reach the error');
 equal(duel(duels, 'cortex-m3', 'hertz', 1e-8), { ratio: 0 }, 'or there is none');
-equal(duel(pointsFrom(point('cortex-m3', 'moment', 'fixed32', 'nan', '1')), 'cortex-m3', 'hertz', 1), { ratio: 0 }, 'an error that is no number reaches nothing');
+equal(duel(pointsFrom(point('cortex-m3', 'moment', 'fixed32', 'nan', '1')), 'cortex-m3', 'hertz', 1), { ratio: 0 }, 'an error that is NaN reaches nothing');
 equal(advantage(duels).text, '**A baseline costs less** on cortex-m3, hertz at 1e-7 m.', 'where a baseline costs less the page says so');
 equal(advantage(duels).rows.map(([target, , error, , , ratio]) => [target, error, ratio.text, ratio.isStrong]), [['cortex-m4f', '1e-3', '∞', false], ['cortex-m4f', '1e-4', '∞', false], ['cortex-m4f', '1e-5', '∞', false],
   ['cortex-m4f', '1e-6', '∞', false], ['cortex-m3', '1e-3', '6', false], ['cortex-m3', '1e-4', '6', false], ['cortex-m3', '1e-5', '6', false], ['cortex-m3', '1e-6', '2', false], ['cortex-m3', '1e-7', 'kernel does not reach it', true]], 'and in the table');
@@ -70,7 +70,7 @@ const glance = (stability, budget = [], points = []) => atAGlance(points, budget
 const safe = [impact('auto', 'float64', '0', '1'), impact('auto', 'float64', '0.0009', '1'), impact('auto', 'float64', '9', '0')];
 equal(glance(safe)[3][0], '0 of 2', 'no accepted cell gains');
 for (const gain of ['0.0011', 'nan', 'inf', '']) equal(glance([...safe, impact('auto', 'float64', gain, '1')])[3][0], '1 of 3', `a gain of ${gain || 'nothing'} is one`);
-equal(glance([]).map(([value]) => value), ['not reached', 'not measured', 'not measured', '0 of 0'], 'what was not measured is said to be so');
+equal(glance([]).map(([value]) => value), ['not reached', 'not measured', 'not measured', '0 of 0'], 'a value that was not measured is shown as such');
 const m4f = (method, cost) => ({ ...point('cortex-m4f', method, 'float32', '9e-7', cost), law: 'hunt-crossley' });
 const top = glance([], costs('2571'), pointsFrom(m4f('moment', '10'), m4f('tuned-rk4', '25')));
 equal([top[0][0], /baseline \(tuned-rk4\)/.test(top[0][1]), top[1][0], /about 50 % of a 10 kHz period at 72 MHz\.$/.test(top[1][1])], ['2.5×', true, '2571', true], 'cost and budget');
@@ -90,7 +90,7 @@ equal(Object.values(headings).map((text) => text.match(/[0-9.]+%? of [0-9]+|[0-9
 
 // Orders.
 const errors = ['0.001', '0.0005', '0.00025', '0.000125', '6.25e-05'].map((step_s, i) => ({ part: 'weight', newmark: 'energy', numeric: 'float64', step_s, error_m: String(0.25 ** i), order: '', ledger_open_J: '0.125' }));
-equal(partsRows(errors)[0].slice(7), ['0.0039', '2', '0.13'], 'an order is the mean over four halvings');
+equal(partsRows(errors)[0].slice(7), ['0.0039', '2', '0.13'], 'an order is the average over four halvings');
 equal(partsRows(errors.slice(0, 4))[0].slice(6), ['0.016', '', '', '0.13'], 'and needs them all');
 equal(partsRows(errors.map((row) => ({ ...row, numeric: 'fixed32' })))[0][8], '', 'and double');
 
@@ -104,5 +104,5 @@ const all = (holds) => ({ 2: true, 4: true, 6: true, 7: true, 8: true, 9: true, 
 equal(shows(paperSentences(figures([0.0178, 0.0381, 0.0176]))), all({}), 'each claim shows');
 equal(shows(paperSentences(figures([0.0175, 0.0176, 0.0381]))), all({ 4: false, 6: false, 7: false, 9: false }), 'or does not');
 equal(/largest 17\.8 mm against 37\.6 mm without/.test(paperSentences(figures([0.0178, 0.0381, 0.0176]))[2]), true, 'with the numbers');
-equal(shows(paperSentences(figures([NaN, NaN, NaN]))), all({ 2: false, 4: false, 6: false, 7: false, 9: false }), 'what is no number shows nothing');
+equal(shows(paperSentences(figures([NaN, NaN, NaN]))), all({ 2: false, 4: false, 6: false, 7: false, 9: false }), 'a NaN shows nothing');
 finish();

@@ -1,6 +1,5 @@
-// The method's own error: the kernel in double against the reference over 1 s of the paper's scene, |x1| every 10 ms.
-// The bounds are the errors that the prototypes of these schemes were measured at, to the two digits that are known of
-// them.
+// The error of the method: the kernel in double against the reference over 1 s of the paper's scene, with x1 every 10
+// ms. The bounds are the errors that prototypes of these schemes had, which are known to two digits.
 
 #include "paper_runs.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The kernel beside the reference: the largest difference of a displacement, m.
+// The kernel against the reference: the largest difference of a displacement, m.
 
 #include <gtest/gtest.h>
 

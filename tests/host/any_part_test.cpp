@@ -1,5 +1,5 @@
-// The tool's drive and field, decided while running, make every bit of a kernel with Sine or Sampled, and with Gravity
-// or BaseAcceleration.
+// The tool's drive and field are selected at run time. They must give the bits of a kernel with Sine or Sampled, and
+// with Gravity or BaseAcceleration.
 
 #include <gtest/gtest.h>
 

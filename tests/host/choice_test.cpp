@@ -1,6 +1,6 @@
-// The plan's rule (choice.hpp) at its edges, the ranges of the steppers with the step that would do, and what the rule
-// promises of one impact of two free masses: no energy gained, restitution within a hundredth of the law's, within the
-// error that the stepper states.
+// The plan's rule (choice.hpp) at its edges, and the ranges of the steppers with the longest accepted step. Also the
+// promises of the rule about one impact of two free masses: no gain of energy, and a restitution within 1 % of the
+// law's and within the stepper's stated error.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Single steps of a contact against their closed forms, in double: what no run of many steps shows, because a term that
-// is wrong or missing there hides behind the method's own order.
+// Single steps of a contact against their closed forms, in double. A run of many steps cannot show a wrong or missing
+// term that is smaller than the error of the method.
 
 #include <gtest/gtest.h>
 

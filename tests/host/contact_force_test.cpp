@@ -1,5 +1,6 @@
-// contact_force() is the law's force whatever the step: the first impact of a driven rig at four rates, against the
-// reference, which locates the touch and integrates the law, and free pairs against the closed forms.
+// contact_force() is the force of the law at any step. The first impact of a driven rig at four rates is
+// compared with the reference, which locates the touch and integrates the law. Free pairs are compared with the closed
+// forms.
 
 #include <gtest/gtest.h>
 

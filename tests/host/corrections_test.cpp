@@ -1,6 +1,6 @@
-// An observer's corrections at random, of any size within the bounds: in flight, into a stop, and in a contact whose
-// damping was set at its own impact and would be too much for a step where a correction takes it. What follows makes no
-// energy. And one of nothing leaves the motion as it is.
+// Random corrections of an observer, of any size within the bounds. They come in flight, into a stop, and in a contact
+// with a damping per impact that would be too large after the correction. The motion after them gains no energy. A
+// correction of 0 does not change the motion.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a coupled scene may gain, in the suite of random ones and in the search for the worst.
+// The largest accepted gain of energy of a coupled scene, for the random scenes and for the search for the worst one.
 
 #include <cmath>
 #include <impact/choice.hpp>

@@ -1,7 +1,7 @@
-// What a plan promises of the coupled machine: whatever it accepts, and whatever the rule takes, raises no fault within
-// true bounds, creates no energy and dissipates what the law requires. Half of the scenes are driven; some have weight,
-// a base that shakes and dry friction.
-// IMPACT_COUPLED_SCENES=20000 runs the full number a format.
+// The promises of a plan about the coupled machine, for all steppers that it accepts and for the rule's choice. With
+// true bounds no fault is raised, no energy is gained, and contacts dissipate what the law requires. Half of the scenes
+// have a drive; some have weight, a base that shakes and dry friction. IMPACT_COUPLED_SCENES=20000 runs the full number
+// per format.
 
 #include "host_ref/coupled_scenes.hpp"
 

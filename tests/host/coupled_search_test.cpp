@@ -1,6 +1,6 @@
-// A search that tries to break what coupled_scenes_test.cpp finds to hold at random: it climbs, over scene, phase and
-// drive, to where a stepper makes the most energy or raises a fault. What it found once is kept as cases.
-// IMPACT_COUPLED_SEARCH=10000 gives each stepper so many scenes.
+// A search that tries to break the promises of coupled_scenes_test.cpp. It varies scene, phase and drive until a
+// stepper gains as much energy as possible or raises a fault. Earlier finds are kept as cases.
+// IMPACT_COUPLED_SEARCH=10000 sets the number of scenes per stepper.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The deepest penetration that the bounds allow (law/depth.hpp) holds every motion within them: random scenes of the
-// coupled machine, judged by the bounds that their own motion reaches, no wider.
+// No motion within the bounds goes deeper than the deepest penetration that they allow (law/depth.hpp). The scenes are
+// random coupled machines, with exactly the bounds that their own motion reaches.
 
 #include <gtest/gtest.h>
 

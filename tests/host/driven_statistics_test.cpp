@@ -1,6 +1,6 @@
-// The paper's scene under its sine for 20 s with a stop as stiff as steel, at 1 kHz: motions part after a few impacts,
-// and what is compared with the reference is the mean over many starts of the root mean square of x1, the energy
-// dissipated and the impacts per second. Hunt-Crossley, c1 for e = 0.7 at 0.8 m/s.
+// The paper's scene with its sine for 20 s, with a stop as stiff as steel, at 1 kHz. Motions differ after a few
+// impacts. Therefore averages over many starts are compared with the reference: the root mean square of x1, the energy
+// dissipated, and the impacts per second. The law is Hunt-Crossley with c1 for e = 0.7 at 0.8 m/s.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The corners of the kernel's range: symmetry, no clearance, a start inside a stop, a hit beyond the bounds, going back
-// to an earlier state, drives given in samples, and damping set at each impact.
+// The corners of the kernel's range: symmetry, no clearance, a start inside a stop, an impact beyond the bounds, a
+// return to an earlier state, sampled drives, and damping per impact.
 
 #include <cstring>
 #include <impact/absorber.hpp>

@@ -1,5 +1,5 @@
-// The energy ledger: what contact dissipates and the drive's work against the reference, and the balance with the
-// motion's own energies, over half a second of the paper's scene.
+// The energy ledger over half a second of the paper's scene. The energy that contact dissipates and the work of the
+// drive are compared with the reference, and their balance with the energies of the motion.
 
 #include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"

@@ -1,5 +1,5 @@
-// The energy-consistent step on one impact of two free masses: the law's own restitution at few steps per contact, and
-// no energy created, over 64 phases of the impact within the step.
+// The energy-consistent step in one impact of two free masses, at 64 phases of the impact within the step. It has the
+// restitution of the law even with few steps per contact, and gains no energy.
 
 #include <gtest/gtest.h>
 

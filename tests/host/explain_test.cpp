@@ -1,4 +1,4 @@
-// explain() as a firmware's compiler asks it: a constant expression, whose limits are accepted.
+// explain() as a constant expression in firmware. The limits that it returns are accepted.
 
 #include <gtest/gtest.h>
 

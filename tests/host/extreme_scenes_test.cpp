@@ -1,6 +1,5 @@
-// Scenes at the edge of what a plan accepts, by every law, format and passive stepper: a ball started inside a stop,
-// both stops touched within a step, one stop only, and exact resonance without damping. None may raise a fault or leave
-// with more energy than it was given.
+// Scenes at the edge of what a plan accepts, for every law, format and passive stepper: a start inside a stop, both
+// stops in one step, only one stop, and exact resonance without damping. None may raise a fault or gain energy.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Every fault in every format that has it: raised, sticky, survived. Numbers from outside that are none, states from
-// elsewhere that no step leaves, and plans that cannot be.
+// Every fault in every format that has it is raised, stays, and the motion continues. NaN from outside, states that no
+// step produces, and impossible plans are tried as well.
 
 #include <gtest/gtest.h>
 

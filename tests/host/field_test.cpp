@@ -1,4 +1,4 @@
-// Weight and a base that shakes: the reference against closed forms, the kernel against both.
+// Weight and a base that shakes: the reference against closed forms, and the kernel against both.
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-// The main mass where nothing touches it, on the moment-fitted step's exact flow: resonance, no spring, overdamping,
-// every drive, in every format.
+// The main mass in free flight by the exact flow of the moment-fitted step: resonance, no spring, overdamping and every
+// drive, in every format.
 //
-// In double, 10^4 steps of one rounding each, 1e-16 of the amplitude. In 32 bits the floors of rounding_test.cpp, which
-// are for a scene bounded by 62.5 mm and grow with the bound.
+// In double the tolerance is 10^4 steps with one rounding each, 1e-16 of the amplitude. In 32 bits it is the floor of
+// rounding_test.cpp. That is for a scene bounded by 62.5 mm, and grows with the bound.
 
 #include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"

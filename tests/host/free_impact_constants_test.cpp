@@ -1,4 +1,4 @@
-// What the plan knows of one free impact, against the independent closed forms.
+// The numbers of one free impact that a plan uses, against independent closed forms.
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-// One impact of two free masses, 1 kg and 0.3 kg, against its closed form: restitution, energy lost by the ledger, peak
-// force and penetration, contact time. The largest error over 65 phases of the impact within the step (a whole number
-// of steps a contact flatters a scheme), at 10, 20, 40 and 80 steps a contact; it is to fall with the scheme's order
-// from the first on.
+// One impact of two free masses, 1 kg and 0.3 kg, against its closed form: restitution, energy loss in the ledger, peak
+// force and penetration, contact time. The error is the largest over 65 phases of the impact within the step, because a
+// whole number of steps per contact makes a scheme look better. Contacts have 10, 20, 40 and 80 steps, and the error
+// must fall with the order of the scheme.
 //
-// The expected values are those of closed_form_test.cpp, computed in 30 digits.
+// The expected values are those of closed_form_test.cpp, computed with 30 digits.
 
 #include <cstdio>
 #include <impact/absorber.hpp>

@@ -1,4 +1,4 @@
-// Dry friction of the ball: the reference against closed forms, the kernel against both.
+// Dry friction of the ball: the reference against closed forms, and the kernel against both.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Fixed32 up to its bounds: both masses meet at 0.55 to 0.97 of Bounds::speed, so that numbers use the whole range that
-// their units leave, and no fault is raised that double, in the same scene, does not deserve. Rounding may move the
-// step in which a contact ends: a few hundredths of the speed after a stiff impact of few steps. A number that wraps,
-// or is clamped before its end, changes it by a tenth or more.
+// Fixed32 up to its bounds. Both masses meet at 0.55 to 0.97 of Bounds::speed, so that numbers use the whole range of
+// their units. No fault is raised that double would not raise in the same scene. Rounding may move the step in which a
+// contact ends, which changes the speed by a few per cent after a stiff impact of few steps. A number that wraps, or is
+// clamped too early, changes it by 10 % or more.
 
 #include <gtest/gtest.h>
 

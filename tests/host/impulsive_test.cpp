@@ -1,4 +1,5 @@
-// The impulsive step: the law's restitution at any phase of the impact, no energy created, settling, both stops.
+// The impulsive step has the restitution of the law at any phase of the impact, gains no energy, settles, and works at
+// both stops.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #pragma once
-// Every law and format by every stepper that promises passive contact; Hunt-Crossley's damping also set at each impact.
+// All laws and formats with every stepper that promises passive contact, and Hunt-Crossley with a damping per impact as
+// well.
 
 #include <ostream>
 #include <vector>

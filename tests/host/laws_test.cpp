@@ -1,6 +1,5 @@
-// Every law that sets the damping at each impact: its formula, and the restitution that comes out of the kernel at any
-// speed, against what the formula's damping ratio gives in closed form; the range of e that each takes; and laws of a
-// user's own.
+// Every law with a damping per impact: its formula, and its restitution in the kernel at any speed, against the closed
+// form for the formula's damping ratio. Also the range of e that each law accepts, and laws of a user's own.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// What the energy ledger counts as dissipated never falls with EnergyConsistent and Impulsive (features.hpp), over
-// random scenes of the coupled machine; and in Fixed32 it rounds nothing, with any stepper.
+// The dissipated energy in the ledger never falls with EnergyConsistent and Impulsive (features.hpp), over random
+// scenes of the coupled machine. In Fixed32 the ledger rounds nothing, with any stepper.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The lookups on every input that they have. Bounds are checked in exact integers where the operands allow it and
-// otherwise against double, whose own error (2^-53) is far below them.
+// The lookups on all their inputs. The bounds are checked in exact integers if the operands allow it. Otherwise they
+// are checked in double, whose own error (2^-53) is far smaller.
 
 #include <float.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// An impact on a main mass that its damper stops within a few steps: the moment-fitted step takes the damper in, up to
-// the c h/M = 1 that a plan accepts. What is left of it, in the main mass's displacement, is of third order.
+// An impact on a main mass that its damper stops within a few steps. The moment-fitted step includes the damper, up to
+// the c h/M = 1 that a plan accepts. The remaining error in the main mass's displacement is of third order.
 
 #include <gtest/gtest.h>
 

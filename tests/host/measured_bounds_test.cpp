@@ -1,6 +1,6 @@
-// Bounds that the tool looks for are those of a run that was itself valid: over random scenes with balls of a
-// thousandth to a thousand main masses no motion without a drive gains energy, and none raises a fault within what was
-// found. IMPACT_MEASURED_SCENES: how many scenes.
+// The bounds that the tool finds come from a run that was valid itself. The scenes are random, with balls of 1e-3 to
+// 1e3 main masses. Without a drive no motion gains energy, and none raises a fault within the bounds.
+// IMPACT_MEASURED_SCENES sets the number of scenes.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// A ball that is nearly never free: it crosses its cavity in a small part of a step, so that most impacts begin in the
-// step that ends the last one, beside a main mass that its spring brakes meanwhile. Nothing dissipates. What the step
-// leaves out creates energy: at w0 h = 0.16 up to 0.02 % in 2000 steps, and falls with the fourth power of w0 h, in
-// Hooke-Newton contacts 0.3 % with the second (kernel/docs/moment.md).
+// A ball that is hardly ever free. It crosses its cavity in a small part of a step, so most impacts begin in the step
+// in which the last one ends, while the main mass's spring acts. Nothing dissipates. The terms that the step omits
+// create energy: at w0 h = 0.16 up to 0.02 % in 2000 steps, which falls with the fourth power of w0 h. In Hooke-Newton
+// contacts it is 0.3 % and falls with the second power (kernel/docs/moment.md).
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// A stop pushes or does nothing: whatever the law's damping, and however fast the ball is drawn off. Random scenes,
-// half of which begin inside the stop, with drives, weight, a base that shakes and friction, corrections and changes of
-// plan; and two scenes in which a main mass is drawn off its ball, against the reference.
+// A stop never pulls, for any damping of the law, and however fast the ball is drawn off. Half of the random scenes
+// begin inside the stop. They have drives, weight, a base that shakes, friction, corrections and changes of plan. In
+// two scenes a main mass is drawn off its ball, and the motion is compared with the reference.
 
 #include <gtest/gtest.h>
 

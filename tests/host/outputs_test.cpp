@@ -1,5 +1,5 @@
-// What a loop reads and writes between two steps, in native numbers: outputs, converters, corrections, snapshots, and
-// what becomes of a refused plan and of another absorber's bytes.
+// The calls between two steps, in native numbers: outputs, converters, corrections and snapshots. Also a rejected plan,
+// and the saved bytes of another absorber.
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,15 @@
-// What the paper reads off its figures, as numbers of the kernel, and the conventions that they depend on.
+// The paper's claims about its figures, tested with numbers of the kernel, and the conventions that they depend on.
 //
-// The paper leaves open the drive's pulsation and what its clearance measures. With 40 rad/s (the bare system's own
-// is 31.62), stops at +-d/2, both masses at rest in the middle, and 5 s of motion, its amplitudes come out. At 31.62
-// rad/s the bare system grows without bound.
+// The paper does not state the drive's pulsation, nor what its clearance measures. Its amplitudes come out with 40
+// rad/s (the main mass alone has 31.62), stops at +-d/2, both masses at rest in the middle, and 5 s of motion. At 31.62
+// rad/s the main mass alone grows without bound.
 //
-// It also leaves open how c1 follows from a restitution e where e varies (figure 8): by its own (2.3) and (2.9) at one
-// speed, 0.8 m/s here, by (2.9) at each impact, or such that the law has that e at that speed; and whether Hooke-Newton
-// may pull.
+// It does not state either how c1 follows from a restitution e that varies (figure 8). Possible are its own (2.3) and
+// (2.9) at one speed, here 0.8 m/s; (2.9) at each impact; or the c1 for which the law has that e at that speed. Nor
+// does it state whether Hooke-Newton may pull.
 //
-// Past some 3 s the motion of Hertz and Hooke-Newton depends on rounding. What is claimed of them is claimed of the
-// median over 33 starts of the ball within 0.16 mm of the middle, or counts these starts.
+// After some 3 s the motion of Hertz and Hooke-Newton depends on rounding. Claims about them are tested on the median
+// over 33 starts of the ball within 0.16 mm of the middle, or by counting these starts.
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// The paper's scene under each contact law, from rest at 40 rad/s, and its runs by the kernel and by the reference.
+// The paper's scene with each contact law, from rest at 40 rad/s, with its runs by the kernel and by the reference.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The pointwise steppers in double are Newmark's method as a textbook writes it, step by step:
-// host_ref/textbook_newmark.hpp solves the same equations in matrices, with accelerations, to convergence.
+// The classical steppers in double are Newmark's method as in a textbook, step by step. host_ref/textbook_newmark.hpp
+// solves the same equations in matrices, with accelerations, to convergence.
 
 #include <impact/absorber.hpp>
 #include <utility>

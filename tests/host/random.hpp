@@ -1,5 +1,5 @@
 #pragma once
-// Scenes at random: numbers that are the same on every machine, and a stop from the length of a contact.
+// Random scenes: numbers that are the same on every machine, and a stop from the length of a contact.
 
 #include <cmath>
 #include <impact/scene.hpp>

@@ -1,6 +1,6 @@
-// The report's baselines and scenes against independent routes: in double its hand-written Newmark and Runge-Kutta
-// steps are the matrix ones of textbook_newmark.hpp, and its constant-expression c1 are those of closed_form.hpp. What
-// the page says is checked by tests/report.
+// The report's baselines and scenes against independent methods. In double, its hand-written Newmark and Runge-Kutta
+// steps equal the matrix ones of textbook_newmark.hpp. Its c1 in constant expressions equal those of closed_form.hpp.
+// The tests in tests/explorer check the page's sentences.
 
 #include <gtest/gtest.h>
 

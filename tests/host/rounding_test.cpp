@@ -1,19 +1,18 @@
-// What 32 bits add to the method's own error: Fixed32 and Float32 against double at the same step, over 1 s of the
-// paper's scene. At most a tenth of the method's error, down to a floor of 2e-9 m (Fixed32) and 1e-8 m (Float32).
+// The error that 32 bits add to that of the method: Fixed32 and Float32 against double at the same step, over 1 s of
+// the paper's scene. It is at most a tenth of the method's error, or a floor of 2e-9 m (Fixed32) and 1e-8 m (Float32).
 //
-// A scene can require more digits than the format has. A change dv of one impact's speed moves x1 within the second by
-// A dv, with A about 0.2 s for Hunt-Crossley, whose loss makes the scene forget, 1 s for Hertz and 4 to 11 s for
-// Hooke-Newton. What a format leaves undetermined of an impact's speed v is, at best,
+// A scene may require more digits than the format has. A change dv of the speed of one impact moves x1 within the
+// second by A dv. A is some 0.2 s for Hunt-Crossley, whose losses reduce the effect, 1 s for Hertz, and 4 to 11 s for
+// Hooke-Newton. The smallest dv that a format resolves is, for an impact at the speed v,
 //
-//     dv = 2^-24 v (Float32) or 2^-31 v (Fixed32): the last bit of the constants that scale the impact;
-//     in Fixed32 also 2^-31 (penetration's unit) / h / sqrt(N): the LSB of the rate, over the N steps of a
-//     contact.
+//     dv = 2^-24 v (Float32) or 2^-31 v (Fixed32), an LSB of the constants that scale the impact;
+//     in Fixed32 also 2^-31 (unit of penetration) / h / sqrt(N), the LSB of the rate, over the N steps of a contact.
 //
-// Where twice A dv is above the floor, for Hertz in Float32 and for Hooke-Newton, it stands in the floor's place.
+// If 2 A dv is above the floor, as for Hertz in Float32 and for Hooke-Newton, it replaces the floor.
 //
-// Pointwise, Hooke-Newton's force jumps at the step that first sees the contact, and which step that is can depend on
-// the last bit: the two runs then differ by as much as each differs from the truth, and the bound is the method's own
-// error.
+// With a classical scheme, the force of Hooke-Newton jumps at the step that first detects the contact. An LSB may
+// decide which step that is. The two runs then differ by as much as each differs from the truth, so the bound is the
+// error of the method.
 
 #include <cstdio>
 

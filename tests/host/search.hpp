@@ -1,6 +1,6 @@
 #pragma once
 // A seeded search for the largest value of a function of coordinates from 0 to 1: the (1+1) evolution strategy
-// (Rechenberg 1973), begun anew from the best of some random places whenever its steps have become small.
+// (Rechenberg 1973). When its steps have become small, it starts again from the best of some random points.
 
 #include <algorithm>
 #include <array>

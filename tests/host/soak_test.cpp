@@ -1,5 +1,6 @@
-// A long run: the energy ledger closes and the drive keeps amplitude and phase; with weight, a shaken base and friction
-// the work of the field and friction's own line close it too. 2e6 steps, or IMPACT_SOAK_STEPS.
+// A long run, in which the energy ledger balances and the drive keeps amplitude and phase. With weight, a shaken base
+// and friction, the ledger also balances with the work of the field and the friction's dissipation. It has 2e6 steps,
+// or IMPACT_SOAK_STEPS.
 
 #include <gtest/gtest.h>
 

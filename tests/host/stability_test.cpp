@@ -1,7 +1,7 @@
-// One impact of two free masses over the whole range of stiffness, step, restitution, speed, mass ratio and clearance,
-// by every law, format and passive stepper, wherever its plan accepts it, at 64 phases of the impact within the step:
-// no fault, no energy gained, the law's own restitution. All corners of that range and a low-discrepancy sample of its
-// inside; IMPACT_STABILITY_CELLS selects a larger one.
+// One impact of two free masses over the whole range of stiffness, step, restitution, speed, mass ratio and clearance.
+// It runs with every law, format and passive stepper that the plan accepts, at 64 phases of the impact within the step.
+// There is no fault and no gain of energy, and the restitution is that of the law. The scenes are all corners of that
+// range, and a low-discrepancy sample of its inside, of which IMPACT_STABILITY_CELLS sets the number.
 
 #include <gtest/gtest.h>
 

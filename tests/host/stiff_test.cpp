@@ -1,5 +1,5 @@
-// Stops from soft to steel, against the reference, which locates every touch by itself: the stepper that the rule takes
-// keeps one bound of the error whatever the stiffness, for each law and format.
+// Stops from soft to steel against the reference, which locates every touch. With the rule's stepper one bound of the
+// error holds for any stiffness, for each law and format.
 
 #include <gtest/gtest.h>
 

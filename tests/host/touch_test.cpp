@@ -1,6 +1,6 @@
-// The touch located within its step: the rate there, which a damping per impact is set by and the log says, against
-// motion in closed form, and what such a damping makes of a driven run, against the reference, which locates the touch
-// by itself.
+// The touch located within its step. The rate there, which sets a damping per impact and is in the log, is compared
+// with motion in closed form. A driven run with such a damping is compared with the reference, which locates the touch
+// itself.
 
 #include <gtest/gtest.h>
 

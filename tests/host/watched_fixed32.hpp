@@ -1,7 +1,7 @@
 #pragma once
-// Fixed32 with the same bits, which sees whether any sum, product, shift or conversion leaves its type: the kernel says
-// what it expects of each (IMPACT_EXPECT in numeric/high_product.hpp), here in integers wide enough for all of them.
-// Included before the kernel, by the compiler's -include.
+// Fixed32 with the same bits, which detects whether any sum, product, shift or conversion leaves its type. The kernel
+// states its expectation for each one (IMPACT_EXPECT in numeric/high_product.hpp). Here it is checked in integers that
+// are wide enough for all of them. The compiler's -include includes this file before the kernel.
 
 #include <stdint.h>
 

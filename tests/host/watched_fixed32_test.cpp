@@ -1,6 +1,6 @@
-// Nothing wraps: each sum, product, shift and conversion of a step in Fixed32, of every law, drive and part and every
-// stepper that the plan's rule takes, in random scenes. The compiler's command line includes watched_fixed32.hpp.
-// IMPACT_WATCHED_SCENES=1000 gives each of them so many.
+// Nothing wraps: each sum, product, shift and conversion of a step in Fixed32 is checked, in random scenes with every
+// law, drive and part and every stepper of the plan's rule. The compiler's command line includes watched_fixed32.hpp.
+// IMPACT_WATCHED_SCENES=1000 sets the number of scenes for each.
 
 #include <execinfo.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// What the report says, from its tables, without a document. Every verdict is computed: where a baseline costs less or a
-// claim of the paper does not show, the text says so. **Words** between stars are strong.
-// A cell of a table is a text, or { text, note, value, isStrong, isOver } where it is sorted by another value.
+// The sentences of the report, computed from its tables, without a document. If a baseline costs less or a claim of the
+// paper does not hold, the text says so. **Words** between stars are strong. A cell of a table is a text, or { text, note,
+// value, isStrong, isOver } if it is sorted by another value.
 
 import { short } from '../../explorer/numbers.mjs';
 
@@ -34,7 +34,7 @@ const isKernel = (row) => !isBaseline(row) && (row.target === 'host' || (row.num
 const at = (points, target, law) => points.filter((row) => row.target === target && row.law === law);
 const cheapest = (points) => points.reduce((best, row) => (best && best.cost <= row.cost ? best : row), undefined);
 
-// The cheapest ways of the kernel and of the baselines to an error; undefined where none reaches it.
+// The cheapest ways of the kernel and of the baselines to an error, or undefined if none reaches it.
 export function duel(points, target, law, error) {
   const able = at(points, target, law).filter((row) => row.error <= error);
   const kernel = cheapest(able.filter(isKernel)), baseline = cheapest(able.filter(isBaseline));
@@ -64,7 +64,7 @@ export function advantage(points) {
     : `**A baseline costs less** on ${lost.join('; ')}.` };
 }
 
-// Those that no other reaches at less cost, cheapest first, by series.
+// The points whose error no other reaches at less cost, cheapest first, by series.
 export function frontiers(points, target, law) {
   const here = at(points, target, law), own = here.filter(isKernel);
   const best = (rows) => rows.sort((a, b) => a.cost - b.cost || a.error - b.error)
@@ -109,7 +109,7 @@ export function budgetOf(budget, parts) {
 // Free impacts.
 export const restitutionError = (row) => largest([row.restitution_min, row.restitution_max],
   (text) => Math.abs(number(text) - number(row.restitution_exact)));
-export const gainsEnergy = (row) => !(number(row.energy_gain_max) <= 1e-3);  // more than a thousandth of the impact's, or no number
+export const gainsEnergy = (row) => !(number(row.energy_gain_max) <= 1e-3);  // more than a thousandth of the impact's energy, or a NaN
 const gainText = (gain) => (gain <= 0 ? 'none' : short(gain, 2));
 export const stabilityRows = (stability) => groupsOf(stability, 'law', 'newmark', 'numeric').map((rows) => {
   const cells = rows.filter(({ accepted }) => accepted === '1'), [{ law, newmark, numeric }] = rows;
@@ -119,8 +119,8 @@ export const stabilityRows = (stability) => groupsOf(stability, 'law', 'newmark'
 export const coupledRows = (coupled) => coupled.map(({ law, newmark, numeric, scenes, faults, energy_gain_max }) =>
   [law, newmark, numeric, scenes, faults, gainText(number(energy_gain_max))]);
 
-// With weight, a shaken base and friction. The order is the mean over four halvings of the step, in float64, where
-// rounding has no part in it.
+// With weight, a shaken base and friction. The order is the average over four halvings of the step, in float64, in which
+// rounding does not matter.
 export const partSteps = ['0.001', '0.0005', '0.00025', '0.000125', '6.25e-05'];
 export const partsRows = (accuracy) => groupsOf(accuracy, 'part', 'newmark', 'numeric').map((rows) => {
   const [{ part, newmark, numeric }] = rows, errors = partSteps.map((step) => number(rows.find((row) => row.step_s === step)?.error_m ?? ''));
@@ -129,11 +129,11 @@ export const partsRows = (accuracy) => groupsOf(accuracy, 'part', 'newmark', 'nu
     short(largest(rows, (row) => number(row.ledger_open_J), 0), 2)];
 });
 
-// What to choose: of the configurations that the plan accepts for a stop and whose worst step fits into half of the
-// period the one with the smallest restitution error, at most 2e-3, and the cheapest of those within 1e-5. Not the
-// energy-consistent step, whose motion is of second order: that is for whom passivity counts more. And Impulsive only
-// where the kernel's rule takes it for the paper's main mass: the restitution of free masses says nothing of a contact
-// that lasts. Stability is known on a grid of quarters of a decade of step and halves of a decade of stiffness.
+// What to choose. The candidates are the configurations that the plan accepts for a stop and whose worst step fits into
+// half of the period. The choice has the smallest restitution error, at most 2e-3. Of those within 1e-5 it is the cheapest.
+// The energy-consistent step is no candidate, since its motion is of second order. Impulsive is one only if the kernel's
+// rule takes it for the paper's main mass, because the restitution of free masses does not show how long a contact lasts.
+// Stability is known on a grid of quarters of a decade of step and halves of a decade of stiffness.
 const types = { 'hooke-newton': 'HookeNewton', hertz: 'Hertz', 'hunt-crossley': 'HuntCrossley', moment: 'Moment',
   'moment-4': 'SubsteppedMoment<4>', 'moment-n': 'SubsteppedMoment<>', impulsive: 'Impulsive', average: 'AverageAcceleration', linear: 'LinearAcceleration',
   'fox-goodwin': 'FoxGoodwin', central: 'CentralDifference', fixed32: 'Fixed32', float32: 'Float32' };
@@ -175,8 +175,8 @@ const gainsOf = (stability, method) => {
   return `${cells.filter(gainsEnergy).length} of ${cells.length}`;
 };
 
-// Of stops of any stiffness, the cheapest way to an error on the host, in ns for a simulated second, Infinity where it is
-// not reached: of the kernel with its best stepper, with the one that its rule takes, and of event-rk4.
+// The lowest cost of an error at stops of any stiffness, in ns for a simulated second on the host, or Infinity if it is not
+// reached. It is that of the kernel with its best stepper, of the kernel with the rule's stepper, and of event-rk4.
 export function stiffDuels(stiff, error) {
   return groupsOf(stiff, 'contact_stiffness').map((rows) => {
     const best = (is) => Math.min(...rows.filter((row) => is(row.method) && row.numeric === 'float64' && number(row.error_m) <= error).map((row) => number(row.ns_per_simulated_second)));
@@ -193,7 +193,7 @@ export function stiffText(stiff) {
   }).join(' ');
 }
 
-// What a section found, as its heading: by the heading's id. `ways` of advantage(), `budget` of budgetOf().
+// The headings of the sections, which state their findings, by id. `ways` is from advantage(), `budget` from budgetOf().
 export function findings({ stability, stiff, coupled, restitution, attenuation }, ways, budget, sentences) {
   const missed = (rows) => largest(rows, (row) => largest([row.restitution_min, row.restitution_max], (text) => Math.abs(number(text) - number(row.stated))), 0);
   const [exact, formulas] = [true, false].map((isExact) =>
@@ -234,7 +234,7 @@ export function atAGlance(points, budget, stability, parts) {
   ];
 }
 
-// What the paper claims of its figures, and whether it shows here: texts by figure.
+// The paper's claims about its figures, and whether they hold here. The texts are by figure.
 export function paperSentences(figures) {
   const values = new Map(figures.map((row) => [[row.figure, row.law, row.quantity].join(), number(row.value)]));
   const value = (figure, law, quantity) => values.get([figure, law, quantity].join());

@@ -1,6 +1,6 @@
-// The cost of the kernel's steps under a sine drive in one number format, IMPACT_NUMERIC, of every stepper or of
-// IMPACT_NEWMARK only; or, IMPACT_WITH_PARTS, with weight, a base that shakes and friction, and with a damping that is
-// set at each impact. Those that have a budget are left to tests/target/step_cost.cpp.
+// The cost of the kernel's steps with a sine drive, in the number format IMPACT_NUMERIC, for every stepper or for
+// IMPACT_NEWMARK only. With IMPACT_WITH_PARTS there are weight, a base that shakes, friction and a damping per impact.
+// tests/target/step_cost.cpp has those with a budget.
 
 #include "configurations.hpp"
 #include "step_cost.hpp"

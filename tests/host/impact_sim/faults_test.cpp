@@ -1,4 +1,4 @@
-// What the kernel could not hold: exit code 3, the reason, and the data up to it.
+// A fault of the kernel: exit code 3, the reason, and the data up to the fault.
 
 #include <cmath>
 

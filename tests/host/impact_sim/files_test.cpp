@@ -1,4 +1,4 @@
-// Files that the tool writes: whole or not at all.
+// The files that the tool writes are whole, or do not appear at all.
 
 #include "impact_sim.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The tool as its users meet it: the built program in a folder of its own, its files and its exit codes.
+// Runs the tool like a user: the built program in a folder of its own, with its files and exit codes.
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-// Weight, friction and a base that shakes, as options.
+// Options for weight, friction and a base that shakes.
 
 #include <cmath>
 

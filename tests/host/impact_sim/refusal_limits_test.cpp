@@ -1,7 +1,6 @@
-// What a refusal says is true: the value that it names lies outside the range that it prints, and each end of that
-// range is accepted when it is typed back, with the bounds that are printed beside it, or another value is what is
-// refused then. Over random scenes, far beyond what can be planned, with files of samples of any length:
-// IMPACT_REFUSED_COMMANDS says how many.
+// Refusals are true. The value that a refusal names lies outside the range that it prints. Each end of that range is
+// accepted, together with the printed bounds, or another value is refused then. The commands are random, far beyond
+// what can be planned, with files of samples of any length. IMPACT_REFUSED_COMMANDS sets their number.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// Bad input: one line that names the option, its value and what is allowed, and nothing touched.
+// Bad input: one line names the option, its value and what is allowed, and no file is changed.
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// --rig: what the tool writes compiles for a constant plan and makes the run's own bits.
+// The header that --rig writes compiles for a constant plan, and its absorber computes the bits of the run.
 
 #include <cmath>
 

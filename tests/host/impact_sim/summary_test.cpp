@@ -1,4 +1,4 @@
-// What the tool ends with: counted again from the rows that it has written.
+// The summary at the end of a run, computed again from the rows that the tool has written.
 
 #include <cmath>
 

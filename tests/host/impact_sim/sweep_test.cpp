@@ -1,4 +1,4 @@
-// Many scenes: one row each, kept through interruption.
+// Sweeps: one row per scene, which an interruption does not destroy.
 
 #include <algorithm>
 #include <cmath>

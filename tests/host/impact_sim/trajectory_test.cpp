@@ -1,4 +1,4 @@
-// One scene as CSV: its rows, digits and physics, and what the tool says of itself.
+// One scene as CSV: its rows, digits and physics, and the texts about the tool itself.
 
 #include <cmath>
 #include <map>

@@ -99,7 +99,7 @@ struct Flight {
   }
 
   // Adds the work on the displacement that contact and friction added up to x.
-  double work_to(double x, const Force& force) const {
+  double work_until(double x, const Force& force) const {
     return work + (x - end) * (force.f[0] + force.at_end) / 2 + std::abs(x - end) * force.spread / 2;
   }
 };
@@ -252,11 +252,11 @@ CoupledRun run_coupled(const CoupledScene& found) {
     if (is_in_field) {
       const Force field = Force::line(scene.gravity - base, scene.gravity - next_base), on_ball = field.times(ball);
       on_main += field.times(mass);
-      work += Flight(ball, 0, on_ball, before.x2, before.v2 * h, h).work_to(now.x2, on_ball);
+      work += Flight(ball, 0, on_ball, before.x2, before.v2 * h, h).work_until(now.x2, on_ball);
       base = next_base;
     }
     if (is_in_field || drive != DriveKind::none)
-      work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_to(now.x1, on_main);
+      work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_until(now.x1, on_main);
     most_work = larger(most_work, work);
     const double scale = found.energy + most_work, energy = mechanical_energy(scene, now);
     // While the ball touches, the contact stores some energy. A NaN counts as an infinite gain.

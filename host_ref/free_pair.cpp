@@ -85,7 +85,7 @@ std::optional<Rebounds> rebounds(const FreePair& free, Stepper stepper, Numeric 
 
 std::optional<Rebounds> rebounds(Request request, long steps, const MakeSimulation& make) {
   Rebounds result;
-  const long looked_every = std::max(1L, steps / 64);  // while apart, the pair keeps its velocities
+  const long check_interval = std::max(1L, steps / 64);  // while apart, the pair keeps its velocities
   const double first = request.scene.x2, speed = request.scene.v2 - request.scene.v1;
   for (int i = 0; i < phases_of_impact; ++i) {
     const double phase = static_cast<double>(i) / phases_of_impact;
@@ -96,7 +96,7 @@ std::optional<Rebounds> rebounds(Request request, long steps, const MakeSimulati
     double ratio = 0;
     for (long n = 1; n <= steps && !is_apart; ++n) {
       simulation->step(0);
-      if (n % looked_every != 0 && n != steps) continue;
+      if (n % check_interval != 0 && n != steps) continue;
       const Sample now = simulation->sample();
       ratio = (now.v1 - now.v2) / speed;
       is_apart = now.penetration < 0 && now.contact_force == 0 && ratio > 0;

@@ -203,7 +203,7 @@ class Reference::Motion {
       enter(event_);
       open_window();
     }
-    now_ = at(place_of(t));
+    now_ = at(fraction_of_window(t));
     now_.t = t;
   }
 
@@ -327,10 +327,10 @@ class Reference::Motion {
     if (std::abs(holding) > scene_.friction) sliding_ = holding > 0 ? -1 : 1;
   }
 
-  static void keep_earlier(Event& first, std::optional<Real> at, Phase next, int side) {
+  static void keep_earlier_contact(Event& first, std::optional<Real> at, Phase next, int side) {
     if (at && *at < first.at) first = Event{*at, next, side};
   }
-  static void keep_earlier_turn(Event& first, std::optional<Real> at, Phase phase, int side) {
+  static void keep_earlier_reversal(Event& first, std::optional<Real> at, Phase phase, int side) {
     if (at && *at < first.at) first = Event{*at, phase, side, true};
   }
 
@@ -370,7 +370,7 @@ class Reference::Motion {
   }
 
   // The instant t as a fraction of the window.
-  Real place_of(Real t) const {
+  Real fraction_of_window(Real t) const {
     if (flow_) return (t - start_.t) / flow_->window();
     Series remaining = series_.col(time);
     remaining[0] -= t - start_.t;
@@ -442,7 +442,7 @@ class Reference::Motion {
     for (const int sign : {-1, 1}) {
       Series beyond = static_cast<Real>(sign) * holding;
       beyond[0] -= scene_.friction;
-      keep_earlier_turn(event_, first_rise(beyond, whole), phase_, side_);
+      keep_earlier_reversal(event_, first_rise(beyond, whole), phase_, side_);
     }
     end_linear_window(whole, end_of_drive);
   }
@@ -473,15 +473,15 @@ class Reference::Motion {
     event_ = {whole, phase_, side_};
     if (phase_ == Phase::apart) {
       for (const int of : {-1, 1}) {
-        if (has_stop(of)) keep_earlier(event_, first_rise(penetration_series(of), whole), Phase::touching, of);
+        if (has_stop(of)) keep_earlier_contact(event_, first_rise(penetration_series(of), whole), Phase::touching, of);
       }
     } else if (touching && clamped()) {
-      keep_earlier(event_, first_rise(-sign_of_force, whole), Phase::released, side_);
+      keep_earlier_contact(event_, first_rise(-sign_of_force, whole), Phase::released, side_);
     } else {
-      keep_earlier(event_, first_rise(-penetration_series(side_), whole), Phase::apart, side_);
-      if (!touching) keep_earlier(event_, first_rise(sign_of_force, whole), Phase::touching, side_);
+      keep_earlier_contact(event_, first_rise(-penetration_series(side_), whole), Phase::apart, side_);
+      if (!touching) keep_earlier_contact(event_, first_rise(sign_of_force, whole), Phase::touching, side_);
     }
-    if (scene_.friction > 0) keep_earlier_turn(event_, turn(rate, whole), phase_, side_);
+    if (scene_.friction > 0) keep_earlier_reversal(event_, turn(rate, whole), phase_, side_);
     end_linear_window(whole, end_of_drive);
   }
 
@@ -546,16 +546,16 @@ class Reference::Motion {
     for (int k = 0; k <= order; ++k) c.row(k) *= powers[k];
 
     event_ = {1, phase_, side_};
-    keep_earlier(event_, first_rise(-c.col(r), 1), Phase::apart, side_);
+    keep_earlier_contact(event_, first_rise(-c.col(r), 1), Phase::apart, side_);
     if (clamped()) {
       factor = c1_ * c.col(u);
       factor[0] += scene_.k1;
-      keep_earlier(event_, first_rise(-factor, 1), Phase::released, side_);
+      keep_earlier_contact(event_, first_rise(-factor, 1), Phase::released, side_);
     }
-    if (scene_.friction > 0) keep_earlier_turn(event_, turn(side * c.col(u), 1), phase_, side_);
+    if (scene_.friction > 0) keep_earlier_reversal(event_, turn(side * c.col(u), 1), phase_, side_);
     end_ = start_.t + value(c.col(time), event_.at);
     if (end_ > end_of_drive) {
-      event_ = {place_of(end_of_drive), phase_, side_};
+      event_ = {fraction_of_window(end_of_drive), phase_, side_};
       end_ = end_of_drive;
     }
   }

@@ -145,7 +145,7 @@ bool makes_plan(Request& request, Stepper named, Planned& planned) {
 }
 
 // A run to find bounds takes longer steps if they are exact enough: to 0.5 % of the restitution, with 20 in a period.
-void take_longer_steps(Request& trial, Planned& planned) {
+void use_longer_steps(Request& trial, Planned& planned) {
   constexpr double longest_phase = 0.3, restitution_error = 5e-3;
   if (!trial.samples.empty() || trial.is_shaken || trial.stepper != Stepper::moment) return;
   const Resolution contact = resolution(trial);
@@ -210,7 +210,7 @@ Measured measure(const Request& asked) {
   for (int round = 0; round < most_rounds; ++round) {
     if (round > 0 && !makes_plan_with(bounds)) break;
     const Stepper stepper = request.stepper;
-    take_longer_steps(request, planned);
+    use_longer_steps(request, planned);
     const Bounds limits = only_open(stated, bounds);
     // The run ends with the samples.
     long steps = step_count(request);

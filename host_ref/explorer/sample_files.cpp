@@ -14,7 +14,7 @@ const Column& SampleFiles::column(const SampleKind& kind, const std::string& nam
   for (std::string_view rest = file->second.text; !rest.empty();) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(line.size() < rest.size() ? line.size() + 1 : rest.size());
-    if (!take_line(column, kind, name, line)) return column;
+    if (!append_line(column, kind, name, line)) return column;
   }
   return column;
 }

@@ -42,7 +42,7 @@ bool store(Request& request, Stated& stated, std::string_view option, std::strin
 }
 
 // Reads them like impact-sim.
-Refusal take_samples(Request& request, const Stated& stated, SampleFiles& files) {
+Refusal store_samples(Request& request, const Stated& stated, SampleFiles& files) {
   const struct {
     const SampleKind& kind;
     const std::string& file;
@@ -55,9 +55,9 @@ Refusal take_samples(Request& request, const Stated& stated, SampleFiles& files)
     const Column& column = files.column(kind, file);
     if (!column.refusal.field.empty()) return column.refusal;
     if (&kind == &base_accelerations)
-      shake_by(request, column.samples);
+      set_base_samples(request, column.samples);
     else
-      drive_by(request, kind, column.samples);
+      set_drive_samples(request, kind, column.samples);
     if (Refusal refusal = cut(samples, request, kind, file); !refusal.field.empty()) return refusal;
   }
   return {};
@@ -85,7 +85,7 @@ ScenePlan scene_from(std::string_view text, SampleFiles& files) {
       plan.refusal = {"restitution", shortest_text(scene.restitution),
                       plan.request.law == Law::hertz ? "1 to 1" : "0.001 to 1"};
   }
-  if (plan.refusal.field.empty()) plan.refusal = take_samples(plan.request, stated, files);
+  if (plan.refusal.field.empty()) plan.refusal = store_samples(plan.request, stated, files);
   return plan;
 }
 

@@ -19,7 +19,7 @@ struct Point {
   std::string target, law, method, numeric;
   double step, error, instructions;
 
-  bool is_beaten_by(const Point& other) const {
+  bool is_dominated_by(const Point& other) const {
     return target == other.target && law == other.law && other.error <= error && other.instructions <= instructions &&
            (other.error < error || other.instructions < instructions);
   }
@@ -68,7 +68,7 @@ void write_error_vs_time(const std::vector<std::string>& paths) {
     std::string row = point.target + "," + point.law + "," + point.method + "," + point.numeric;
     host::append_numbers(row, {point.step, point.error, point.instructions}, 5);
     const bool is_beaten =
-        std::any_of(points.begin(), points.end(), [&](const Point& p) { return point.is_beaten_by(p); });
+        std::any_of(points.begin(), points.end(), [&](const Point& p) { return point.is_dominated_by(p); });
     output.write(row + (is_beaten ? ",0\n" : ",1\n"));
   }
   output.commit();

@@ -36,14 +36,14 @@ void watch_signals() {
   }
 }
 
-void note_unfinished(const char* path) {
+void add_to_unfinished(const char* path) {
   watch_signals();
   for (auto& slot : unfinished) {
     const char* empty = nullptr;
     if (slot.compare_exchange_strong(empty, path)) return;
   }
 }
-void forget_unfinished(const char* path) {
+void remove_from_unfinished(const char* path) {
   for (auto& slot : unfinished) {
     const char* noted = path;
     if (slot.compare_exchange_strong(noted, nullptr)) return;
@@ -80,9 +80,9 @@ Output::Output(const std::string& path) : target_(is_standard_output(path) ? "" 
   } else {
     if (exists && access(target_.c_str(), W_OK) != 0) throw OutputError(path);
     temporary_ = target_ + "." + std::to_string(getpid()) + ".partial";
-    note_unfinished(temporary_.c_str());
+    add_to_unfinished(temporary_.c_str());
     file_ = std::fopen(temporary_.c_str(), "wx");
-    if (!file_) forget_unfinished(temporary_.c_str());
+    if (!file_) remove_from_unfinished(temporary_.c_str());
     if (file_ && exists) fchmod(fileno(file_), status.st_mode & 07777);
   }
   if (!file_) throw OutputError(path);
@@ -92,7 +92,7 @@ Output::~Output() {
   if (file_ && file_ != stdout) std::fclose(file_);
   if (temporary_.empty()) return;
   std::remove(temporary_.c_str());
-  forget_unfinished(temporary_.c_str());
+  remove_from_unfinished(temporary_.c_str());
 }
 
 void Output::write(std::string_view text) {
@@ -108,7 +108,7 @@ void Output::commit() {
   if (std::fclose(std::exchange(file_, nullptr)) != 0) throw OutputError(target_);
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw OutputError(target_);
-  forget_unfinished(temporary_.c_str());
+  remove_from_unfinished(temporary_.c_str());
   temporary_.clear();
 }
 

@@ -18,7 +18,7 @@ std::vector<double> forces_of(const std::vector<double>& z, const Scene& scene, 
 
 }  // namespace
 
-bool take_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line) {
+bool append_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line) {
   if (column.samples.empty()) line = without_byte_order_mark(line);
   const auto sample = number_from(trimmed(line));
   if (sample && std::abs(*sample) <= kind.largest) {
@@ -32,13 +32,13 @@ bool take_line(Column& column, const SampleKind& kind, const std::string& file, 
   return false;
 }
 
-void drive_by(Request& request, const SampleKind& kind, const std::vector<double>& samples) {
+void set_drive_samples(Request& request, const SampleKind& kind, const std::vector<double>& samples) {
   const bool is_force = &kind == &drive_samples;
   request.samples = is_force ? samples : forces_of(samples, request.scene, request.step);
   request.drive = DriveKind::sampled;
 }
 
-void shake_by(Request& request, const std::vector<double>& accelerations) {
+void set_base_samples(Request& request, const std::vector<double>& accelerations) {
   request.is_shaken = true;
   request.base_samples = accelerations;
   // If the bound is 0, the largest sample becomes the bound.

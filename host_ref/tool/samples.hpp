@@ -22,11 +22,11 @@ struct Column {
   Refusal refusal;  // its field is empty if there is no refusal
 };
 // Appends a line of `file`. Returns false if it is not a sample, and then stores the refusal.
-bool take_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line);
+bool append_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line);
 
 // Passes samples of a drive, or of a base's displacement as a force, to a request whose scene and step are known.
-void drive_by(Request& request, const SampleKind& kind, const std::vector<double>& samples);
-void shake_by(Request& request, const std::vector<double>& accelerations);
+void set_drive_samples(Request& request, const SampleKind& kind, const std::vector<double>& samples);
+void set_base_samples(Request& request, const std::vector<double>& accelerations);
 // Cuts the samples to the number of steps. Returns a refusal if there are too few.
 Refusal cut(std::vector<double>& samples, const Request& request, const SampleKind& kind, const std::string& file);
 

@@ -20,7 +20,7 @@ std::vector<double> samples_from(const SampleKind& kind, const std::string& file
   Column column;
   for (char line[64]; input.getline(line, sizeof line);) {
     const size_t size = static_cast<size_t>(input.gcount()) - (input.eof() ? 0 : 1);  // a NUL does not end it
-    if (!take_line(column, kind, file, {line, size})) throw BadInput(column.refusal);
+    if (!append_line(column, kind, file, {line, size})) throw BadInput(column.refusal);
   }
   if (!input.eof())
     throw BadInput(option, file + " line " + std::to_string(column.samples.size() + 1),
@@ -122,10 +122,11 @@ void settle(Settings& settings, const Given& given) {
   for (const char* name : {"drive-amplitude", "drive-pulsation"})
     refuse_unless(!has_samples && request.drive == DriveKind::sine, name, "only with --drive sine");
   refuse_unless(has("base-acceleration-file"), "bound-base-acceleration", "only with --base-acceleration-file");
-  if (has("drive-file")) drive_by(request, drive_samples, samples_from(drive_samples, settings.drive_file));
-  if (has("base-file")) drive_by(request, base_displacements, samples_from(base_displacements, settings.base_file));
+  if (has("drive-file")) set_drive_samples(request, drive_samples, samples_from(drive_samples, settings.drive_file));
+  if (has("base-file"))
+    set_drive_samples(request, base_displacements, samples_from(base_displacements, settings.base_file));
   if (has("base-acceleration-file"))
-    shake_by(request, samples_from(base_accelerations, settings.base_acceleration_file));
+    set_base_samples(request, samples_from(base_accelerations, settings.base_acceleration_file));
   const bool has_file = has_samples || has("base-acceleration-file");
   const size_t lines = std::max(request.samples.size(), request.base_samples.size());
   for (const auto& [name, count] : {std::pair(has("drive-file") ? "drive-file" : "base-file", request.samples.size()),

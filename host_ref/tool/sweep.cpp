@@ -205,7 +205,7 @@ std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {
 }
 
 // The steps that the tool chose, if --step is not stated.
-void say_steps(const std::vector<SweptScene>& scenes) {
+void print_steps(const std::vector<SweptScene>& scenes) {
   double shortest = step_range.most, longest = 0;
   for (const SweptScene& scene : scenes) {
     if (!scene.settings.is_step_automatic) continue;
@@ -221,7 +221,7 @@ void say_steps(const std::vector<SweptScene>& scenes) {
 
 int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
   const Sweep sweep = read_sweep(settings, arguments);
-  say_steps(sweep.scenes);
+  print_steps(sweep.scenes);
   SummaryFile file(settings.output, sweep.header, sweep.keys);
   std::vector<const SweptScene*> waiting;
   for (const SweptScene& scene : sweep.scenes) {

@@ -40,7 +40,7 @@ Curve bare_curve(const Request& request) {
 }
 
 // Runs the scene once before anything is written, if bounds must be found.
-Outcome outcome_that_holds(const Request& request) {
+Outcome outcome_within_bounds(const Request& request) {
   if (!has_open_bounds(request)) return outcome_of(request);
   Progress progress("steps to find bounds", step_count(request));
   Request bounded = request;
@@ -55,7 +55,7 @@ Outcome outcome_that_holds(const Request& request) {
 
 int write_trajectory(const Settings& settings, const std::vector<Argument>& arguments) {
   const Request& request = settings.request;
-  const Outcome outcome = outcome_that_holds(request);
+  const Outcome outcome = outcome_within_bounds(request);
   Simulation* const simulation = outcome.simulation.get();
   const std::string step = settings.is_step_automatic ? "step " + short_text(request.step) + " s, " : "";
   const auto say = [&settings](const std::string& line) {

@@ -59,7 +59,7 @@ Force first_impact(const host::Case& run) {
   return {};
 }
 
-// Of the first impact: the largest contact_force(), and the mean over the contact.
+// The largest contact_force() of the first impact, and its average over the contact.
 template <class Format, class ContactLaw, class Stepper>
 Force stepped(const host::Case& run, double rate, double contact_time) {
   using Model = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format, ContactForce, ImpactLog>;
@@ -83,7 +83,7 @@ Force stepped(const host::Case& run, double rate, double contact_time) {
   return force;
 }
 
-// Beside a contact of some steps a step's mean misses the peak by (pi/2N)^2/3 and less.
+// In a contact of some steps, the average over a step is below the peak by at most (pi/2N)^2/3.
 template <class Format, class ContactLaw, class Stepper>
 void expect_forces(const host::Case& run, double fewest_steps) {
   const Force right = first_impact(run);
@@ -122,8 +122,7 @@ TYPED_TEST(ContactForces, OfAResolvedContactAreTheLawsOwnAtEveryRate) {
   expect_forces<TypeParam, HuntCrossley, AverageAcceleration>(hunt_crossley, 20);
 }
 
-// From the fastest impact of the bounds to one of a hundredth of its speed, and from elastic stops to a restitution of
-// 0.05.
+// Impacts from the largest speed of the bounds down to 1 % of it, with restitutions from 1 down to 0.05.
 template <class Format, class ContactLaw>
 void expect_closed_form(double stiffness, double damping) {
   using Model = Absorber<AtRunTime, ContactLaw, Impulsive, NoDrive, Format, ContactForce>;
@@ -162,7 +161,7 @@ TYPED_TEST(ContactForces, OfAFreePairAreTheClosedForms) {
   for (const double damping : {0.0, 3e3, 1.6e4}) expect_closed_form<TypeParam, HookeNewton>(1e9, damping);
 }
 
-// Weight on a ball at rest, at any rate.
+// The force on a ball at rest is its weight, at any rate.
 TYPED_TEST(ContactForces, OfABallAtRestIsItsWeight) {
   using Model = Absorber<AtRunTime, HuntCrossley, Impulsive, NoDrive, TypeParam, ContactForce, Gravity>;
   for (const double rate : rates) {

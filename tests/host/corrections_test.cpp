@@ -29,7 +29,7 @@ struct Corrected {
   Bounds bounds;
   double step;
 };
-// Undriven, by a main spring that is weak or none, and of 4 to 400 steps in the contact of the fastest impact; most
+// Scenes without a drive, with a weak main spring or none. The contact of the fastest impact has 4 to 400 steps. Most
 // impacts are far slower.
 Corrected at_random(Random& chance) {
   Corrected result;
@@ -46,13 +46,13 @@ Corrected at_random(Random& chance) {
   Bounds& bounds = result.bounds;
   bounds.displacement = chance.wide(0.01, 1);
   bounds.speed = chance.wide(0.01, 5);
-  take_contact_time(scene, false, chance.wide(4, 400) * result.step, 2 * bounds.speed);
+  set_contact_time(scene, false, chance.wide(4, 400) * result.step, 2 * bounds.speed);
   scene.x2 = scene.clearance / 2;
   scene.v2 = bounds.speed * chance.wide(1e-6, 0.9);
   return result;
 }
 
-// Of both masses, the main spring and what the stop stores, J.
+// The energy of both masses, the main spring and the stop, J.
 double energy_of(const Scene& scene, double x1, double v1, double x2, double v2, bool is_touching) {
   const double apart = scene.stops == Stops::right ? x2 - x1 : std::abs(x2 - x1), d = apart - scene.clearance / 2;
   const double stored = is_touching && d > 0 ? 0.4 * scene.contact_stiffness * d * d * std::sqrt(d) : 0;
@@ -65,9 +65,9 @@ struct Case {
   using ContactLaw = ContactLaw_;
   using Kernel = Absorber<AtRunTime, ContactLaw_, Stepper_, NoDrive, Format_>;
 };
-// What Fixed32 may do to the energy of a step in contact, J: of the products that make an impulse, each rounded down,
-// two LSBs in each sub-step at the rate at which the masses come together. An impulse counts coarser than a
-// penetration beside a stiff main spring whose displacement has a wide bound (travel_bits).
+// The energy that rounding in Fixed32 may add in a step in contact, J. Each product of an impulse rounds down: two LSBs
+// per sub-step, at the relative rate of the masses. With a stiff main spring whose displacement has a wide bound, an
+// LSB of an impulse is larger than that of a penetration (travel_bits).
 template <class Kernel>
 double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step) {
   if constexpr (std::is_same_v<typename Kernel::Format, Fixed32> &&
@@ -89,7 +89,7 @@ TYPED_TEST_SUITE_P(Corrections);
 TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
   using Format = typename TypeParam::Format;
   using Kernel = typename TypeParam::Kernel;
-  // Of the bounds' energy, what rounding may add up to.
+  // The limit of rounding, as a share of the energy of the bounds.
   constexpr double rounded = std::is_same_v<Format, Float64> ? 1e-7 : std::is_same_v<Format, Float32> ? 1e-6 : 1e-5;
   Random chance(5);
   int accepted = 0, corrected = 0;
@@ -147,11 +147,11 @@ INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, CasesOf<Float32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, CasesOf<Float32Plain>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
 
-// To the LSB of a state, some 2^-45 of it in Float32: where a contact is so stiff that its penetrations are
-// below a float's LSB of the clearance, what the ball stood inside would be energy from nothing.
+// Exact to an LSB of the state, some 2^-45 of it in Float32. In a very stiff contact the penetrations are below a
+// float's LSB of the clearance. An error of the position would then create energy.
 TEST(Corrections, PutABallInAStopOntoIt) {
   Random chance(5);
-  const auto is_put = [](auto format, const Scene& scene) {
+  const auto expect_ball_moved_to_stop = [](auto format, const Scene& scene) {
     using Format = decltype(format);
     using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Format>;
     Kernel kernel(Kernel::PlanType::make(scene, {}, 1e-4));
@@ -167,13 +167,14 @@ TEST(Corrections, PutABallInAStopOntoIt) {
     Scene scene;
     scene.clearance = chance.wide(0.01, 0.05);
     scene.drive_amplitude = 0;
-    is_put(Float32{}, scene);
-    is_put(Fixed32{}, scene);
-    is_put(Float64{}, scene);
+    expect_ball_moved_to_stop(Float32{}, scene);
+    expect_ball_moved_to_stop(Fixed32{}, scene);
+    expect_ball_moved_to_stop(Float64{}, scene);
   }
 }
 
-// Out of a contact under way, across the cavity and into the other stop: it stands there, and has gained nothing.
+// A correction moves the ball out of a contact, across the cavity and into the other stop. It is placed at that stop,
+// and gains nothing.
 template <class Kernel>
 void is_put_to_the_other_stop(double depth) {
   using Format = typename Kernel::Format;
@@ -213,13 +214,13 @@ TEST(Corrections, PutABallInContactOntoTheOtherStop) {
   }
 }
 
-// An observer that finds nothing to correct, at every step, begins the contact under way anew each time, at its
-// penetration and rate. The largest difference that this makes to x1 over the first impacts of the paper's scene, m:
-// nothing with Moment, and with EnergyConsistent no more than what it misses itself, 1.8e-5 at 1 ms, with Exact 7.1e-5.
-// A Hooke-Newton stop has let go of the ball inside it, which is on its way out: put deeper by a correction it would be
-// pushed out with a spring's energy that no motion has stored.
+// An observer that corrects by 0 in every step starts the contact again each time, at its penetration and rate. This
+// returns the largest change of x1 over the first impacts of the paper's scene, m. With Moment it is 0, and with
+// EnergyConsistent at most that stepper's own error, 1.8e-5 at 1 ms, with Exact 7.1e-5. A Hooke-Newton stop may have
+// released a ball that is still inside it and on its way out. If a correction put that ball deeper, the spring would
+// push it out with energy that no motion has stored.
 template <class Stepper, class Format>
-void is_not_put_deeper() {
+void expect_ball_not_deeper() {
   using Kernel = Absorber<AtRunTime, HookeNewton, Stepper, NoDrive, Format>;
   Scene scene;
   scene.drive_amplitude = scene.main_stiffness = scene.main_damping = 0;
@@ -245,13 +246,13 @@ void is_not_put_deeper() {
   EXPECT_NEAR(kinetic(), before, 1e-6 * before);
 }
 TEST(Corrections, PutABallThatWasLetGoNoDeeper) {
-  is_not_put_deeper<Moment, Float64>();
-  is_not_put_deeper<Moment, Fixed32>();
-  is_not_put_deeper<SubsteppedMoment<4>, Float64>();
+  expect_ball_not_deeper<Moment, Float64>();
+  expect_ball_not_deeper<Moment, Fixed32>();
+  expect_ball_not_deeper<SubsteppedMoment<4>, Float64>();
 }
 
 template <class ContactLaw, class Stepper>
-double made_by_corrections_of_nothing(double step) {
+double energy_gain_of_zero_corrections(double step) {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Float64>;
   Scene scene;
   if (ContactLaw::is_linear) scene.contact_damping = 5;
@@ -271,18 +272,18 @@ double made_by_corrections_of_nothing(double step) {
   return largest;
 }
 TEST(Corrections, OfNothingLeaveTheMotion) {
-  EXPECT_LE((made_by_corrections_of_nothing<HuntCrossley, Moment>(1e-3)), 1e-13);
-  EXPECT_LE((made_by_corrections_of_nothing<Exact, Moment>(1e-3)), 1e-13);
-  EXPECT_LE((made_by_corrections_of_nothing<HookeNewton, Moment>(1e-4)), 1e-13);
-  EXPECT_LE((made_by_corrections_of_nothing<HuntCrossley, SubsteppedMoment<4>>(1e-3)), 1e-13);
+  EXPECT_LE((energy_gain_of_zero_corrections<HuntCrossley, Moment>(1e-3)), 1e-13);
+  EXPECT_LE((energy_gain_of_zero_corrections<Exact, Moment>(1e-3)), 1e-13);
+  EXPECT_LE((energy_gain_of_zero_corrections<HookeNewton, Moment>(1e-4)), 1e-13);
+  EXPECT_LE((energy_gain_of_zero_corrections<HuntCrossley, SubsteppedMoment<4>>(1e-3)), 1e-13);
   const auto is_of_second_order = [](double coarse, double fine, double own) {
     EXPECT_LE(coarse, own);
     EXPECT_LE(fine, coarse * std::pow(10, -1.5));
   };
   using E = EnergyConsistent;
-  is_of_second_order(made_by_corrections_of_nothing<HuntCrossley, E>(1e-3),
-                     made_by_corrections_of_nothing<HuntCrossley, E>(1e-4), 1.8e-5);
-  is_of_second_order(made_by_corrections_of_nothing<Exact, E>(1e-3), made_by_corrections_of_nothing<Exact, E>(1e-4),
+  is_of_second_order(energy_gain_of_zero_corrections<HuntCrossley, E>(1e-3),
+                     energy_gain_of_zero_corrections<HuntCrossley, E>(1e-4), 1.8e-5);
+  is_of_second_order(energy_gain_of_zero_corrections<Exact, E>(1e-3), energy_gain_of_zero_corrections<Exact, E>(1e-4),
                      7.1e-5);
 }
 
@@ -291,7 +292,8 @@ struct CorrectionsInEveryFormat : testing::Test {};
 using AllFormats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(CorrectionsInEveryFormat, AllFormats);
 
-// Far on the side without a stop the difference of both positions, less the stop's position, passes 2^63 in Fixed32.
+// Far on the side without a stop, the difference of both positions minus the position of the stop exceeds 2^63 in
+// Fixed32.
 TYPED_TEST(CorrectionsInEveryFormat, OfNothingLeaveABallFarFromItsStop) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double side : {1.0, -1.0}) {
@@ -315,7 +317,7 @@ TYPED_TEST(CorrectionsInEveryFormat, OfNothingLeaveABallFarFromItsStop) {
   }
 }
 
-// By the bound from the bound: where that is a power of two, the sum of what both may be passes Fixed32's unit.
+// A correction by the bound from the bound. If the bound is a power of two, the sum exceeds the unit of Fixed32.
 TYPED_TEST(CorrectionsInEveryFormat, ToTwiceTheBoundEndAtIt) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double bound : {0.9, 1.0, 1.1})

@@ -10,18 +10,20 @@
 
 namespace impact::host {
 
-// Of the scene's energy, what Fixed32 rounds: kinetic energy, by displacements per step that are wrong by some last
-// LSBs each step.
+// The share of a scene's energy that the rounding of Fixed32 may add. Displacements per step are wrong by some LSBs in
+// each step, and so is the kinetic energy.
 //
-// In flight a step forms up to six products for dx1 (spring, damper, drive, field). Each counts in increments, whose
-// unit is at most twice the largest of them, I: the spring at twice the bound of displacement X, twice the drive, twice
-// the field. The spring's reads x1 to half an LSB of positions, whose unit has room for twice X, and for four pushes.
-// In contact as many products count in pushes. With D the deepest penetration, four of the fastest impact's ways in a
-// step and what increments add, a push is at most 4 D: no stepper takes steps in which a contact does more.
+// In flight a step forms up to six products for dx1 (spring, damper, drive, field). Each has the unit of increments,
+// which is at most twice the largest increment I. The largest increments are those of the spring at twice the bound of
+// displacement X, twice the drive, and twice the field. The spring's product rounds x1 to half an LSB of positions,
+// whose unit has room for 2 X and for four pushes. In contact as many products have the unit of pushes. Let D be the
+// sum of the deepest penetration, four displacements of the fastest impact per step, and the increments. A push is at
+// most 4 D, because no stepper takes steps in which a contact does more.
 //
-// A rounding by an LSB p has the variance p^2/12 and is as often for as against the motion: a mass M of the energy E
-// or less, M v <= (2 M E)^(1/2), has after N steps of n roundings the standard deviation (2 M E)^(1/2) (n N/12)^(1/2)
-// p/h. Both masses feel those of contact. Of 10^6 scenes none should pass five of them.
+// A rounding by an LSB p has the variance p^2/12, and is as often for the motion as against it. A mass M with the
+// energy E or less has M v <= (2 M E)^(1/2). After N steps with n roundings each, the standard deviation is (2 M
+// E)^(1/2) (n N/12)^(1/2) p/h. In contact both masses have such errors. Of 10^6 scenes none should exceed five standard
+// deviations.
 inline double energy_rounded(const CoupledScene& found) {
   if (found.request.numeric != Numeric::fixed32) return 0;
   const Scene& scene = found.request.scene;
@@ -40,10 +42,11 @@ inline double energy_rounded(const CoupledScene& found) {
   return 5 * std::sqrt(static_cast<double>(6 * found.steps) / 12) * std::sqrt(2 / found.energy) * lsbs / h;
 }
 
-// Of the scene's energy. The moment-fitted steppers create up to 1e-5 of it in each of some hundred contacts, named
-// below the 8 steps a contact that the rule takes up to 6e-5; the others none, but for rounding. Named sub-steps beyond
-// the phase that the rule allows make more, of which the tool warns.
-inline double most_energy_made(const CoupledScene& found) {
+// The largest gain, as a share of the scene's energy. Moment-fitted steppers create up to 1e-5 in each of some hundred
+// contacts. Named ones with fewer than the 8 steps per contact of the rule create up to 6e-5. The other steppers create
+// none, except for rounding. Named sub-steps beyond the phase that the rule allows create more, and the tool warns of
+// them.
+inline double largest_energy_gain(const CoupledScene& found) {
   const Stepper stepper = found.request.stepper;
   const Scene& scene = found.request.scene;
   const bool has_sub_steps =

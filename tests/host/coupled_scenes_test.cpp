@@ -73,7 +73,7 @@ class CoupledScenes : public testing::TestWithParam<Suite> {
         if (!run.is_accepted) continue;
         ++tally.accepted;
         EXPECT_FALSE(run.has_fault) << text_of(found.request);
-        EXPECT_LE(run.gain, most_energy_made(found)) << text_of(found.request);
+        EXPECT_LE(run.gain, largest_energy_gain(found)) << text_of(found.request);
         see(found, run);
         if (!(run.gain <= worst)) worst = run.gain;
         if (!(run.rubbed <= worst_rubbed)) worst_rubbed = run.rubbed;
@@ -96,11 +96,11 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
                                      if (run.gain > 0.01 + energy_rounded(found)) {
                                        EXPECT_TRUE(run.is_warned) << text_of(found.request);
                                      }
-                                     // The energy step knows the work of its force to rounding; the others' ledgers are
-                                     // of second order. In Fixed32 its impulses are counted more coarsely than the
-                                     // energies of a hard stop.
+                                     // The energy step knows the work of its force within rounding. The ledgers of the
+                                     // others are of second order. In Fixed32 the LSB of its impulses is coarser than
+                                     // that of the energies of a hard stop.
                                      if (stepper == Stepper::energy && GetParam().numeric != Numeric::fixed32) {
-                                       EXPECT_LE(run.returned, most_energy_made(found)) << text_of(found.request);
+                                       EXPECT_LE(run.returned, largest_energy_gain(found)) << text_of(found.request);
                                      }
                                    });
     // The rule finds a stepper for nine scenes of ten, in every format.
@@ -109,19 +109,19 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
   }
 }
 
-// The one of 5000 whose named sub-steps gain more than 1 %: the tool says so.
+// The one scene of 5000 in which named sub-steps gain more than 1 %. The tool warns of it.
 TEST(CoupledSceneOfSubSteps, ThatGainsEnergyIsWarnedOf) {
   CoupledScene found = coupled_scene(Law::hertz, Edge::heavy_ball, 206);
   found.request.stepper = Stepper::moment_4;
   const CoupledRun run = run_coupled(found);
   ASSERT_TRUE(run.is_accepted);
   EXPECT_GT(run.gain, 0.01);
-  EXPECT_LE(run.gain, most_energy_made(found));
+  EXPECT_LE(run.gain, largest_energy_gain(found));
   EXPECT_TRUE(run.is_warned);
 }
 
-// Stiff stops with strong damping on a main mass that swings by 0.4 to 0.9 rad in a step: there the energy step keeps
-// the energy and not the law's damping, so that a ball that presses on its stop creeps into it.
+// Stiff stops with strong damping, on a main mass that oscillates by 0.4 to 0.9 rad in a step. There the energy step
+// conserves the energy but not the damping of the law. A ball that is pressed on its stop then creeps into it.
 TEST(CoupledScenesOfTheEnergyStep, StayWithinTheirBoundsUnderStrongDamping) {
   std::mt19937_64 engine(1);
   constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::none, DriveKind::sampled};
@@ -133,7 +133,7 @@ TEST(CoupledScenesOfTheEnergyStep, StayWithinTheirBoundsUnderStrongDamping) {
     if (!result.is_accepted) return;
     ++run;
     EXPECT_FALSE(result.has_fault) << text_of(found.request);
-    EXPECT_LE(result.gain, most_energy_made(found)) << text_of(found.request);
+    EXPECT_LE(result.gain, largest_energy_gain(found)) << text_of(found.request);
   };
   holds(coupled_scene(Law::hunt_crossley, Edge::none, 1651), Numeric::float64);
   for (unsigned index = 0; index < 4000; ++index) {
@@ -149,13 +149,13 @@ TEST(CoupledScenesOfTheEnergyStep, StayWithinTheirBoundsUnderStrongDamping) {
   EXPECT_GE(run, 3600u);
 }
 
-// With weight, a base that shakes and friction, one or more of them. A plan refuses them where a step can cross half
+// Scenes with one or more of weight, a base that shakes, and friction. A plan refuses them if a step can cross half of
 // the clearance.
 TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
   for (const Stepper stepper : every_stepper) {
     const Tally tally = run_scenes(stepper, Parts::some, {Edge::none, Edge::heavy_ball}, scenes() / 2,
                                    [](const CoupledScene& found, const CoupledRun& run) {
-                                     EXPECT_LE(run.rubbed, most_energy_made(found)) << text_of(found.request);
+                                     EXPECT_LE(run.rubbed, largest_energy_gain(found)) << text_of(found.request);
                                    });
     EXPECT_GE(tally.accepted, stepper == Stepper::automatic ? tally.made / 4 : tally.made / 30) << name_of(stepper);
   }
@@ -224,7 +224,7 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
     if (i == most_steps || exact.impacts != 1 || stepped.impacts != 1) continue;
     const double off = std::abs(stepped.energy_dissipated - exact.energy_dissipated) / found.energy;
     const bool is_energy = outcome.description.rfind("energy", 0) == 0;
-    // A damping set per impact is clamped where h c/mu would pass what the step tolerates (law/impact_damping.hpp).
+    // A damping per impact is clamped if h c/mu would exceed the tolerance of the step (law/impact_damping.hpp).
     const double mu = 1 / (1 / physical.main_mass + 1 / physical.ball_mass),
                  damping = physical.contact_stiffness * run.damping_ratio / exact.impact_speed * std::pow(deepest, 1.5);
     if (GetParam().is_damped_per_impact && request.step * damping / mu > (is_energy ? 0.2 : 2.5)) {
@@ -242,7 +242,7 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   EXPECT_GE(compared, GetParam().is_damped_per_impact ? 10u : 20u);
 }
 
-// What a test that fails prints is a command that the tool takes and that makes the same motion.
+// A failing test prints a command, which the tool accepts and which makes the same motion.
 TEST_P(CoupledScenes, AreRunByTheCommandThatATestPrints) {
   const std::filesystem::path before = std::filesystem::current_path();
   std::string name = (std::filesystem::temp_directory_path() / "coupled_scenes_test.XXXXXX").string();

@@ -59,8 +59,8 @@ std::vector<Searched> all() {
   return result;
 }
 
-// Three coordinates more than a scene has choose the edge, the drive, and whether it has parts, which are not compiled
-// into the tool in Float32Plain.
+// Three further coordinates select the edge, the drive, and whether the scene has parts. The tool has no parts in
+// Float32Plain.
 using Everywhere = std::array<double, coordinates + 3>;
 template <class Kind, size_t n>
 Kind one_of(const Kind (&kinds)[n], double u) {
@@ -74,15 +74,15 @@ CoupledScene scene_at(const Searched& searched, const Everywhere& at) {
                         has_parts ? Parts::some : Parts::none, place);
 }
 
-// What is made beyond rounding; a fault is worse than any.
+// The energy gain beyond rounding. A fault counts more than any gain.
 double badness(const CoupledScene& scene) {
   const CoupledRun run = run_coupled(scene);
   if (!run.is_accepted) return -1e300;
   if (run.has_fault || !(run.gain < 1e9) || !(run.rubbed < 1e9)) return 1e9;
-  return std::max(run.gain, run.rubbed) / most_energy_made(scene);
+  return std::max(run.gain, run.rubbed) / largest_energy_gain(scene);
 }
 
-// Found once, by this search or by twenty thousand scenes a format. Each is refused or holds now.
+// Scenes that this search, or twenty thousand scenes per format, once found. Each is now refused, or keeps the limits.
 struct Kept {
   const char* what;
   Law law;
@@ -153,7 +153,7 @@ class KeptCase : public testing::TestWithParam<Kept> {};
 TEST_P(KeptCase, IsRefusedOrHolds) { EXPECT_LE(badness(scene_of(GetParam())), 1); }
 INSTANTIATE_TEST_SUITE_P(Found, KeptCase, testing::ValuesIn(kept_cases));
 
-// Found by the search at 2000 to 8000 scenes each: start values of its own.
+// Found by the search in 2000 to 8000 scenes each, from several start values.
 struct KeptPoint {
   const char* what;
   Law law;
@@ -294,9 +294,9 @@ INSTANTIATE_TEST_SUITE_P(Found, KeptPointIn,
                          testing::Combine(testing::ValuesIn(kept_points),
                                           testing::Values(Numeric::float64, Numeric::float32, Numeric::fixed32)));
 
-// Bounds a hundred times what the masses reach, in a field of 0.5 % of their rate a step: a light main mass whose
-// spring presses it onto a heavy ball. The ball was put back to its stop at each step, against the field: 5.4 times the
-// energy.
+// The bounds are a hundred times what the masses reach. The field changes their rate by 0.5 % per step. The spring of a
+// light main mass presses it onto a heavy ball. The ball was put back to its stop in each step, against the field,
+// which gave 5.4 times the energy.
 TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
   CoupledScene found;
   Request& request = found.request;
@@ -328,8 +328,8 @@ TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
   }
 }
 
-// A light main mass whose spring presses it onto a heavy ball, in a weak field. A ball that stayed in its stop without
-// stored energy sank through it, 7 mm deep.
+// The spring of a light main mass presses it onto a heavy ball, in a weak field. A ball that stayed in its stop without
+// stored energy sank through it, by 7 mm.
 TEST(FoundInAField, ABallWhoseContactHasSpentItsEnergyDoesNotSinkThroughItsStop) {
   CoupledScene found;
   Request& request = found.request;
@@ -358,8 +358,8 @@ TEST(FoundInAField, ABallWhoseContactHasSpentItsEnergyDoesNotSinkThroughItsStop)
   EXPECT_LE(badness(found), 1);
 }
 
-// On a base that shakes a ball of 800 main masses gains 5 % of the energy by being put into its stop. Of what is paid
-// for that one step of Newton's method leaves a square, a second one the square of that.
+// On a base that shakes, a ball of 800 main masses would gain 5 % of the energy when it is put into its stop. The step
+// pays for this by Newton's method. One pass leaves the square of the error, and a second pass the square of that.
 TEST(FoundInAField, WhatABallGainsByItsStopIsPaidForToTheSecondOrder) {
   const Everywhere point =
       at(1, 0.9869875330067599, 1, 0.64729916253687747, 1, 0, 1, 1, 0, 0.35744453478244798, 0.99237002075362835, 1,

@@ -21,8 +21,8 @@ std::vector<double> sampled_sine(double step, double duration) {
   return samples;
 }
 
-// Left for right. Floating point rounds alike on both sides: not a bit differs. Fixed point rounds down on both: it
-// differs by what rounding_test.cpp allows it (twice, for two runs).
+// Left and right are exchanged. Floating point rounds alike on both sides, so not a bit differs. Fixed point rounds
+// down on both sides. It differs by at most twice what rounding_test.cpp allows, for two runs.
 TEST(Edges, LeftIsTheMirrorImageOfRight) {
   for (const Law law : laws) {
     for (const Stepper stepper : steppers) {
@@ -64,9 +64,9 @@ TEST(Edges, LeftIsTheMirrorImageOfRight) {
   }
 }
 
-// The ball is always in one stop or the other: it leaves one and enters the other within one step, of which the kernel
-// sees the part before or after. Second order for Hooke-Newton, whose force jumps there; plain float has no digits to
-// show it.
+// The ball is always in one stop or the other. It leaves one and enters the other within one step, in which the kernel
+// resolves only one of them. The error is of second order for Hooke-Newton, whose force jumps there. Plain float has
+// too few digits to show it.
 TEST(Edges, WithoutClearanceTheBallGoesFromStopToStop) {
   for (const Law law : laws) {
     for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32}) {
@@ -94,7 +94,7 @@ TEST(Edges, ABallMayStartInsideAStop) {
         request.scene.v2 = side * 0.3;
         const Samples kernel = kernel_samples(request, 1e-3, 0.05), reference = reference_samples(request, 1e-3, 0.05);
         EXPECT_NEAR(kernel.front().contact_force, reference.front().contact_force, 1e-12);  // of 1 N and more
-        // Over this first contact, at 80 steps a contact: a restitution good to 1e-8 moves x1 by some 1e-10 m.
+        // Over this first contact of 80 steps, an error of 1e-8 in the restitution moves x1 by some 1e-10 m.
         EXPECT_LT(largest_difference(kernel, reference), 1e-10) << name_of(law);
       }
     }
@@ -125,7 +125,7 @@ bool same(const Kernel& a, const Kernel& b) {
   return x.x1 == y.x1 && x.v1 == y.v1 && x.x2 == y.x2 && x.v2 == y.v2;
 }
 
-// Through impacts, from any moment of the first half second.
+// Across impacts, from any instant of the first half second.
 TYPED_TEST(States, RestoreAndResetReproduceTheMotion) {
   TypeParam original;
   for (int n = 0; n < 500; ++n) {
@@ -149,7 +149,7 @@ TYPED_TEST(States, RestoreAndResetReproduceTheMotion) {
   }
 }
 
-// A hit at twice the speed that the bounds hold: the fault is raised, sticks, and the state stays within its formats.
+// An impact at twice the bound of the speed. The fault is raised and stays, and the state stays within its format.
 template <class Law, class Stepper>
 void expect_fault_of_a_hard_hit() {
   Scene scene;
@@ -186,7 +186,8 @@ TEST(Edges, AHitBeyondTheBoundsIsAFaultAndNothingWorse) {
   expect_fault_of_a_hard_hit<HuntCrossley, AverageAcceleration>();
 }
 
-// A sine that is linear between its samples lacks (w h)^2/12 of its amplitude, and so does the motion that it drives.
+// A sine that is linear between its samples is too small by (w h)^2/12 of its amplitude. So is the motion that it
+// drives.
 TEST(Edges, ASampledSineApproachesTheSine) {
   for (const Law law : laws) {
     const auto difference = [law](double step) {
@@ -201,7 +202,8 @@ TEST(Edges, ASampledSineApproachesTheSine) {
   }
 }
 
-// (2.9) at each impact: a = c1 v0/k1 = 1.5 (1 - e) at any speed, and with it the restitution.
+// (2.9) at each impact: a = c1 v0/k1 = 1.5 (1 - e) at any speed. Therefore the restitution is the same at any speed,
+// too.
 TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
   constexpr double e = 0.68, reduced_mass = 0.3 / 1.3;
   for (const double speed : {0.05, 0.2, 0.8, 1.6}) {
@@ -222,8 +224,8 @@ TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
         scene.x2 = 0.01 - 1.3 * speed * request.step;
         request.bounds = Bounds{0.25, 2, 0.0156, 10};
         const Samples samples = kernel_samples(request, request.step, 30 * request.step);
-        // free_impact_test.cpp: 2.5e-5 and 1.25 (pi/20)^2/12 of the steppers; the pointwise one reads the speed a step
-        // late.
+        // The bounds of free_impact_test.cpp: 2.5e-5 and 1.25 (pi/20)^2/12 for the steppers. A classical one reads the
+        // speed a step too late.
         EXPECT_NEAR((samples.back().v1 - samples.back().v2) / speed, expected,
                     stepper == Stepper::moment ? 2.5e-5 : 3e-3)
             << name_of(stepper) << " " << name_of(numeric) << " " << speed;
@@ -232,7 +234,7 @@ TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
   }
 }
 
-// A sine near the fastest that a plan takes, 3 rad a step, whose slope is nearly twice the sine.
+// A sine near the fastest that a plan accepts, 3 rad per step. Its slope is nearly twice the sine.
 TEST(Edges, AFastSinesStateIsTakenBack) {
   Scene scene;
   scene.drive_pulsation = 2.9e4;
@@ -245,7 +247,7 @@ TEST(Edges, AFastSinesStateIsTakenBack) {
   }
 }
 
-// Where the bounds are had from the samples: by an estimate, and in fixed32 by a run.
+// The bounds follow from the samples, by an estimate, and in fixed32 by a run.
 TEST(Edges, ASampleThatIsNoNumberIsRefused) {
   for (const Numeric numeric : numerics) {
     Request request = paper_request(Law::hunt_crossley, Stepper::moment, 1e-3);
@@ -262,7 +264,7 @@ TEST(Edges, ASampleThatIsNoNumberIsRefused) {
   }
 }
 
-// Features of a user's own: two with members of one name, which the library's features and the state itself have too.
+// Two features of a user's own have members of the same name, which the library's features and the state have as well.
 template <uint32_t number>
 struct Counter : SilentFeature {
   static constexpr uint32_t kind = 1000 + number;

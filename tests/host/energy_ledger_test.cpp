@@ -19,8 +19,9 @@ constexpr Variant variants[] = {{Law::hertz, Tension::clamp},
                                 {Law::hooke_newton, Tension::clamp},
                                 {Law::hooke_newton, Tension::allow}};
 
-// Largest errors over the run, J. The balance is of the instants without contact: kinetic energies, main spring and
-// main damper (by the trapezoidal rule: c is small), dissipated by contact, less the drive's work.
+// The largest errors over the run, J. The balance is taken at instants without contact. It has kinetic energies, main
+// spring, main damper (by the trapezoidal rule, since c is small) and the energy dissipated by contact, minus the work
+// of the drive.
 struct Errors {
   double dissipated, drive_work, balance;
 };
@@ -43,9 +44,9 @@ Errors errors_of(const Request& request) {
   return largest;
 }
 
-// With the moment-fitted step the motion's own error is nothing beside the ledger's, which takes drive and rates as
-// linear over a step: second order, with a constant that for Hooke-Newton depends on where in their steps the force's
-// jumps fall. At 1 ms it is below a hundredth of the 0.3 J that an impact brings.
+// With the moment-fitted step, the error of the motion is negligible compared with that of the ledger. The ledger
+// assumes that drive and rates are linear over a step, so it is of second order. For Hooke-Newton its constant depends
+// on where in their steps the jumps of the force are. At 1 ms the error is below 1 % of the 0.3 J of an impact.
 TEST(EnergyLedger, IsOfSecondOrder) {
   for (const auto& [law, tension] : variants) {
     const Errors coarse = errors_of(paper_request(law, Stepper::moment, 1e-3, tension));
@@ -60,8 +61,8 @@ TEST(EnergyLedger, IsOfSecondOrder) {
   }
 }
 
-// For average acceleration the same rules are its own balance, exactly; what is left is the test's sum over the main
-// damper, c h^2/12 of the change of d(v1^2)/dt: c h^2/12 * 0.5 s * (2 * 40/s)^2 * (1 m/s)^2.
+// For average acceleration the same rules are its own balance, exactly. The remaining error is that of the test's sum
+// over the main damper, c h^2/12 of the change of d(v1^2)/dt: c h^2/12 * 0.5 s * (2 * 40/s)^2 * (1 m/s)^2.
 TEST(EnergyLedger, BalancesAverageAcceleration) {
   for (const auto& [law, tension] : variants) {
     for (const double step : {1e-3, 1e-4}) {
@@ -72,9 +73,8 @@ TEST(EnergyLedger, BalancesAverageAcceleration) {
   }
 }
 
-// Against double. Fixed32 rounds the three factors of a step's entry, in 2^-31 of at most 2 J (1 mean force at its
-// bound times a penetration of 2^-6 m). Float32 rounds some 5 J that pass to and fro to 24 bits, and its motion by 2e-7
-// m under 10 N.
+// Against double. Fixed32 rounds the three factors of an entry, in 2^-31 of at most 2 J (an average force at its bound
+// times a penetration of 2^-6 m). Float32 rounds some 5 J to 24 bits, and its motion by 2e-7 m with 10 N.
 TEST(EnergyLedger, In32BitsIsThatOfDouble) {
   for (const auto& [law, tension] : variants) {
     for (const double step : {1e-3, 1e-4, 1e-5}) {

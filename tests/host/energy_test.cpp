@@ -18,7 +18,7 @@ namespace {
 
 constexpr double speed = 0.8;  // m/s
 
-// Of the law's restitution e; over 64 phases of the impact within the step.
+// For the restitution e of the law, over 64 phases of the impact within the step.
 Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) {
   FreePair free;
   free.law = law;
@@ -26,8 +26,8 @@ Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) 
   free.speed = speed;
   free.clearance = 0.5;  // room for the rebound
   free.step = contact_time(impact_of(free)).value() / steps_per_contact;
-  // A power law's contact time falls with k1^(2/5), its restitution depends on c1/k1 alone: as stiff as 1 ms steps
-  // want.
+  // The contact time of a power law falls with k1^(2/5), and its restitution depends only on c1/k1. The stiffness is
+  // that for steps of 1 ms.
   if (law != Law::hooke_newton) {
     free.contact_stiffness *= std::pow(free.step / 1e-3, 2.5);
     free.step = 1e-3;
@@ -41,13 +41,13 @@ Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) 
   return *found;
 }
 
-// What stepper/energy/power.hpp states for resolved contact.
+// The error that stepper/energy/power.hpp states for a resolved contact.
 double lost_in(double steps) { return steps < 20 ? 0 : 100 / std::pow(steps, 4); }
 
 constexpr double steps_per_contact[] = {0.003, 0.1, 0.7, 1.3, 2.5, 5, 10, 40};
 
-// The step keeps Hunt-Crossley's first integral, at any number of steps. What is left is what its k is short of the
-// true one: 6e-4 at most, see stepper/energy/stiff.hpp.
+// The step keeps Hunt-Crossley's first integral at any number of steps. The remaining error is that of the
+// approximation k, at most 6e-4 (stepper/energy/stiff.hpp).
 TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
   for (Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
     for (double e : {0.05, 0.1, 0.2, 0.5, 0.7, 0.95})
@@ -58,21 +58,22 @@ TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
       }
 }
 
-// Of resolved contact the force is evaluated once, at a predicted end, with the first term of the correction's series.
+// In a resolved contact the force is evaluated once, at a predicted end, with the first term of the correction's
+// series.
 TEST(EnergyConsistent, ResolvedContactIsOfFourthOrder) {
   for (double e : {0.2, 0.5, 0.7, 0.95, 1.0})
     for (double steps : {30, 60, 120, 240}) {
       const Law law = e < 1 ? Law::hunt_crossley : Law::hertz;
       const Rebounds found = rebounds(law, Numeric::float64, e, steps);
-      // Damped as heavily as for 0.2, the contact is resolved only where it lasts longest.
+      // With the damping for 0.2, only the longest contact is resolved.
       const double error = lost_in(steps) + (e < 0.5 ? 4e-5 * e : 0);
       EXPECT_GT(found.least, e - error) << e << " at " << steps;
       EXPECT_LT(found.largest, e < 1 ? e + error : 1 + 1e-12) << e << " at " << steps;
     }
 }
 
-// The elastic work is the change of stored energy: what is left is rounding. Float32Plain rounds positions to 2^-25 of
-// half the clearance, 3e-6 of the peak penetration at 10 steps.
+// The elastic work is the change of the stored energy, so the remaining error is rounding. Float32Plain rounds
+// positions to 2^-25 of half the clearance, which is 3e-6 of the peak penetration at 10 steps.
 TEST(EnergyConsistent, HertzReboundsElasticallyAtAnyStiffness) {
   for (double steps : steps_per_contact) {
     const Rebounds found = rebounds(Law::hertz, Numeric::float64, 1, steps);
@@ -87,7 +88,7 @@ TEST(EnergyConsistent, HertzReboundsElasticallyAtAnyStiffness) {
   }
 }
 
-// Hooke-Newton is solved in closed form, from one step a contact on.
+// Hooke-Newton is solved in closed form, from one step per contact on.
 TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
   for (double steps : {1.01, 2.5, 10.0}) {
     const Rebounds found = rebounds(Law::hooke_newton, Numeric::float64, 0.7, steps);
@@ -95,8 +96,8 @@ TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
   }
 }
 
-// Up to h c1/mu = 2, where the damper alone stops the ball in a step, at every phase; above it is refused. At 3.8 it
-// was off by up to 0.33, at some phases.
+// Up to h c1/mu = 2, where the damper alone stops the ball in one step, at every phase. Above that the plan is
+// rejected. At 3.8 the error was up to 0.33, at some phases.
 TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {
   FreePair free;
   free.law = Law::hooke_newton;
@@ -124,8 +125,8 @@ TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {
     }
 }
 
-// A stop that damps so strongly (k1/c1 = 0.05 m/s) that a main mass which brakes leaves the ball behind in it, without
-// a force, and comes back before the ball is out: 25 impacts in 3 s, some hundred steps each.
+// A stop with such strong damping (k1/c1 = 0.05 m/s) that a braking main mass leaves the ball behind inside it, without
+// a force. It comes back before the ball is out: 25 impacts in 3 s, of some hundred steps each.
 TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
   Request request;
   request.stepper = Stepper::energy;
@@ -156,8 +157,8 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
   }
 }
 
-// Wherever inside the stop a contact begins, and where it is begun anew at each step: up to 8.4e-5 of the energy. A
-// LSB of Fixed32's rates is 2^-31 of less than four times the fastest approach.
+// A contact that begins anywhere inside the stop, and one that starts again at each step: up to 8.4e-5 of the energy.
+// An LSB of the rates in Fixed32 is 2^-31 of less than four times the fastest approach.
 TEST(EnergyConsistent, AContactThatBeginsInsideItsStopGainsNothing) {
   constexpr double step = 1e-3, fastest = 0.8, mass = 1, reduced = mass / 2;
   const auto expect_no_gain = [&](auto format, double steps, double rounding, bool is_corrected) {
@@ -198,9 +199,9 @@ TEST(EnergyConsistent, AContactThatBeginsInsideItsStopGainsNothing) {
     }
 }
 
-// The step of a stiff contact alone, over every proportion of G, C, d0, D and a, which is 0 in half of the cases: the
-// work that the force takes is never less than what is stored, and what it loses is the law's (without a:
-// Hunt-Crossley's first integral is kept) to the error of k, 0.36 % of the loss (up to x = 0.98).
+// The step of a stiff contact alone, over all proportions of G, C, d0, D and a, with a = 0 in half of the cases. The
+// work that the force takes is never less than the stored energy. The loss is that of the law within the error of k,
+// 0.36 % of the loss (up to x = 0.98). Without a, Hunt-Crossley's first integral is kept.
 template <class Format, class ContactLaw>
 void expect_passive(uint32_t seed, double rounding, double lsb = 0) {
   using Contact = StiffContact<Format, ContactLaw>;
@@ -252,8 +253,8 @@ TEST(StiffContact, MakesNoEnergy) {
   expect_passive<Fixed32, HuntCrossley>(6, 0x1p-22, 0x1p-30);
 }
 
-// A slow impact of half a step: in Fixed32 the correction wrapped at one phase in ten, and the restitution was off by
-// up to 0.145. The damping that is set per impact is right within 1e-3, as the constant one above.
+// A slow impact of half a step. In Fixed32 the correction wrapped at one phase in ten, and the error of the restitution
+// was up to 0.145. With a damping per impact the error is at most 1e-3, as with the constant one above.
 TEST(StiffContact, ReboundsAsTheLawWhereItsCorrectionIsLargest) {
   constexpr double step = 1e-3, steps = 0.514455085, fastest = 1, approach = 0.0906947003;  // s, m/s
   Scene scene;
@@ -310,7 +311,7 @@ TEST(StiffContact, GainsNothingInADampedContactOfAFewSteps) {
   expect_no_gain(Float64{});
 }
 
-// How many steps later than the law an elastic contact of so many steps lets the ball go, over 64 phases.
+// How many steps later than in the law the ball separates from an elastic contact with this many steps, over 64 phases.
 double lateness_of(double steps_of_contact) {
   using Contact = StiffContact<Float64, Hertz>;
   constexpr double way = 1e-3;  // in a step
@@ -339,8 +340,8 @@ TEST(StiffContact, LastsAsLongAsTheLaws) {
   for (const double steps : {5.0, 7.0, 10.0, 14.0, 20.0}) EXPECT_NEAR(lateness_of(steps), 0, 0.1) << steps;
 }
 
-// A ball of a hundred main masses stores more in a stop than the impact of the reduced mass brings, and carries the
-// main spring there: force and ledger have room for it. An LSB of the force is 2^-31 of 128 kN.
+// A ball of a hundred main masses stores more energy in a stop than the impact of the reduced mass has, and moves the
+// main spring. Force and ledger have room for it. An LSB of the force is 2^-31 of 128 kN.
 TEST(StiffContact, HasRoomForAHeavyBallsForce) {
   Scene scene;
   scene.main_stiffness = 8.1e5;

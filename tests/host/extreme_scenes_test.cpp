@@ -37,13 +37,13 @@ class ExtremeScene : public testing::TestWithParam<Kind> {
     request.scene.contact_damping = request.law == Law::hertz ? 0 : contact_damping(impact, 0.68).value();
     return request;
   }
-  // None where the plan refuses it; counted, so that a test says something.
+  // None if the plan refuses the scene. The runs are counted, so that the test cannot pass without any.
   std::unique_ptr<Simulation> made(const Request& request) {
     Outcome outcome = make_simulation(request);
     if (outcome.simulation) ++accepted_;
     return std::move(outcome.simulation);
   }
-  // Of one impact: 1e-5 in 32 bits, 1e-12 in double (stability_test.cpp).
+  // The gain of one impact: 1e-5 in 32 bits, 1e-12 in double (stability_test.cpp).
   static double share() { return GetParam().numeric == Numeric::float64 ? 1e-12 : 1e-5; }
 
   int accepted_ = 0;
@@ -53,7 +53,8 @@ constexpr double reduced_mass = 0.3 / 1.3;
 
 double energy_of_relative_motion(const Sample& at) { return reduced_mass * (at.v2 - at.v1) * (at.v2 - at.v1) / 2; }
 
-// A step takes the penetration to half of an LSB of the position, of 5/2 of the stored energy over the depth.
+// A step rounds the penetration to half an LSB of the position, which changes the stored energy by 5/2 of that over the
+// depth.
 TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
   for (const double stiffness : {1e3, 1e8, 1e12}) {
     for (const double depth : {1e-4, 1e-3, 1e-2}) {
@@ -74,7 +75,7 @@ TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
         if (!simulation) continue;
         for (long n = 0; n < steps; ++n) simulation->step(0);
         const double lsb = (GetParam().numeric == Numeric::float32_plain ? 0x1p-25 : 0x1p-47) * 0.02;
-        // A rate's LSB in Fixed32, at random, is gathered as in stability_test.cpp.
+        // Random LSBs of a rate in Fixed32 add up as in stability_test.cpp.
         const double rate_lsb =
             GetParam().numeric == Numeric::fixed32 ? 2 * request.bounds->penetration * 0x1p-31 / (speed * step) : 0;
         const double allowed = share() + 2.5 * std::max(1.0, time / step) * lsb / depth +
@@ -82,7 +83,7 @@ TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
         const Sample now = simulation->sample();
         EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << depth << " " << step;
         EXPECT_LE(energy_of_relative_motion(now), stored * (1 + allowed)) << stiffness << " " << depth << " " << step;
-        // An impulse needs an impact: there a ball at rest stays at rest.
+        // An impulse requires an impact, so a ball at rest stays at rest.
         EXPECT_LE(now.penetration, depth + 2 * lsb) << stiffness << " " << depth << " " << step;
       }
     }
@@ -109,17 +110,18 @@ TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
         largest = larger(largest, energy);
       }
       EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << clearance;
-      // An impact a step.
+      // One impact per step.
       EXPECT_LE(largest, first * (1 + 500 * share())) << stiffness << " " << clearance;
     }
   }
-  // Hooke-Newton's energy step is for contacts of a step and more.
+  // The energy step of Hooke-Newton is for contacts of at least one step.
   if (GetParam().law != Law::hooke_newton || GetParam().stepper != Stepper::energy) {
     EXPECT_GE(accepted_, 2);
   }
 }
 
-// To the left as to the right. Fixed32 rounds down and so not alike on both sides: within its share of the energy.
+// Left and right. Fixed32 rounds down, and therefore not alike on both sides. The difference is within its share of the
+// energy.
 TEST_P(ExtremeScene, LeftStopIsTheRightOnesMirror) {
   for (const double stiffness : {3e4, 1e8, 1e12}) {
     constexpr double speed = 0.8, step = 1e-4;
@@ -141,8 +143,8 @@ TEST_P(ExtremeScene, LeftStopIsTheRightOnesMirror) {
   EXPECT_GE(accepted_, 2);
 }
 
-// Driven at its own pulsation without damping. Whatever contact does, the drive's power is at most F0 |v1|, so that
-// sqrt(E) grows by F0 t/sqrt(2 M) at most. The energy without the contact's spring is a part of E.
+// A drive at the main mass's own frequency without damping. With any contact, the power of the drive is at most F0
+// |v1|, so sqrt(E) grows by at most F0 t/sqrt(2 M). The energy without that of the contact's spring is a part of E.
 TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
   for (const double stiffness : {32600.0, 1e8, 1e12}) {
     for (const double step : {1e-4, 1e-3}) {
@@ -163,7 +165,7 @@ TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
         largest = larger(largest, std::sqrt(mechanical_energy(scene, now)) / (growth * now.t));
       }
       EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << step;
-      // In the first step the drive is small; a thousand impacts' share at most.
+      // In the first step the drive is small. The limit is the share of a thousand impacts.
       EXPECT_LE(largest, 1 + 1000 * share()) << stiffness << " " << step;
     }
   }

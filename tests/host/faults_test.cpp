@@ -18,7 +18,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity(),
                  no_number = std::numeric_limits<double>::quiet_NaN();
 
-// A state within its limits, less than a hundredth above the bounds, and in Fixed32 a reading's LSB.
+// A state is within its limits, less than 1 % above the bounds, and in Fixed32 an LSB of a reading.
 template <class Kernel>
 bool is_clamped(const Kernel& absorber) {
   const auto now = absorber.reading();
@@ -36,7 +36,7 @@ Kernel made(const Scene& scene, const Bounds& bounds, double step) {
   return Kernel(plan);
 }
 
-// With a sample where the drive takes one.
+// Makes a step, with a sample if the drive takes one.
 template <class Kernel>
 void advance(Kernel& absorber, typename Kernel::Value sample) {
   if constexpr (Kernel::PlanType::DriveType::is_sampled)
@@ -45,7 +45,7 @@ void advance(Kernel& absorber, typename Kernel::Value sample) {
     absorber.step();
 }
 
-// Steps to the fault, and on: the state stays clamped, and what the fault says.
+// Steps until the fault and further. The state stays clamped, and the fault stays the same.
 template <class Kernel>
 void expect_fault(Kernel absorber, Fault expected, typename Kernel::Value sample = {}) {
   for (int n = 0; n < 100000 && absorber.fault() == Fault::none; ++n) {
@@ -83,7 +83,7 @@ constexpr Scene resonant(double force) {
   return scene;
 }
 
-// At resonance the amplitude grows by F0/(2 M w0) = F0/63 m/s: past 0.1 m in 0.6 s under 10 N.
+// At resonance the amplitude grows by F0/(2 M w0) = F0/63 m/s. With 10 N it exceeds 0.1 m after 0.6 s.
 TYPED_TEST(Faults, ADisplacementOutOfRange) {
   Scene scene = resonant(10);
   const Bounds bounds{0.1, 10, 0.03, 10};
@@ -95,8 +95,8 @@ TYPED_TEST(Faults, ADisplacementOutOfRange) {
                Fault::displacement);
 }
 
-// What passes a bound by a hundredth is a fault in that step, and what reaches it is none. `of` is the quantity as a
-// share of its bound in the exact motion, which the format's is within `error` of.
+// A quantity 1 % beyond its bound raises a fault in that step, and one that reaches the bound does not. `of` is the
+// quantity in the exact motion, as a share of its bound. The format has it within `error`.
 template <class Kernel, class Share>
 void expect_fault_at_bound(Kernel absorber, Fault expected, double error, Share of) {
   double largest = 0;
@@ -110,7 +110,7 @@ void expect_fault_at_bound(Kernel absorber, Fault expected, double error, Share 
   EXPECT_TRUE(is_clamped(absorber));
 }
 
-// A free vibration, closed form: 4 mm at 31.6 rad/s.
+// The closed form of a free vibration: 4 mm at 31.6 rad/s.
 TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   const double w = std::sqrt(1000.0), amplitude = 0.004, h = 1e-4;
@@ -126,7 +126,7 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
         (is_displacement ? scene.v1 : scene.x1) = is_displacement ? amplitude * w : amplitude;
         (is_displacement ? bounds.displacement : bounds.speed) *= share;
         const auto of = [&](int n) { return std::abs(std::sin(w * h * n)) / share; };
-        // A speed is judged by the way of a step, with room for half of what it changes by in one.
+        // A speed is compared as the displacement of a step, with room for half of its change in a step.
         const double error = is_displacement ? 1e-4 : 1e-4 + w * h / share;
         auto absorber = made<Kernel>(scene, {bounds.displacement, bounds.speed, 0.01, 0}, h);
         if (share < 1) {
@@ -138,7 +138,7 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
       }
 }
 
-// A ball that flies away from the only stop, and one that a heavier mass sends on at more than its bound.
+// A ball that flies away from the only stop, and one that a heavier mass throws faster than its bound.
 TYPED_TEST(Faults, ABallBeyondItsBounds) {
   Scene scene;
   scene.stops = Stops::right;
@@ -164,7 +164,8 @@ TYPED_TEST(Faults, ABallBeyondItsBounds) {
   EXPECT_EQ(struck.fault(), Fault::speed);
 }
 
-// Without stops the main mass moves as beside stops that nothing meets, and the ball passes where they would be.
+// Without stops the main mass moves as with stops that the ball does not reach. The ball passes the positions of the
+// stops.
 TYPED_TEST(Faults, NoStopIsMet) {
   Scene none;
   none.main_stiffness = none.main_damping = 0;
@@ -188,8 +189,8 @@ TYPED_TEST(Faults, NoStopIsMet) {
   EXPECT_EQ(of_none.fault(), Fault::none);
 }
 
-// Two free masses meet: the impact's depth is a closed form, and each step's that of the same absorber under a bound
-// that it does not reach.
+// Two free masses meet. The depth of the impact is a closed form. Its depth in each step is that of the same absorber
+// with a bound that it does not reach.
 template <class Law, class Stepper, class Format>
 void expect_fault_at_depth() {
   using Kernel = Absorber<AtRunTime, Law, Stepper, NoDrive, Format>;
@@ -236,7 +237,7 @@ TYPED_TEST(Faults, APenetrationBeyondItsBound) {
   expect_fault_at_depth<HookeNewton, CentralDifference, TypeParam>();
 }
 
-// A ball of 663 main masses goes deeper than is stated: no step is silent that has gained energy.
+// A ball of 663 main masses goes deeper than stated. Each step that has gained energy raises a fault.
 TYPED_TEST(Faults, AnUnstableContactIsNotSilent) {
   Scene scene;
   scene.main_mass = 1.3748;
@@ -263,7 +264,7 @@ TYPED_TEST(Faults, AnUnstableContactIsNotSilent) {
   }
 }
 
-// Where Bounds::displacement is much smaller than the cavity: the spring's force has room for the bound, and no wrap.
+// Bounds::displacement is much smaller than the cavity. The spring's force has room for the bound, and nothing wraps.
 TYPED_TEST(Faults, ABoundWithinTheCavity) {
   Scene scene;
   scene.drive_amplitude = 0;
@@ -282,7 +283,7 @@ TYPED_TEST(Faults, ABoundWithinTheCavity) {
   }
 }
 
-// A state whose base or friction no step has left: its readings would be out of range, and no fault would say so.
+// A state whose base or friction no step can produce. Its readings would be out of range without a fault.
 TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, BaseAcceleration, DryFriction>;
   Scene scene;
@@ -302,7 +303,7 @@ TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   EXPECT_TRUE(absorber.restore(saved));
 }
 
-// Of newtons and m/s^2 every format says so, and goes on from the bound.
+// For newtons and m/s^2 every format raises the fault and continues from the bound.
 TYPED_TEST(Faults, AMeasuredSampleOutOfRange) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam, BaseAcceleration>;
   const Kernel fresh = made<Kernel>(Scene{}, {0.1, 2, 0.03, 10, 30}, 1e-3);
@@ -329,12 +330,12 @@ TYPED_TEST(Faults, AMeasuredSampleOutOfRange) {
     is_faulted(step(1.0f, 3 * single), step(1.0f, 30 * single_bound));
   }
 }
-// Clamped at the bound, or where no number came at the sample before: as if those had been the samples.
+// The motion is that of clamped samples. A NaN is replaced by the sample before.
 TYPED_TEST(Faults, ASampleOutOfRange) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>;
   const Kernel fresh = made<Kernel>(Scene{}, {0.1, 2, 0.03, 10}, 1e-3);
   if constexpr (std::is_same_v<TypeParam, Fixed32>) {
-    // A fraction of the bound: all of its bits are good.
+    // A fraction of the bound may have any bits.
     const auto moved = [&fresh](int32_t raw) {
       Kernel absorber = fresh;
       for (int n = 0; n < 10; ++n) absorber.step(Fixed32::Value{raw});
@@ -425,7 +426,7 @@ TYPED_TEST(Faults, AStateThatNoStepLeavesIsRefused) {
   EXPECT_FALSE(restores<TypeParam>([&](auto& state) { beyond_any_sum(state.drive_work); }));
 }
 
-// What a contact remembers is not judged: whatever it is, the state stays clamped.
+// The numbers that a contact keeps are not checked. For any of them the state stays clamped.
 TYPED_TEST(Faults, AContactThatRemembersNonsenseIsSurvived) {
   restores<TypeParam>([](auto& state) {
     state.contact.phase = Phase::touching;
@@ -472,7 +473,7 @@ TYPED_TEST(Faults, APlanThatCannotBeIsRefused) {
   EXPECT_EQ(Plan::make(small, Bounds{}, 1e-3).status, PlanStatus::ok);
 }
 
-// One stop, without clearance: a ball that leaves it is free, to the LSB.
+// One stop without clearance: a ball that leaves it is free, to the LSB.
 TYPED_TEST(Faults, AStopThatIsNotThereDoesNotAct) {
   for (const Stops stops : {Stops::left, Stops::right}) {
     Scene scene;
@@ -500,8 +501,8 @@ TEST(Exponents, EndForEveryNumber) {
   EXPECT_EQ(constant::exponent_above(no_number), 0);
 }
 
-// A contact that begins at a thousandth of the speed at which it is then driven in: its damping, set at the impact,
-// leaves Fixed32's range and is clamped there, where it still opposes the motion.
+// A contact begins at a thousandth of the speed with which the ball is then driven into the stop. Its damping, set at
+// the impact, exceeds the range of Fixed32. It is clamped there, and still opposes the motion.
 TEST(DampingPerImpact, IsClampedInFixedPoint) {
   const Fixed32::Gain damping = Fixed32::gain_over(Fixed32::gain(1.5 * 0.3, 0, 2), {1 << 20});
   const Fixed32::ClampedGain gain = {damping};

@@ -20,7 +20,7 @@ using host::larger;
 
 constexpr double weight = 9.81;  // m/s^2
 
-// Nothing on a beam: main mass and spring that a ball does not move.
+// A ball on a main mass and spring that it cannot move.
 Scene on_the_ground() {
   Scene scene;
   scene.main_mass = 1e6;
@@ -35,7 +35,7 @@ Scene on_the_ground() {
   return scene;
 }
 
-// The highest points between impacts, in heights above the stop, and the instants of the impacts' midpoints.
+// The highest points between impacts, as heights above the stop, and the instants in the middle of the impacts.
 struct Bounces {
   std::vector<double> heights, instants;
   double last_height = 0, last_speed = 0, entered = 0;
@@ -51,8 +51,8 @@ struct Bounces {
   }
 };
 
-// Times and heights of a ball that falls from 50 mm: h0 e^(2n), and 2 e^n sqrt(2 h0/g) from impact to impact, which
-// the contact lengthens by its own time, some 0.03 ms; with samples of 0.01 ms.
+// Times and heights of a ball that falls from 50 mm: h0 e^(2n), and 2 e^n sqrt(2 h0/g) from impact to impact. A contact
+// adds its own time, some 0.03 ms. The samples are 0.01 ms apart.
 TEST(Field, BallBouncesInTheReferenceAsInClosedForm) {
   for (const double e : {1.0, 0.7}) {
     host::Case run;
@@ -85,7 +85,7 @@ class FieldIn : public testing::Test {};
 using Formats = testing::Types<Float64, Float32, Fixed32>;
 TYPED_TEST_SUITE(FieldIn, Formats);
 
-// An impact at an instant: no contact time to count.
+// An impact at an instant has no contact time.
 TYPED_TEST(FieldIn, BallBouncesInTheKernelAsInClosedForm) {
   for (const double e : {1.0, 0.7}) {
     Scene scene = on_the_ground();
@@ -105,7 +105,7 @@ TYPED_TEST(FieldIn, BallBouncesInTheKernelAsInClosedForm) {
     EXPECT_EQ(absorber.fault(), Fault::none);
     ASSERT_GE(bounces.heights.size(), 2u);
     double part = 1;
-    // The centre of an impact lies within a step, and the height with the speed of half of one.
+    // The centre of an impact lies anywhere within a step, and the height has the error of half a step's speed.
     for (size_t n = 0; n < 2; ++n) {
       part *= e;
       EXPECT_NEAR(bounces.heights[n], 0.05 * part * part, 3e-5) << e;
@@ -113,7 +113,7 @@ TYPED_TEST(FieldIn, BallBouncesInTheKernelAsInClosedForm) {
   }
 }
 
-// Upright, with 1 mm of way to each side.
+// An upright rig with 1 mm of travel to each side.
 Scene narrow_and_damped() {
   Scene scene;
   scene.gravity = weight;
@@ -124,21 +124,21 @@ Scene narrow_and_damped() {
 }
 
 // A ball at rest on its stop, the main mass in its equilibrium.
-void put_to_rest(Scene& scene, double penetration) {
+void place_at_rest(Scene& scene, double penetration) {
   scene.x1 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
   scene.x2 = scene.x1 + scene.clearance / 2 + penetration;
 }
 constexpr Bounds bounds_at_rest{0.05, 0.3};
 
-// There the penetration (m g/k1)^(2/3) or m g/k1 stays, for 10 s. What a format rounds in a penetration of 2 mm and its
-// rate is the rest.
+// The penetration stays at (m g/k1)^(2/3) or m g/k1 for 10 s. The remaining error is the rounding of a penetration of 2
+// mm and its rate.
 template <class Law, class Stepper, class Format>
 void rest(double tolerance, int lead) {
   Scene scene = narrow_and_damped();
   if (Law::is_linear) scene.contact_damping = 5;
   const double ratio = scene.ball_mass * weight / scene.contact_stiffness;
   const double penetration = Law::is_linear ? ratio : std::pow(ratio, 2.0 / 3);
-  put_to_rest(scene, penetration);
+  place_at_rest(scene, penetration);
   using Absorber = Absorber<AtRunTime, Law, Stepper, NoDrive, Format, Gravity>;
   const auto plan = Absorber::PlanType::make(scene, bounds_at_rest, 1e-4);
   ASSERT_EQ(plan.status, PlanStatus::ok);
@@ -159,12 +159,12 @@ void rest_in_every_format(int lead = 0, double in_fixed32 = 2e-8) {
   rest<Law, Stepper, Fixed32>(in_fixed32, lead);
   rest<Law, Stepper, Float32>(2e-8, lead);
 }
-// The classical schemes begin a contact that is under way without its force, and miss h^2/4 of the load's acceleration
-// in the first step: they are given 30 s for that.
+// The classical schemes begin a contact under way without its force. In the first step they have an error of h^2/4 of
+// the load's acceleration. They get 30 s to settle.
 TEST(Field, BallRestsAtItsStaticPenetration) {
   rest_in_every_format<HuntCrossley, Moment>();
-  // An LSB of a sub-step's impulse, 5.7e-14 m, moves the equilibrium by 4^2/(h omega)^2 of it, (h omega)^2 = 9.5e-5:
-  // by 9.6e-9 m. J0 rounds four products.
+  // An LSB of a sub-step's impulse, 5.7e-14 m, moves the equilibrium by 4^2/(h omega)^2 times that, with (h omega)^2 =
+  // 9.5e-5: by 9.6e-9 m. J0 rounds four products.
   rest_in_every_format<HuntCrossley, SubsteppedMoment<4>>(0, 4e-8);
   rest_in_every_format<HuntCrossley, EnergyConsistent>();
   rest_in_every_format<HuntCrossley, AverageAcceleration>(300000);
@@ -174,10 +174,9 @@ TEST(Field, BallRestsAtItsStaticPenetration) {
   rest_in_every_format<HookeNewton, AverageAcceleration>(300000);
 }
 
-// A contact that begins inside has its load, so that nothing rings at the start, and an observer that finds nothing to
-// correct, at every step, leaves the equilibrium as it is; h omega is 0.08 and 0.16 there. The load is right to the
-// part h c/(3 M), 7e-5, by which damping changes it in a step, and a contact is moved by (h omega)^2 of what it misses:
-// 2e-6.
+// A contact that begins inside has its load, so nothing oscillates at the start. Corrections of 0 in every step do not
+// change the equilibrium. h omega is 0.08 and 0.16. The error of the load is h c/(3 M), 7e-5, which is its change by
+// damping in a step. The contact moves by (h omega)^2 of that: 2e-6.
 template <class Stepper, class Format>
 void rest_under_corrections() {
   for (const double stiffness : {1e7, 8e7}) {
@@ -186,7 +185,7 @@ void rest_under_corrections() {
       scene.contact_stiffness = stiffness;
       scene.contact_damping = 0.2 * stiffness;
       const double penetration = std::pow(scene.ball_mass * weight / stiffness, 2.0 / 3);
-      put_to_rest(scene, penetration);
+      place_at_rest(scene, penetration);
       using Absorber = Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, Gravity>;
       const auto plan = Absorber::PlanType::make(scene, bounds_at_rest, 1e-4);
       ASSERT_EQ(plan.status, PlanStatus::ok) << stiffness;
@@ -209,9 +208,9 @@ TEST(Field, NothingRingsAtTheStartAndUnderCorrectionsOfNothing) {
   rest_under_corrections<SubsteppedMoment<4>, Float64>();
 }
 
-// A contact under weight that damping holds in hundreds of steps, at the longest one in which EnergyConsistent takes
-// its force once: put a hundredth deeper it settles, and does not answer each step by its opposite, which it would from
-// h c/mu = 1/4 on (kernel/docs/energy.md).
+// A contact under weight that damping keeps for hundreds of steps, with the longest step in which EnergyConsistent
+// evaluates its force once. If it is put 1 % deeper it settles. From h c/mu = 1/4 on, each step would be answered by
+// its opposite (kernel/docs/energy.md).
 TEST(Field, StronglyDampedContactSettles) {
   using Absorber = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Float64, Gravity>;
   constexpr Bounds bounds{0.0145, 0.003};  // hardly more than the equilibrium
@@ -220,7 +219,7 @@ TEST(Field, StronglyDampedContactSettles) {
     scene.contact_stiffness = 3e6;
     scene.contact_damping = ratio * scene.contact_stiffness;
     const double penetration = std::pow(scene.ball_mass * weight / scene.contact_stiffness, 2.0 / 3);
-    put_to_rest(scene, 1.01 * penetration);
+    place_at_rest(scene, 1.01 * penetration);
     double step = 1e-3;
     auto plan = Absorber::PlanType::make(scene, bounds, step);
     while (plan.status != PlanStatus::ok || plan.contact.response.is_sudden)
@@ -236,8 +235,8 @@ TEST(Field, StronglyDampedContactSettles) {
   }
 }
 
-// A stiff contact under weight, in bounds of 30 to 140 times what the motion reaches, so that its weight is much beside
-// its rate: a position correction that could not be paid for gained up to 3.3e-2 of the energy.
+// A stiff contact under weight, with bounds of 30 to 140 times what the motion reaches, so that its weight is large
+// compared with its rate. A position correction that could not be paid for gained up to 3.3e-2 of the energy.
 TEST(Field, AStiffContactUnderWeightGainsNothingInWideBounds) {
   struct Found {
     double main_mass, ball_mass, main_stiffness, clearance, contact_stiffness, contact_damping, gravity, x1, v1, x2;
@@ -290,8 +289,8 @@ TEST(Field, AStiffContactUnderWeightGainsNothingInWideBounds) {
   }
 }
 
-// In a contact that the step does not resolve as well: EnergyConsistent by its closed form, h omega from 0.3 to 3
-// there. Its penetration is a power 4/5, right within 4.4e-5, and a position correction that it pays for.
+// The same in a contact that the step does not resolve: EnergyConsistent by its closed form, with h omega from 0.3 to
+// 3. Its penetration is a power 4/5 with an error of 4.4e-5, plus a position correction that it pays for.
 template <class Law, class Format>
 void rest_in_stiff_contact() {
   for (const double stiffness : {1e9, 1e10, 1e11, 1e12}) {
@@ -299,7 +298,7 @@ void rest_in_stiff_contact() {
     scene.contact_stiffness = stiffness;
     scene.contact_damping = Law::is_damped ? 2 * stiffness : 0;
     const double penetration = std::pow(scene.ball_mass * weight / stiffness, 2.0 / 3);
-    put_to_rest(scene, penetration);
+    place_at_rest(scene, penetration);
     using Absorber = Absorber<AtRunTime, Law, EnergyConsistent, NoDrive, Format, Gravity>;
     const auto plan = Absorber::PlanType::make(scene, bounds_at_rest, 1e-4);
     ASSERT_EQ(plan.status, PlanStatus::ok);
@@ -325,7 +324,7 @@ TEST(Field, BallRestsAtItsStaticPenetrationInAStiffContact) {
   rest_in_stiff_contact<HuntCrossley, Fixed32>();
 }
 
-// On a stop whose contact is an instant the ball comes to rest on the stop itself.
+// If contacts are instants, the ball comes to rest on the face of the stop.
 TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
   Scene scene = narrow_and_damped();
   scene.contact_stiffness = 3e9;
@@ -346,12 +345,12 @@ TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
   EXPECT_EQ(absorber.fault(), Fault::none);
 }
 
-// A main mass on spring and damper carries the ball on its stop along, up and down until they stand in the equilibrium
-// of both: the stop's force does no work, whatever the damping in a step and however heavy the ball. An eighth of the
-// static displacement away from there they stay together. Energies count in what the weight does over the static
-// displacement: 40 LSBs of a double for a sum of five, one of a float. In Fixed32 each of the two masses' weights,
-// the spring's and the damper's force rounds by up to what the spring makes of an LSB of a position, 2^-33 m, all the
-// way of a step.
+// A main mass on spring and damper carries the ball on its stop up and down, until both stand in their equilibrium. The
+// force of the stop does no work, at any damping in a step and any mass of the ball. Both stay together from an eighth
+// of the static displacement away. Energies are relative to the work of the weight over the static displacement. The
+// tolerance is 40 LSBs of a double for a sum of five terms, and of one float. In Fixed32, the weights of both masses,
+// the spring and the damper each round by the force of the spring for an LSB of a position, 2^-33 m, over the
+// displacement in a step.
 TYPED_TEST(FieldIn, BallOnAnImpulsiveStopIsCarriedAlongForNothing) {
   constexpr bool is_double = std::is_same_v<TypeParam, Float64>;
   const double h = 1e-3;
@@ -407,9 +406,9 @@ TYPED_TEST(FieldIn, BallOnAnImpulsiveStopIsCarriedAlongForNothing) {
           }
 }
 
-// An observer that corrects the main mass in every step: by nothing, or to and fro. A ball at rest on either stop stays
-// on it, as one touch, and sinks no deeper than positions round; sent into it at more than a step of its weight makes,
-// it bounces as the law says.
+// An observer corrects the main mass in every step, by 0 or alternately. A ball at rest on either stop stays on it, as
+// one contact, and sinks no deeper than positions round. If a correction is faster than the weight's effect in a step,
+// the ball bounces as in the law.
 TYPED_TEST(FieldIn, CorrectedBallStaysOnAnImpulsiveStop) {
   using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity, ImpactLog>;
   const double h = 1e-3, restitution = 0.3;
@@ -448,14 +447,14 @@ TYPED_TEST(FieldIn, CorrectedBallStaysOnAnImpulsiveStop) {
       absorber.correct({}, native(-side * speed, absorber.velocity_unit()));
       absorber.step();
       const auto now = absorber.reading();
-      // The weight turns the rate by up to (1 + m/M) g h within the step.
+      // The weight changes the rate by up to (1 + m/M) g h within the step.
       EXPECT_NEAR(side * (now.v2 - now.v1), -restitution * speed, 2 * weight * h);
     }
 }
 
-// Whatever falls and bounces between impulsive stops, in no step is there more energy: of both masses, the main spring,
-// the weight and a constant drive, over the largest kinetic energy until then. Beyond that only rounding, which a ball
-// a thousand times lighter or heavier than the main mass magnifies.
+// With impulsive stops no step increases the energy of both masses, the main spring, the weight and a constant drive,
+// relative to the largest kinetic energy until then. The exception is rounding, which a ball a thousand times lighter
+// or heavier than the main mass magnifies.
 TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
   using Absorber = Absorber<AtRunTime, Hertz, Impulsive, Sampled, Float64, Gravity>;
   Random random;
@@ -496,7 +495,7 @@ TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
                    strain = scene.main_stiffness * now.x1 * now.x1 / 2, fallen = now.x1 + scene.ball_mass * now.x2;
       const double energy = kinetic + strain - force * now.x1 - scene.gravity * fallen;
       most = larger(most, kinetic);
-      // The force is linear from 0 in the first step.
+      // In the first step the force is linear from 0.
       if (step > 1) {
         ASSERT_LE(energy - before, 1e-10 * most + 1e-13 * (strain + std::abs(force * now.x1)))
             << n << ", step " << step;
@@ -510,7 +509,7 @@ TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
   EXPECT_GE(impacts, 5000);
 }
 
-// Both masses fall as one, whatever the step: exact but for rounding.
+// Both masses fall as one, at any step, exactly within rounding.
 TYPED_TEST(FieldIn, BothMassesFallFreely) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = 0;
@@ -533,7 +532,7 @@ TYPED_TEST(FieldIn, BothMassesFallFreely) {
   }
 }
 
-// What an accelerometer would give: linear between samples of 2 ms, at any step that divides them.
+// The readings of an accelerometer: linear between samples of 2 ms, at any step that divides them.
 constexpr double sample_step = 2e-3, longest_shaking = 20;
 double shaking(int n) { return 12 * std::sin(0.1 * n) + 3 * std::sin(0.342 * n); }
 
@@ -574,7 +573,7 @@ double error(const Fields& fields, double step) {
 
 constexpr Fields every_field[] = {{-weight, false}, {0, true}, {-weight, true}};
 
-// As without a field: fourth order, second order, in 32 bits down to rounding.
+// The same orders as without a field: fourth or second, in 32 bits down to rounding.
 TEST(Field, KernelKeepsItsOrderInAField) {
   for (const Fields& fields : every_field) {
     const auto falls = [&](double coarse, double fine, double least) {
@@ -585,7 +584,7 @@ TEST(Field, KernelKeepsItsOrderInAField) {
     using E = EnergyConsistent;
     falls(error<HuntCrossley, M, Float64>(fields, 1e-3), error<HuntCrossley, M, Float64>(fields, 2.5e-4), 3.5);
     falls(error<HookeNewton, M, Float64>(fields, 1e-3), error<HookeNewton, M, Float64>(fields, 2.5e-4), 2);
-    // 1.49 where weight and base act together.
+    // 1.49 if weight and base act together.
     falls(error<HuntCrossley, E, Float64>(fields, 1e-3), error<HuntCrossley, E, Float64>(fields, 2.5e-4), 1.4);
     falls(error<HuntCrossley, AverageAcceleration, Float64>(fields, 1e-3),
           error<HuntCrossley, AverageAcceleration, Float64>(fields, 2.5e-4), 1.5);
@@ -596,7 +595,7 @@ TEST(Field, KernelKeepsItsOrderInAField) {
   }
 }
 
-// The field changes at a change of plan, and the motion goes on without a jump.
+// A change of plan changes the field, and the motion continues without a jump.
 TYPED_TEST(FieldIn, ChangeOfPlanKeepsTheMotion) {
   Scene scene;
   scene.gravity = weight;
@@ -628,7 +627,7 @@ TYPED_TEST(FieldIn, BallThatFallsTooFastIsClamped) {
   EXPECT_NE(absorber.fault(), Fault::none);
 }
 
-// What is stated must be named, and what is named must be within its range.
+// A stated value requires its part, and a named part requires a value in its range.
 TEST(Field, PartsAndValuesBelongTogether) {
   Scene heavy;
   heavy.gravity = weight;

@@ -43,7 +43,7 @@ Pair random_pair(unsigned seed, const Kind& kind) {
   pair.bounds.speed = random.wide(0.01, 5);
   pair.bounds.force = 1e-9;
   const double contact_time = random.wide(kind.shortest, kind.longest) * pair.step;
-  const double deepest = take_contact_time(scene, false, contact_time, 2 * pair.bounds.speed);
+  const double deepest = set_contact_time(scene, false, contact_time, 2 * pair.bounds.speed);
   pair.bounds.displacement = larger(0.505 * scene.clearance, random.wide(1, 100) * deepest);
   scene.v2 = pair.bounds.speed * random.wide(kind.slowest, 0.99);
   scene.v1 = seed % 2 == 0 ? 0 : -pair.bounds.speed * random.wide(kind.slowest, 0.99);
@@ -57,8 +57,8 @@ double energy(const Scene& scene, double x1, double v1, double v2) {
   return (scene.main_mass * v1 * v1 + scene.main_stiffness * x1 * x1 + scene.ball_mass * v2 * v2) / 2;
 }
 
-// The share of the energy that is left, no number where they touch for longer; nothing where the pair cannot be planned
-// or raises a fault. Of a free pair the energy of approach.
+// The share of the energy that is left. It is NaN if the masses touch for longer, and none if the pair cannot be
+// planned or raises a fault. For a free pair it is the share of the energy of approach.
 template <class Format, class Stepper, class Law = Exact>
 std::optional<double> energy_left(const Pair& pair, int longest) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, NoDrive, Format>;
@@ -109,8 +109,8 @@ TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
   expect_within<SubsteppedMoment<8>>(2.4e-3, kind, scenes / 2);
 }
 
-// In the coupled machine the spring's force counts in LSBs of a position, and so in those of the bounds. Without
-// losses, since damped contacts of many swings end at a graze, or at the next one.
+// In the coupled machine the spring's force is rounded to LSBs of a position, which follow from the bounds. There are
+// no losses, because damped contacts of many oscillations end at a light impact, or at the next one.
 template <class Stepper>
 void expect_energy_within(double bound) {
   double largest = 0;
@@ -134,7 +134,7 @@ TEST(CoupledImpacts, Fixed32KeepsTheEnergy) {
   expect_energy_within<EnergyConsistent>(1e-3);
 }
 
-// In bounds far wider than any penetration: as long as a plan takes them it counts as in narrow ones.
+// Bounds far wider than any penetration. If a plan accepts them, the error is that of narrow ones.
 TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
   int refused = 0, compared = 0;
   for (unsigned seed = 0; seed < scenes; ++seed) {
@@ -154,10 +154,11 @@ TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
   EXPECT_GT(refused, scenes / 10);
 }
 
-// Few steps, in which a prediction misses most. Most of these have no plan: a damping beyond what the step tolerates.
+// Few steps, for which a prediction has the largest error. Most of these have no plan, because their damping exceeds
+// the tolerance of the step.
 TEST(FreeImpacts, Fixed32TakesTheFastestInFewSteps) { expect_within<Moment>(5e-6, {2.5, 5, 0.5}, scenes / 50); }
 
-// From a damping below one LSB to the largest that the step tolerates.
+// Dampings from less than one LSB to the largest that the step tolerates.
 template <class Law, class Stepper>
 void expect_every_damping(double step) {
   Pair pair{};

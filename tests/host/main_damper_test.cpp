@@ -16,7 +16,7 @@ namespace {
 // Of a ball's speed after the impact, over its speed V before: the largest difference from the reference at eight
 // phases of the impact within the step. The damper is c h/M = `damping` at eight steps a contact.
 template <class ContactLaw, class Stepper, class Format>
-double largest_miss(double damping, double steps_per_contact) {
+double largest_error(double damping, double steps_per_contact) {
   Case run;
   run.law = ContactLaw::is_linear ? Law::hooke_newton : ContactLaw::is_damped ? Law::hunt_crossley : Law::hertz;
   run.drive = DriveKind::none;
@@ -58,8 +58,8 @@ double largest_miss(double damping, double steps_per_contact) {
 template <class ContactLaw, class Stepper, class Format>
 void expect_third_order(double bound) {
   for (const double damping : {0.0, 0.1, 0.3, 0.6, 0.95}) {
-    const double coarse = largest_miss<ContactLaw, Stepper, Format>(damping, 12),
-                 fine = largest_miss<ContactLaw, Stepper, Format>(damping, 24);
+    const double coarse = largest_error<ContactLaw, Stepper, Format>(damping, 12),
+                 fine = largest_error<ContactLaw, Stepper, Format>(damping, 24);
     std::printf("  c h/M %.2f: %.2g, %.2g\n", damping, coarse, fine);
     EXPECT_LE(coarse, bound) << damping;
     EXPECT_LE(fine, bound / 8) << damping;

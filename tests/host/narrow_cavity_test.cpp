@@ -36,7 +36,7 @@ Cavity random_cavity(unsigned seed, double phase) {
   cavity.bounds.force = 1e-9;
   // An undamped linear impact gains by itself 1e-5 of its energy at 8 steps, with the sixth power: here 4e-8.
   const double fewest = Law::is_linear ? 20 : 8;
-  const double deepest = take_contact_time(scene, Law::is_linear, random.wide(fewest, 2.5 * fewest) * step, 2);
+  const double deepest = set_contact_time(scene, Law::is_linear, random.wide(fewest, 2.5 * fewest) * step, 2);
   scene.clearance = deepest * random.wide(1e-3, 0.1);
   // Half of them begin in the ball, half in the main mass. With all of it the main mass is within Bounds::speed.
   const double fast = random.wide(0.1, 0.99);

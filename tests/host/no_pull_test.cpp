@@ -175,7 +175,7 @@ TYPED_TEST(NoPullAlone, InAnyStep) { TypeParam::expect_no_rise(); }
 // A main mass is drawn off its ball, so fast that the law has no force until the ball is out or pressed again: by a
 // constant drive, or upright by a base that shakes. The largest difference from the reference in `duration`.
 template <class Kernel>
-double largest_miss(const Case& run, const Bounds& bounds, double h, double duration) {
+double largest_error(const Case& run, const Bounds& bounds, double h, double duration) {
   const auto plan = Kernel::PlanType::make(run.scene, bounds, h);
   EXPECT_EQ(plan.status, PlanStatus::ok);
   Kernel absorber(plan);
@@ -187,7 +187,7 @@ double largest_miss(const Case& run, const Bounds& bounds, double h, double dura
   });
 }
 template <class Stepper, class Format>
-double miss_where_a_drive_draws(double damping, double depth, double h) {
+double error_with_a_pulling_drive(double damping, double depth, double h) {
   Case run;
   run.drive = DriveKind::sampled;
   run.scene.drive_amplitude = run.scene.drive_pulsation = 0;
@@ -201,10 +201,10 @@ double miss_where_a_drive_draws(double damping, double depth, double h) {
   run.samples[0] = 0;
   Bounds bounds{0.03, 0.25};
   bounds.force = 1.1;
-  return largest_miss<Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>>(run, bounds, h, 0.06);
+  return largest_error<Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>>(run, bounds, h, 0.06);
 }
 template <class Stepper, class Format>
-double miss_of_a_shaken_upright(double speed_of_restitution, double h) {
+double error_upright_on_a_shaken_base(double speed_of_restitution, double h) {
   Case run;
   run.drive = DriveKind::none;
   run.scene.drive_amplitude = run.scene.drive_pulsation = 0;
@@ -217,8 +217,8 @@ double miss_of_a_shaken_upright(double speed_of_restitution, double h) {
   Bounds bounds{0.1, 3};
   bounds.force = 0;
   bounds.base_acceleration = 14.1;
-  return largest_miss<Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, BaseAcceleration>>(run, bounds, h,
-                                                                                                     1.2);
+  return largest_error<Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, BaseAcceleration>>(run, bounds, h,
+                                                                                                      1.2);
 }
 
 // The last damping is the largest that a plan takes, h c/mu = 2.5 at the deepest penetration. A Float32's displacement
@@ -226,9 +226,9 @@ double miss_of_a_shaken_upright(double speed_of_restitution, double h) {
 template <class Stepper, class Format>
 void expect_within(double bound) {
   for (const double damping : {1e5, 1e6, 1e7, 5e7})
-    EXPECT_LE((miss_where_a_drive_draws<Stepper, Format>(damping, 1.5e-3, step)), bound) << damping;
+    EXPECT_LE((error_with_a_pulling_drive<Stepper, Format>(damping, 1.5e-3, step)), bound) << damping;
   for (const double speed : {0.3, 1.0})
-    EXPECT_LE((miss_of_a_shaken_upright<Stepper, Format>(speed, step)), bound) << speed;
+    EXPECT_LE((error_upright_on_a_shaken_base<Stepper, Format>(speed, step)), bound) << speed;
 }
 TEST(DrawnOff, AsTheReferenceSays) {
   expect_within<Moment, Float64>(1e-6);
@@ -246,7 +246,7 @@ TEST(DrawnOff, TheKinkIsOfSecondOrder) {
     double worst = 0;
     for (int phase = 0; phase < 20; ++phase) {
       const double damping = 1e6 * (1 + 0.05 * phase), slope = damping * std::pow(depth, 1.5) / mu;
-      const double missed = miss_where_a_drive_draws<Moment, Float64>(damping, depth, h);
+      const double missed = error_with_a_pulling_drive<Moment, Float64>(damping, depth, h);
       EXPECT_LE(missed, slope * h * h / 8 * duration) << h << " " << damping;
       worst = larger(worst, missed);
     }

@@ -24,7 +24,7 @@ class Random {
 };
 
 // Gives the stop the stiffness at which an undamped impact at `speed` takes `contact_time`: how deep it goes, m.
-inline double take_contact_time(Scene& scene, bool is_linear, double contact_time, double speed) {
+inline double set_contact_time(Scene& scene, bool is_linear, double contact_time, double speed) {
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), pi = 3.141592653589793;
   scene.contact_stiffness = is_linear ? mu * pi * pi / (contact_time * contact_time)
                                       : mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(speed);

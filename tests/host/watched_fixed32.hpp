@@ -16,7 +16,7 @@ namespace host {
 struct Broken {
   long count;
   const char* condition;
-  void* places[24];
+  void* callers[24];
   int depth;
 };
 inline Broken broken{};

@@ -19,7 +19,7 @@ namespace impact::host {
 void note_broken(const char* condition) {
   if (broken.count++ > 0) return;
   broken.condition = condition;
-  broken.depth = backtrace(broken.places, 24);
+  broken.depth = backtrace(broken.callers, 24);
 }
 
 namespace {
@@ -34,9 +34,9 @@ std::map<std::string, std::string> found;
 std::string scene_now;
 
 // The innermost functions of the kernel. (addr2line -Cfipe finds the lines.)
-std::string places() {
+std::string callers() {
   std::string text = broken.condition;
-  char** names = backtrace_symbols(broken.places, broken.depth);
+  char** names = backtrace_symbols(broken.callers, broken.depth);
   for (int i = 2; i < broken.depth && i < 9; ++i) {
     const std::string name = names[i];
     text += "\n    " + name.substr(name.rfind('('));
@@ -54,7 +54,7 @@ class Watched final : public Simulation {
     broken.count = 0;
     simulation_->step(force, base);
     if (broken.count == 0 || simulation_->fault()) return;
-    found.emplace(places(), scene_now);
+    found.emplace(callers(), scene_now);
   }
   Sample sample() const override { return simulation_->sample(); }
   const char* fault() const override { return simulation_->fault(); }
@@ -67,7 +67,7 @@ std::unique_ptr<Simulation> watched(const Request& request) {
   broken.count = 0;
   Planned planned = plan_simulation<Fixed32>(request, *request.bounds);
   if (planned.status != PlanStatus::ok) return nullptr;
-  if (broken.count > 0) found.emplace(places(), scene_now);
+  if (broken.count > 0) found.emplace(callers(), scene_now);
   return std::make_unique<Watched>(std::move(planned.simulation));
 }
 

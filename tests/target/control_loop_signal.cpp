@@ -36,7 +36,7 @@ int32_t square() {
   return level;
 }
 
-void look_at_output(uint32_t second) {
+void check_output(uint32_t second) {
   const auto output = static_cast<uint32_t>(converters.displacement);
   fingerprint = (fingerprint ^ output) * 0x01000193;  // FNV-1a, a word at a time
   fingerprints[second] = fingerprint;
@@ -56,7 +56,7 @@ void print_output() {
 void interrupt() {
   static uint32_t second = 0, end_of_second = steps_per_second;
   serve();
-  if (second < seconds) look_at_output(second);
+  if (second < seconds) check_output(second);
   converters.force = second == 1 ? square() : triangle();
   if (++step == end_of_second) {
     ++second;

@@ -34,14 +34,14 @@ using impact::target::instructions_of;
 [[gnu::naked]] void loop_1000(void*) { asm(COUNT_DOWN(1000) RETURN ".balign 4\n"); }
 [[gnu::naked]] void loop_200000(void*) { asm(COUNT_DOWN(200000) RETURN ".balign 4\n"); }
 [[gnu::naked]] void branch(void*) { asm(SKIP_IF_ZERO STRAIGHT(7) "1:\n" RETURN); }
-[[gnu::naked]] void into_the_next(void*) {
+[[gnu::naked]] void falls_through(void*) {
   asm(STRAIGHT(3) ".type the_next, %function\n the_next:\n" STRAIGHT(20) RETURN);
 }
 [[gnu::naked]] void return_from_stack(void*) { asm(RETURN_FROM_STACK); }
-[[gnu::naked]] void to_a_register(void*) { asm(TO_REGISTER STRAIGHT(20) RETURN ".balign 4\n"); }
+[[gnu::naked]] void jumps_by_register(void*) { asm(TO_REGISTER STRAIGHT(20) RETURN ".balign 4\n"); }
 #if defined(__ARM_ARCH_6M__)
 // By a table behind the call, as GCC makes a switch smaller: to the second entry, past the 20.
-[[gnu::naked]] void by_a_table(void*) {
+[[gnu::naked]] void jumps_by_table(void*) {
   asm("push {lr}\n mov r0, #1\n bl __gnu_thumb1_case_uqi\n 1: .byte (2f - 1b) / 2, (3f - 1b) / 2\n"
       "2:\n" STRAIGHT(20) "3: pop {pc}\n");
 }
@@ -68,11 +68,11 @@ int main() {
   int something = 1;
   check_equal("branch_not_taken", instructions_of(branch, &something), per_condition + 8);
 
-  check_equal("into_the_next", instructions_of(into_the_next, nullptr), 24);
+  check_equal("falls_through", instructions_of(falls_through, nullptr), 24);
   check_equal("return_from_stack", instructions_of(return_from_stack, nullptr), from_stack);
-  check_equal("to_a_register", instructions_of(to_a_register, nullptr), to_register + 21);
+  check_equal("jumps_by_register", instructions_of(jumps_by_register, nullptr), to_register + 21);
 #if defined(__ARM_ARCH_6M__)
-  instructions_of(by_a_table, nullptr);
+  instructions_of(jumps_by_table, nullptr);
 #endif
 
   // Whatever the phase between instructions and ticks, and across the wrap of the 24-bit counter.

@@ -8,7 +8,7 @@ case $2 in  # one instruction or two before the seven, and the return
   r*) branch=9 from_stack=1 ;;
   *) branch=10 from_stack=4 ;;
 esac
-case $2 in cortex-m0*) by_a_table="by_a_table # no way *" ;; *) by_a_table="" ;; esac
+case $2 in cortex-m0*) jumps_by_table="jumps_by_table # no way *" ;; *) jumps_by_table="" ;; esac
 failures=0
 while read -r function expected; do
   [ -n "$function" ] || continue
@@ -20,10 +20,10 @@ nothing 1
 straight_10 11
 straight_5000 5001
 branch $branch
-into_the_next 24
+falls_through 24
 return_from_stack $from_stack
 loop_1000 # a loop *
-to_a_register # no way *
-$by_a_table
+jumps_by_register # no way *
+$jumps_by_table
 END_OF_LIST
 exit $failures

@@ -43,17 +43,17 @@ volatile uint32_t steps_of_interrupt;
 Counts counts;
 
 // Some ten milliseconds of instructions, when all is done.
-void put_off(void (*interrupt)()) { board::start_timer(100, interrupt); }
+void call_later(void (*interrupt)()) { board::start_timer(100, interrupt); }
 
 void step_in_interrupt() {
-  put_off(step_in_interrupt);
+  call_later(step_in_interrupt);
   if (has_come) return;
   has_come = true;
   if (is_inside) ++counts.interrupted;
   for (uint32_t n = 0; n < steps_of_interrupt; ++n) kernel.step();
 }
 void read_in_interrupt() {
-  put_off(read_in_interrupt);
+  call_later(read_in_interrupt);
   if (has_come) return;
   has_come = true;
   if (is_inside) ++counts.interrupted;
@@ -101,7 +101,7 @@ int main() {
     kernel.step();
   }
   kernel.reset();
-  put_off(step_in_interrupt);
+  call_later(step_in_interrupt);
   clock = board::timer_period() * 100;
 
   bool passes = true;
@@ -135,7 +135,7 @@ int main() {
 
   // A fault is seen by whoever waits for it.
   has_come = false;
-  put_off([] { has_come = true; });
+  call_later([] { has_come = true; });
   wait();
   board::start_timer(1000, [] { kernel.correct({INT32_MAX}, {}); });
   while (kernel.fault() == Fault::none) {

@@ -138,7 +138,7 @@ void print_row(const char* label, const char* quantity, const Longest& found) {
   board::print(" steps\n");
 }
 
-bool is_seen(uint32_t count, const char* what, uint32_t which) {
+bool is_covered(uint32_t count, const char* what, uint32_t which) {
   if (count != 0) return true;
   board::print("# the search has missed ");
   board::print(what);
@@ -149,16 +149,16 @@ bool is_seen(uint32_t count, const char* what, uint32_t which) {
 }
 // At both stops, all ways between phases that the law knows: 0 apart, 1 touching, 2 released; in fixed point every
 // fault.
-bool has_every_way(const Found& found, bool can_be_released, bool can_fault) {
+bool has_every_transition(const Found& found, bool can_be_released, bool can_fault) {
   bool has = true;
   for (const auto& ways : found.ways)
     for (uint32_t from = 0; from < 3; ++from)
       for (uint32_t to = 0; to < 3; ++to)
         if ((from < 2 && to < 2) || (can_be_released && from != 0))
-          has = is_seen(ways[from][to], "the way between phases", 10 * from + to) && has;
+          has = is_covered(ways[from][to], "the way between phases", 10 * from + to) && has;
   // Of a displacement and a speed either: both are found by one check and clamped by one function.
-  if (can_fault) has = is_seen(found.faults[1] + found.faults[2], "fault", 1) && has;
-  if (can_fault) has = is_seen(found.faults[3], "fault", 3) && has;
+  if (can_fault) has = is_covered(found.faults[1] + found.faults[2], "fault", 1) && has;
+  if (can_fault) has = is_covered(found.faults[3], "fault", 3) && has;
   return has;
 }
 
@@ -242,12 +242,12 @@ int main() {
         found);
     print_row(Configuration::label.text, "search", found.sound);
     print_row(Configuration::label.text, "search_fault", found.faulty);
-    has_all = has_every_way(found, Configuration::is_linear, Configuration::is_fixed) && has_all;
+    has_all = has_every_transition(found, Configuration::is_linear, Configuration::is_fixed) && has_all;
   });
   Found found;
   search_scenes<1, 2, 3, 4, 5, 6, 7, 8, 9, 10>(found);
   print_row(Searched::label.text, "search_scenes", found.sound);
   print_row(Searched::label.text, "search_scenes_fault", found.faulty);
-  has_all = has_every_way(found, false, true) && has_all;
+  has_all = has_every_transition(found, false, true) && has_all;
   return has_all ? 0 : 1;
 }

@@ -36,14 +36,14 @@ void print_row(int run, int step, double x1, double peak, double dissipated) {
 template <class ContactLaw>
 bool trace(int index) {
   using Kernel = Absorber<AtRunTime, ContactLaw, Moment, Sine, Fixed32, EnergyLedger>;
-  constexpr int steps = static_cast<int>(paper_duration / paper_step + 0.5), looked_every = 5, printed_every = 25;
+  constexpr int steps = static_cast<int>(paper_duration / paper_step + 0.5), check_interval = 5, printed_every = 25;
   const auto plan = Kernel::PlanType::make(paper_run(index).scene, Bounds{}, paper_step);
   if (plan.status != PlanStatus::ok) return false;
   Kernel kernel(plan);
   double peak = 0;
   for (int n = 0; n <= steps; ++n) {
     if (n > 0) kernel.step();
-    if (n % looked_every != 0) continue;
+    if (n % check_interval != 0) continue;
     const double x1 = kernel.reading().x1, size = x1 < 0 ? -x1 : x1;
     if (size > peak) peak = size;
     if (n == steps || (index < traced_runs && n % printed_every == 0)) {

@@ -138,7 +138,7 @@ constexpr Parameter candidates[] = {Parameter::displacement_bound, Parameter::sp
                                     Parameter::ball_mass,          Parameter::main_mass};
 
 // True for values that are tried before the step.
-constexpr bool is_less_of(Parameter parameter) {
+constexpr bool is_tried_before_step(Parameter parameter) {
   return parameter == Parameter::ball_friction || parameter == Parameter::gravity ||
          parameter == Parameter::base_acceleration_bound || parameter == Parameter::x1 || parameter == Parameter::x2;
 }
@@ -207,7 +207,7 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
   const bool is_limited = !first.allowed.holds(first.value);
 
   Explanation found{first.parameter, first.value, own, false};
-  const auto would_do = [&](Parameter parameter, bool is_enough = true) {
+  const auto suffices = [&](Parameter parameter, bool is_enough = true) {
     constexpr double smallest = 1e-9;  // replaces 0
     Values changed = refused;
     // An initial displacement counts from that of the other mass.
@@ -234,11 +234,11 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
              is_enough};
     return true;
   };
-  if ((is_limited || detail::is_less_of(first.parameter)) && would_do(first.parameter)) return found;
-  if (would_do(Parameter::step) || (first.parameter != Parameter::step && would_do(first.parameter))) return found;
+  if ((is_limited || detail::is_tried_before_step(first.parameter)) && suffices(first.parameter)) return found;
+  if (suffices(Parameter::step) || (first.parameter != Parameter::step && suffices(first.parameter))) return found;
   for (const Parameter parameter : detail::candidates)
-    if (would_do(parameter)) return found;
-  would_do(first.parameter, false);
+    if (suffices(parameter)) return found;
+  suffices(first.parameter, false);
   return found;
 }
 

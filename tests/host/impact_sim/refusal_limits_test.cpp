@@ -49,8 +49,8 @@ std::optional<Said> refusal_of(const Command& command) {
   }
 }
 
-// With the bounds that a range holds beside.
-Command beside(Command command, const std::string& allowed) {
+// The command with the bounds that the refusal prints.
+Command with_printed_bounds(Command command, const std::string& allowed) {
   const std::regex bound("--(bound-[a-z]+) ([-+.e0-9]+)");
   for (std::sregex_iterator found(allowed.begin(), allowed.end(), bound), none; found != none; ++found)
     command[(*found)[1]] = (*found)[2];
@@ -160,7 +160,7 @@ TEST(Refusal, ALimitThatIsTypedBackIsAccepted) {
       retyped_values = {said->allowed.substr(0, said->allowed.find_first_of(",:"))};
     }
     for (const std::string& limit : retyped_values) {
-      Command retyped = beside(command, said->allowed);
+      Command retyped = with_printed_bounds(command, said->allowed);
       retyped[said->option] = limit;
       // Nobody waits for a run of more steps.
       if (retyped.count("duration") && *number_from(retyped["duration"]) > 1e6 * *number_from(retyped["step"]))

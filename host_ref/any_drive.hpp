@@ -51,16 +51,16 @@ struct AnyDrive : NoDrive {  // has the Handover of NoDrive, since the tool chan
     constexpr bool accepts(const Plan<Format>& plan, Value next) const {
       return plan.is_sine || Samples::accepts(plan, next);
     }
-    constexpr Value at_once(const Plan<Format>& plan, Value next) const {
-      return plan.is_sine ? Value{} : Samples::at_once(plan, next);
+    constexpr Increment<Value> at_once(const Plan<Format>& plan, Value next) const {
+      return plan.is_sine ? Increment<Value>{} : Samples::at_once(plan, next);
     }
-    constexpr Value advance(const Plan<Format>& plan, Value next) {
+    constexpr Increment<Value> advance(const Plan<Format>& plan, Value next) {
       return plan.is_sine ? sine.advance(plan.sine) : Samples::advance(plan, next);
     }
-    constexpr Value rate(const Plan<Format>& plan) const {
+    constexpr Penetration<Value> rate(const Plan<Format>& plan) const {
       return plan.is_sine ? sine.rate(plan.sine) : Samples::rate(plan);
     }
-    constexpr DriveChange<Value> change(const Plan<Format>& plan, Value last) const {
+    constexpr DriveChange<Value> change(const Plan<Format>& plan, impact::Sample<Value> last) const {
       return plan.is_sine ? sine.change(plan.sine, {}) : Samples::change(plan, last);
     }
     constexpr Value force(const Plan<Format>& plan) const {

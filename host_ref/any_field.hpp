@@ -41,7 +41,7 @@ struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samp
     return plan.is_shaken ? BaseAcceleration::rate_apart(plan, state) : Gravity::rate_apart(plan.weight, state);
   }
   template <class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State& state, Value next) {
+  [[gnu::always_inline]] static constexpr auto main_increment(const Plan& plan, const State& state, Value next) {
     return plan.is_shaken ? BaseAcceleration::main_increment(plan, state, next)
                           : Gravity::main_increment(plan.weight, state, next);
   }

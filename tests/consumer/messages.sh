@@ -249,6 +249,33 @@ for format in Fixed32 Float32; do  # 200 N where Bounds::force is 10
   constant a_sample_is_more_than_its_bound $format 'auto push = Absorber::sample_of(11.0)'
 done
 
+# Units that do not mix (impact/numeric/in.hpp). The same program compiles where they fit.
+mixed() {
+  cat <<END
+#include <impact/absorber.hpp>
+using Format = impact::$1;
+using Value = Format::Value;
+Format::Units units{};
+Format::Long state{};
+Value value{};
+impact::Push<Value> push{};
+impact::Force<Value> force{};
+impact::Penetration<Value> penetration{}, rate{};
+impact::Increment<Value> increment{};
+impact::GainOf<Format::Gain, impact::unit::Force, impact::unit::Push> gain{};
+auto result() { return $2; }
+END
+}
+for format in Fixed32 Float32; do
+  for mistake in 'units.push(state, penetration)' 'units.push(state, value)' 'units.displace(state, push)' \
+    'gain * penetration' 'gain * push' 'penetration + gain * force' 'rate + increment' 'push - value' 'value - push' \
+    'impact::Push<Value>(penetration)' 'penetration = push'; do
+    mixed $format "$mistake" >"$folder/mixed.cpp" && wrong any '' <"$folder/mixed.cpp"
+  done
+  mixed $format 'units.push(state, push + gain * force), rate + units.increment_of_rate(increment)' >"$folder/fits.cpp"
+  "$compiler" -std=c++17 -fsyntax-only $read_before -I "$project/kernel/include" "$folder/fits.cpp" || failures=1
+done
+
 # The compiler's own setting.
 echo '#include <impact/absorber.hpp>' >"$folder/include.cpp"
 case $compiler in g++*) major=GNUC ;; *) major=clang_major ;; esac

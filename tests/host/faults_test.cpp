@@ -294,10 +294,13 @@ TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   const auto saved = absorber.save();
   auto forged = saved;
   if constexpr (!std::is_same_v<TypeParam, Fixed32>) {  // where every number is a fraction of its unit
-    forged.state.by_field = static_cast<typename TypeParam::Value>(1e20);
+    const auto replace = [](auto& number, double by) {
+      number = std::decay_t<decltype(number)>(static_cast<typename TypeParam::Value>(by));
+    };
+    replace(forged.state.by_field, 1e20);
     EXPECT_FALSE(absorber.restore(forged));
     forged = saved;
-    forged.state.impulse = static_cast<typename TypeParam::Value>(-1e20);
+    replace(forged.state.impulse, -1e20);
     EXPECT_FALSE(absorber.restore(forged));
   }
   EXPECT_TRUE(absorber.restore(saved));
@@ -430,10 +433,16 @@ TYPED_TEST(Faults, AStateThatNoStepLeavesIsRefused) {
 TYPED_TEST(Faults, AContactThatRemembersNonsenseIsSurvived) {
   restores<TypeParam>([](auto& state) {
     state.contact.phase = Phase::touching;
-    if constexpr (std::is_same_v<TypeParam, Fixed32>)
-      state.contact.penetration = {INT32_MIN}, state.contact.change = {INT32_MAX}, state.contact.root = {~UINT32_C(0)};
-    else
-      state.contact.penetration = state.contact.root = static_cast<typename TypeParam::Value>(no_number);
+    auto& contact = state.contact;
+    using Value = typename TypeParam::Value;
+    if constexpr (std::is_same_v<TypeParam, Fixed32>) {
+      contact.penetration = Penetration<Value>({INT32_MIN});
+      contact.change = Recoil<Value>({INT32_MAX});
+      contact.root = {~UINT32_C(0)};
+    } else {
+      contact.root = static_cast<Value>(no_number);
+      contact.penetration = Penetration<Value>(contact.root);
+    }
   });
 }
 

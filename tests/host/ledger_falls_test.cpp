@@ -56,7 +56,7 @@ struct Allowance : SilentFeature {
     const double force = plan.units.fraction(step.force.j0), way = plan.units.fraction(step.way),
                  stored = plan.units.fraction(step.stored),
                  response =
-                     std::ldexp(0.5 / factor_of(plan.contact.response.force), -plan.contact.response.travel_bits),
+                     std::ldexp(0.5 / factor_of(plan.contact.response.force.own), -plan.contact.response.travel_bits),
                  back = response * force, free = way + back, press = free - plan.units.fraction(step.rate_at_start),
                  length = std::abs(free) + std::abs(press);
     state.allowed += sum * std::abs(state.dissipated.total());

@@ -87,8 +87,8 @@ struct Kind {
   template <class Kernel>
   static double rounding(const Kernel& absorber, const Bounds& bounds) {
     typename Kernel::Long recoil{}, displacement{};
-    absorber.plan.units.recoil(recoil, Format::lsb());
-    absorber.plan.units.displace(displacement, Format::lsb());
+    absorber.plan.units.recoil(recoil, in<unit::Recoil>(Format::lsb()));
+    absorber.plan.units.displace(displacement, in<unit::Penetration>(Format::lsb()));
     const double lsb = larger(absorber.plan.units.si(recoil), absorber.plan.units.si(displacement)) / step;
     const bool is_single = Format::is_real && sizeof(typename Kernel::Value) == sizeof(float);
     return lsb + (is_single ? 0x1p-22 : 0x1p-50) * bounds.speed;

@@ -74,12 +74,12 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
   state.fault = Fault::none;
   if constexpr (Absorber::Field::is_sampled) {
     const typename Absorber::Value sample = Absorber::base_sample_of(random.scattered(bounds.base_acceleration));
-    state.by_field = Absorber::Field::at_end(plan, sample);
+    state.by_field = in<unit::Field>(Absorber::Field::at_end(plan, sample));
   }
   if constexpr (Absorber::Friction::is_friction) {
     // Sliding either way, on or from a turn of the sliding.
     DryFriction::slide(plan, state, random.below(2) != 0);
-    if (random.below(3) == 0) state.lasting = Absorber::Format::largest_sample(1e30);
+    if (random.below(3) == 0) state.lasting = in<unit::Position>(Absorber::Format::largest_sample(1e30));
   }
   const auto inside = plan.units.penetration(mirrored(state.x2 - state.x1, left));
   if (is_positive(inside) && random.below(3) != 0) {

@@ -227,7 +227,7 @@ class AbsorberOf
   // displacement_unit() and velocity_unit(). Only the context that steps calls them; another one calls snapshot().
   constexpr Value displacement() const { return plan.units.position(Machine::position_of(Machine::state.x1)); }
   constexpr Value velocity() const {
-    Value rate = plan.units.as_displacement(Machine::rate_ahead());
+    auto rate = plan.units.as_displacement(Machine::rate_ahead());
     if constexpr (Contact::traits.keeps_force) rate = rate - carried(plan.contact.dx1_share);
     if constexpr (Friction::is_friction)
       rate = rate - plan.units.as_displacement(plan.friction.main_rate_ahead * Machine::state.impulse);
@@ -235,7 +235,7 @@ class AbsorberOf
   }
   constexpr Value ball_displacement() const { return plan.units.position(Machine::position_of(Machine::state.x2)); }
   constexpr Value ball_velocity() const {
-    Value rate = plan.units.displacement(Machine::state.dx2);
+    auto rate = plan.units.displacement(Machine::state.dx2);
     if constexpr (Contact::traits.keeps_force) rate = rate + carried(plan.contact.dx2_share);
     if constexpr (Field::is_field) rate = rate - plan.units.as_displacement(Field::ball_rate(plan, Machine::state));
     if constexpr (Friction::is_friction)
@@ -305,10 +305,12 @@ class AbsorberOf
     Value du = units.per_step(dv);
     if (units.clamp(dx, units.correction_limit())) Machine::raise(Fault::displacement);
     if (units.clamp(du, units.rate_correction_limit())) Machine::raise(Fault::speed);
-    const Value excess = Rub::stop(machine());
-    units.add_position(Machine::state.x1, dx);
-    units.add_displacement(Machine::state.dx1, du);
-    units.add(Machine::state.dx1, -(plan.handover.behind_by_u1 * du + plan.handover.behind_by_x1 * dx));
+    const auto excess = Rub::stop(machine());
+    const Position<Value> x(dx);
+    const Displacement<Value> u(du);
+    units.add_position(Machine::state.x1, x);
+    units.add_displacement(Machine::state.dx1, u);
+    units.add(Machine::state.dx1, -(plan.handover.behind_by_u1 * u + plan.handover.behind_by_x1 * x));
     Rub::start(machine(), excess);
     if (!Machine::clamp_to_range()) {
       if (Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), true);
@@ -353,7 +355,7 @@ class AbsorberOf
         Contact::traits.keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && Machine::state.contact.phase != Phase::apart) return false;
-    const Value excess = Rub::stop(machine());
+    const auto excess = Rub::stop(machine());
     Rub::undo(machine());
     const bool is_other_contact = next.handover.contact != plan.handover.contact;
     hand_over<PlanType>(plan, next, Machine::state);
@@ -476,7 +478,8 @@ class AbsorberOf
   }
 
   // The share of a force that the contact keeps in the displacement of the coming step, along x.
-  constexpr Value carried(typename Format::Gain share) const {
+  template <class Share>
+  constexpr auto carried(Share share) const {
     return plan.units.as_displacement(mirrored(share * Machine::state.contact.force, Machine::contact_is_left()));
   }
 

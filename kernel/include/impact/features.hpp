@@ -60,8 +60,8 @@ struct EnergyLedger {
   template <class Format>
   struct State {
     typename Format::Tally dissipated, drive_work;
-    typename Format::Energy stored;       // at the end of the last step in contact
-    typename Format::Value contact_rate;  // at the end of that step
+    typename Format::Energy stored;                    // at the end of the last step in contact
+    Penetration<typename Format::Value> contact_rate;  // at the end of that step
     typename Format::Value drive_force;
     typename Format::Long x1_before;
   };
@@ -126,11 +126,11 @@ struct EnergyLedger {
 // The rate of an impact that takes no time. It is 0 in a step in which the ball rests on its stop or flies inside it.
 template <class Contact, class Step>
 constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
-  using Value = decltype(step.rate);
+  using Rate = decltype(step.rate);
   if constexpr (Contact::traits.is_instantaneous)
-    return contact.rests || !is_positive(step.force.j0) ? Value{} : step.rate;
+    return contact.rests || !is_positive(step.force.j0) ? Rate{} : step.rate;
   else
-    return Value{};
+    return Rate{};
 }
 
 // The number of contacts that have begun, the rate at which the last one began, and the largest contact force. That is
@@ -143,7 +143,8 @@ struct ImpactLog : SilentFeature {
   template <class Format>
   struct State {
     uint32_t impacts;
-    typename Format::Value impact_rate, peak;
+    Penetration<typename Format::Value> impact_rate;
+    typename Format::Value peak;
   };
 
   template <class Plan, class State, class Step>
@@ -154,7 +155,8 @@ struct ImpactLog : SilentFeature {
       ++own.impacts;
       own.impact_rate = step.rate_at_touch;
     }
-    const auto size = Contact::traits.is_instantaneous ? impact_rate_of(state.contact, step) : step.force.j0;
+    const auto size =
+        Contact::traits.is_instantaneous ? bare(impact_rate_of(state.contact, step)) : bare(step.force.j0);
     if (is_positive(size - own.peak)) own.peak = size;
   }
   template <class Plan, class State>
@@ -173,7 +175,8 @@ struct ContactForce : SilentFeature {
 
   template <class Format>
   struct State {
-    typename Format::Value force, force_of_step, impact_rate;
+    Force<typename Format::Value> force, force_of_step;
+    Penetration<typename Format::Value> impact_rate;
   };
 
   template <class Plan, class State, class Step>

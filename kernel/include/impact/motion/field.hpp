@@ -49,15 +49,15 @@ struct NoField : UnsampledField {
   static constexpr double largest(const Scene&, const Bounds&) { return 0; }
 
   template <class Plan, class State>
-  static constexpr typename Plan::FormatType::Value main_rate(const Plan&, const State&) {
+  static constexpr Penetration<typename Plan::FormatType::Value> main_rate(const Plan&, const State&) {
     return {};
   }
   template <class Plan, class State>
-  static constexpr typename Plan::FormatType::Value ball_rate(const Plan&, const State&) {
+  static constexpr Penetration<typename Plan::FormatType::Value> ball_rate(const Plan&, const State&) {
     return {};
   }
   template <class Plan, class State>
-  static constexpr typename Plan::FormatType::Value rate_apart(const Plan&, const State&) {
+  static constexpr Penetration<typename Plan::FormatType::Value> rate_apart(const Plan&, const State&) {
     return {};
   }
   template <class Plan, class State>
@@ -94,8 +94,8 @@ struct FieldShares {
 
 // The size of a constant field, whose shares are constants.
 struct Whole {
-  template <class Value>
-  friend constexpr Value operator*(Value share, Whole) {
+  template <class Value, class Unit>
+  friend constexpr In<Value, Unit> operator*(In<Value, Unit> share, Whole) {
     return share;
   }
 };
@@ -108,10 +108,11 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
   struct FieldPlan {
     using Value = typename Format::Value;
     struct {
-      Value main_increment, ball_increment;
+      Increment<Value> main_increment, ball_increment;
       typename Format::Long ball_step;  // the same as ball_increment, with all its bits
-      Value main_rate, ball_rate, rate_apart, ahead, behind;
-      Value ball_start;  // the ball's share for a change of plan
+      Penetration<Value> main_rate, ball_rate, rate_apart;
+      Increment<Value> ahead, behind;
+      Increment<Value> ball_start;  // the ball's share for a change of plan
     } field;
   };
   template <class Format, class Units>
@@ -120,18 +121,18 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
     const double main_force = scene.main_mass * scene.gravity, ball_force = scene.ball_mass * scene.gravity;
     const double main_start = main_force * main.constant_start(), ball_start = ball_force * ball.constant_start();
     const double main_step = main_force * main.constant_increment(), ball_step = ball_force * ball.constant_increment();
-    const auto in = [](double x, int exponent) { return Format::sample(x * constant::power_of_two(-exponent)); };
+    const Scaled<Format> in{unit};
     FieldPlan<Format> plan{};
     auto& field = plan.field;
-    field.main_increment = in(main_step, unit.increment);
-    field.ball_increment = in(ball_step, unit.increment);
+    field.main_increment = in(main_step);
+    field.ball_increment = in(ball_step);
     field.ball_step = units.state(ball_step);
-    field.main_rate = in(main_start / main.e12, unit.penetration);
-    field.ball_rate = in(ball_start, unit.penetration);
+    field.main_rate = in(main_start / main.e12);
+    field.ball_rate = in(ball_start);
     field.rate_apart = field.ball_rate - field.main_rate;
-    field.ahead = in(main_start / main.e12, unit.increment);
-    field.behind = in(main_start, unit.increment);
-    field.ball_start = in(ball_start, unit.increment);
+    field.ahead = in(main_start / main.e12);
+    field.behind = in(main_start);
+    field.ball_start = in(ball_start);
     return plan;
   }
   static constexpr double largest(const Scene& scene, const Bounds&) { return constant::magnitude(scene.gravity); }
@@ -144,7 +145,7 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
     return {};
   }
   template <class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State&, Value) {
+  [[gnu::always_inline]] static constexpr Increment<Value> main_increment(const Plan& plan, const State&, Value) {
     return plan.field.main_increment;
   }
   // The ball's free flight, and then its way and the change of dx2.
@@ -181,18 +182,21 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     struct {
       bool has_gravity, acts_at_once;
       decltype(Format::fraction(Gain{}, 0)) by_sample;
-      Value gravity, largest_base;
-      Gain at_once, before, now;  // shares of samples in the main mass: in x1 at once, then in dx1
-      Gain main_rate, ball_rate, rate_apart, ahead, behind;
-      Gain offset;                     // x - X
-      int state_bits, increment_bits;  // to the units of states and increments
-      float per_sample_unit;           // native numbers
-      double sample_unit;              // m/s^2
+      In<Value, unit::Field> gravity;
+      Value largest_base;
+      // Shares of samples in the main mass: in x1 at once, then in dx1.
+      GainOf<Gain, unit::Field, unit::Increment> at_once, before, now;
+      GainOf<Gain, unit::Field, unit::Penetration> main_rate, ball_rate, rate_apart;
+      GainOf<Gain, unit::Field, unit::Increment> ahead, behind;
+      GainOf<Gain, unit::Field, unit::Increment> offset;  // x - X
+      int state_bits, increment_bits;                     // to the units of states and increments
+      float per_sample_unit;                              // native numbers
+      double sample_unit;                                 // m/s^2
     } field;
   };
   template <class Format, class Units>
   static constexpr FieldPlan<Format> make_plan(const Scene& scene, const Bounds& bounds, const LinearFlow& main,
-                                               const LinearFlow& ball, const UnitExponents& unit, const Units& units) {
+                                               const LinearFlow& ball, UnitExponents unit, const Units& units) {
     const double base = Format::sample_unit(bounds.base_acceleration), g = scene.gravity;
     const double main_mass = scene.main_mass, ball_mass = scene.ball_mass;
     const double in_step = ball_mass * ball.constant_increment();  // h^2
@@ -202,23 +206,24 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     const double rest = at_once<Units>(scene, bounds, main, ball, unit), taken = main_mass * main.b1 - rest;
     const double in_displacement = main_mass * main.b0 + (1 + main.e11) * taken, main_rate = in_displacement / main.e12,
                  ball_rate = ball_mass * ball.constant_start();
-    const auto gain = [=](double by, int exponent) { return Format::gain(by / in_step, own, exponent); };
+    unit.field = own;
+    const auto gain = [&](double by) { return Scaled<Format>{unit}(by / in_step); };
     FieldPlan<Format> plan{};
     auto& field = plan.field;
     field.has_gravity = g < 0 || g > 0;
     field.acts_at_once = rest < 0 || rest > 0;
     field.by_sample = Format::fraction(Format::gain(-in_step * base, 0, own), 0);
-    field.gravity = Format::sample(in_step * g * constant::power_of_two(-own));
+    field.gravity = Scaled<Format>{unit}(in_step * g);
     field.largest_base = Format::largest_sample(bounds.base_acceleration);
-    field.at_once = gain(rest, unit.increment);
-    field.before = gain(main_mass * share.before - (1 - main.damping()) * taken, unit.increment);
-    field.now = gain(main_mass * share.now + (1 - main.stiffness()) * taken, unit.increment);
-    field.main_rate = gain(main_rate, unit.penetration);
-    field.ball_rate = gain(ball_rate, unit.penetration);
-    field.rate_apart = gain(ball_rate - main_rate, unit.penetration);
-    field.ahead = gain(main_rate, unit.increment);
-    field.behind = gain(in_displacement, unit.increment);
-    field.offset = gain(ball_mass * ball.b1, unit.increment);
+    field.at_once = gain(rest);
+    field.before = gain(main_mass * share.before - (1 - main.damping()) * taken);
+    field.now = gain(main_mass * share.now + (1 - main.stiffness()) * taken);
+    field.main_rate = gain(main_rate);
+    field.ball_rate = gain(ball_rate);
+    field.rate_apart = gain(ball_rate - main_rate);
+    field.ahead = gain(main_rate);
+    field.behind = gain(in_displacement);
+    field.offset = gain(ball_mass * ball.b1);
     field.state_bits = units.bits_of(own);
     field.increment_bits = unit.increment - own;
     field.per_sample_unit = static_cast<float>(base > 0 ? 1 / base : 0);
@@ -238,7 +243,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
 
   template <class Format>
   struct State {
-    typename Format::Value by_field;  // h^2 a at the last sample
+    In<typename Format::Value, unit::Field> by_field;  // h^2 a at the last sample
   };
   template <class Plan, class State>
   static constexpr void begin(const Plan& plan, State& state) {
@@ -262,7 +267,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   }
   template <class Plan, class Value>
   [[gnu::always_inline]] static constexpr Value at_end(const Plan& plan, Value sample) {
-    const Value by_base = plan.field.by_sample * sample;
+    const auto by_base = in<unit::Field>(plan.field.by_sample * sample);
     return plan.field.has_gravity ? by_base + plan.field.gravity : by_base;
   }
 
@@ -282,18 +287,19 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     return plan.field.acts_at_once;
   }
   template <class Plan, class Value>
-  [[gnu::always_inline]] static constexpr Value at_once(const Plan& plan, Value next) {
-    return plan.field.at_once * next;
+  [[gnu::always_inline]] static constexpr Increment<Value> at_once(const Plan& plan, Value next) {
+    return plan.field.at_once * in<unit::Field>(next);
   }
   template <class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr Value main_increment(const Plan& plan, const State& state, Value next) {
-    return plan.field.before * state.by_field + plan.field.now * next;
+  [[gnu::always_inline]] static constexpr Increment<Value> main_increment(const Plan& plan, const State& state,
+                                                                          Value next) {
+    return plan.field.before * state.by_field + plan.field.now * in<unit::Field>(next);
   }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
     state.x2.advance(state.dx2);
-    state.by_field = next;
-    plan.units.add(state.dx2, next, plan.field.state_bits);
+    state.by_field = in<unit::Field>(next);
+    plan.units.add(state.dx2, state.by_field, plan.field.state_bits);
   }
   template <class Plan, class State>
   static constexpr auto ball_travel(const Plan& plan, const State& state) {
@@ -303,7 +309,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   }
   template <class Plan, class State>
   static constexpr auto ball_increment(const Plan& plan, const State& state) {
-    return Plan::FormatType::moved(state.by_field, plan.field.increment_bits);
+    return in<unit::Increment>(Plan::FormatType::moved(state.by_field, plan.field.increment_bits));
   }
 };
 

@@ -29,7 +29,7 @@ struct NoFriction {
   struct FrictionPlan {};
 };
 
-// With an EnergyLedger: the way that the ball has slid, in the unit of penetrations. Times R it is the energy that
+// With an EnergyLedger: the way that the ball has slid, a Penetration. Times R it is the energy that
 // friction has dissipated.
 template <class Format, bool is_counted>
 struct SlidWay {};
@@ -42,20 +42,21 @@ struct DryFriction : ScenePart {
   static constexpr uint32_t kind = 7;  // a saved state is of one list of features
   static constexpr bool is_friction = true;
 
-  // Impulses are stored as their change of y, in the unit of penetrations.
+  // Impulses are stored as their change of y, which counts as a penetration.
   template <class Format>
   struct FrictionPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Long = typename Format::Long;
     struct {
-      Value full;                       // r
-      Value lasting;                    // in the unit of positions: if y is more, the ball slides on
-      Gain main_share;                  // of an impulse, in dx1
-      Gain main_ahead, ball_ahead;      // of the half of it that acts in the step ahead, in dx1 and dx2
-      Gain main_rate_ahead;             // the same in h v1
-      Gain half_by_full;                // 1/(2 r)
-      Gain excess;                      // of the main mass's momentum by an impulse over the ball's
+      using Share = GainOf<Gain, unit::Penetration, unit::Penetration>;
+      Penetration<Value> full;       // r
+      Position<Value> lasting;       // if y is more, the ball slides on
+      Share main_share;              // of an impulse, in dx1
+      Share main_ahead, ball_ahead;  // of the half of it that acts in the step ahead, in dx1 and dx2
+      Share main_rate_ahead;         // the same in h v1
+      GainOf<Gain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
+      Share excess;                     // of the main mass's momentum by an impulse over the ball's
       int spare_bits;                   // of an impulse that is no more than r
       Long main_sliding, ball_sliding;  // of a ball that slides forward
       double force;                     // R, N
@@ -72,22 +73,21 @@ struct DryFriction : ScenePart {
     const double friction = scene.ball_friction, both = increment(main, ball), full = friction * both;
     const double main_momentum = scene.main_mass * main.constant_increment() / main.e12,
                  momentum_ratio = main_momentum / (scene.ball_mass * ball.constant_increment());
-    return {{Format::sample(full * constant::power_of_two(-unit.penetration)),
-             Format::sample((full + at_once) * constant::power_of_two(-unit.position) + 0x1p-29),
-             Format::gain(main.constant_increment() / both, 0, 0), Format::gain(main.constant_start() / both, 0, 0),
-             Format::gain(ball.constant_start() / both, 0, 0),
-             Format::gain(main.constant_start() / main.e12 / both, 0, 0),
-             Format::gain(full > 0 ? 0.5 / full : 0, 0, -unit.penetration),
-             Format::gain(momentum_ratio - 1, unit.penetration, unit.penetration),
+    const Scaled<Format> in{unit};
+    const Scaled<Format> gain{unit};
+    return {{in(full), in(full + at_once + constant::power_of_two(unit.position - 29)),
+             gain(main.constant_increment() / both), gain(main.constant_start() / both),
+             gain(ball.constant_start() / both), gain(main.constant_start() / main.e12 / both),
+             gain(full > 0 ? 0.5 / full : 0), gain(momentum_ratio - 1),
              unit.penetration - constant::exponent_above(2 * full), units.state(friction * main.constant_increment()),
              units.state(-friction * ball.constant_increment()), friction}};
   }
 
   template <class Format>
   struct State {
-    typename Format::Long main_push, ball_push;  // of the sliding under way, in dx1 and dx2
-    typename Format::Value impulse;              // the last one
-    typename Format::Value lasting;              // where y is more in the same direction, the sliding goes on
+    typename Format::Long main_push, ball_push;   // of the sliding under way, in dx1 and dx2
+    Penetration<typename Format::Value> impulse;  // the last one
+    Position<typename Format::Value> lasting;     // where y is more in the same direction, the sliding goes on
   };
   // A push is at most the largest relative way of ball and main mass in a step.
   template <class Plan, class State>
@@ -109,9 +109,9 @@ struct DryFriction : ScenePart {
   static constexpr auto dissipated(const Plan& plan, const State& state, Value rate) {
     using Format = typename Plan::FormatType;
     const bool is_full = !is_positive(state.lasting - plan.friction.lasting), back = !state.ball_push.is_negative();
-    return work(
-        is_full ? mirrored(Format::value(Format::constant(0.5)), back) : plan.friction.half_by_full * state.impulse,
-        rate);
+    return work(is_full ? mirrored(Format::value(Format::constant(0.5)), back)
+                        : bare(plan.friction.half_by_full * state.impulse),
+                rate);
   }
   // By how much the last impulse exceeds that of a first step, from rest or from sliding. The half of a first impulse
   // leaves no way, if it can. `way` is y, with the last impulse.
@@ -178,7 +178,7 @@ struct DryFriction : ScenePart {
         set(plan, state, clamped(allowed, impulse));
     } else if (is_positive(change - twice_full)) {
       const auto left = Format::short_quotient(without_sign(behind), without_sign(change));
-      const Value impulse = difference(without_sign(plan.friction.full), without_sign(twice_full) * left);
+      const Value impulse(difference(without_sign(plan.friction.full), without_sign(twice_full) * left));
       set(plan, state, clamped(allowed, mirrored(impulse, back)));
     } else if (allows(allowed, way)) {
       stick(plan, state, way, ahead);
@@ -224,7 +224,7 @@ struct DryFriction : ScenePart {
   }
   template <class Plan>
   static constexpr auto never() {
-    return Plan::FormatType::largest_sample(1e30);
+    return in<unit::Position>(Plan::FormatType::largest_sample(1e30));
   }
   // The impulse that leaves no way.
   template <class Plan, class State, class Value, class Long>

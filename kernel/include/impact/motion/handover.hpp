@@ -25,17 +25,19 @@ struct Handover {
   using Gain = typename Format::Gain;
 
   uint32_t units, contact;  // fingerprints of the units of a state and of a contact under way (plan/identity.hpp)
-  Gain ahead_by_dx1, ahead_by_x1, behind_by_u1, behind_by_x1;
+  GainOf<Gain, unit::Displacement, unit::Increment> ahead_by_dx1, behind_by_u1;
+  GainOf<Gain, unit::Position, unit::Increment> ahead_by_x1, behind_by_x1;
   typename Drive::template Handover<Format> drive;
 
   static constexpr Handover make(const Scene& scene, const Bounds& bounds, double h, const LinearFlow& flow,
                                  const UnitExponents& unit, uint32_t units, uint32_t contact) {
+    const Scaled<Format> gain{unit};
     return {units,
             contact,
-            Format::gain(1 / flow.e12 - 1, unit.displacement, unit.increment),
-            Format::gain(-flow.e11 / flow.e12, unit.position, unit.increment),
-            Format::gain(1 - flow.e12, unit.displacement, unit.increment),
-            Format::gain(-flow.e11, unit.position, unit.increment),
+            gain(1 / flow.e12 - 1),
+            gain(1 - flow.e12),
+            gain(-flow.e11 / flow.e12),
+            gain(-flow.e11),
             Drive::template make_handover<Format>(scene, bounds, h, flow, unit)};
   }
 };

@@ -9,6 +9,7 @@
 // step as x' = x + w, w' = w - damping w - stiffness x' + s. Also the types that all drives share.
 
 #include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/in.hpp>
 #include <impact/numeric/oscillator.hpp>
 #include <impact/scene.hpp>
 
@@ -17,7 +18,7 @@ namespace impact {
 // The drive's share in the displacement of the coming step under two plans, see motion/handover.hpp.
 template <class Value>
 struct DriveShares {
-  Value ahead, behind;
+  Increment<Value> ahead, behind;
 };
 
 // How a drive's force changes within a step, as changes of the displacement per step. In this order: the share by the
@@ -25,7 +26,7 @@ struct DriveShares {
 // second difference.
 template <class Value>
 struct DriveChange {
-  Value to_end, half, half_chord, bend;
+  Increment<Value> to_end, half, half_chord, bend;
 };
 
 // The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.

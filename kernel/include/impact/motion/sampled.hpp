@@ -22,7 +22,9 @@ struct Sampled {
 
   template <class Format>
   struct Plan {
-    typename Format::Gain at_once, increment_before, increment_now, increment_throughout, rate;
+    using Gain = typename Format::Gain;
+    GainOf<Gain, unit::Sample, unit::Increment> at_once, increment_before, increment_now, increment_throughout;
+    GainOf<Gain, unit::Sample, unit::Penetration> rate;
     typename Format::Value largest;
     float per_newton;  // native numbers
   };
@@ -32,60 +34,61 @@ struct Sampled {
                                           const UnitExponents& unit) {
     const double newtons = Format::sample_unit(bounds.force);
     const SampledForce share = sampled_force(flow);
-    return {Format::gain(newtons * share.at_once, 0, unit.increment),
-            Format::gain(newtons * share.before, 0, unit.increment),
-            Format::gain(newtons * share.now, 0, unit.increment),
-            Format::gain(newtons * flow.constant_increment(), 0, unit.increment),
-            Format::gain(newtons * flow.b0 / flow.e12, 0, unit.penetration),
+    const Scaled<Format> gain{unit};
+    return {gain(newtons * share.at_once),
+            gain(newtons * share.before),
+            gain(newtons * share.now),
+            gain(newtons * flow.constant_increment()),
+            gain(newtons * flow.b0 / flow.e12),
             Format::largest_sample(bounds.force),
             static_cast<float>(newtons > 0 ? 1 / newtons : 0)};
   }
 
   template <class Format>
   struct Handover {
-    typename Format::Gain ahead, behind;
+    GainOf<typename Format::Gain, unit::Sample, unit::Increment> ahead, behind;
   };
   template <class Format>
   static constexpr Handover<Format> make_handover(const Scene&, const Bounds& bounds, double, const LinearFlow& flow,
                                                   const UnitExponents& unit) {
     const double share = Format::sample_unit(bounds.force) * flow.b0;
-    return {Format::gain(share / flow.e12, 0, unit.increment), Format::gain(share, 0, unit.increment)};
+    const Scaled<Format> gain{unit};
+    return {gain(share / flow.e12), gain(share)};
   }
 
   template <class Format>
   struct State {
-    typename Format::Value sample;  // at the start of the step
+    using Value = typename Format::Value;
+    Sample<Value> sample;  // at the start of the step
 
     static constexpr State start(const Plan<Format>&) { return {}; }
-    constexpr bool accepts(const Plan<Format>& plan, typename Format::Value next) const {
-      return Format::is_within(next, plan.largest);
-    }
+    constexpr bool accepts(const Plan<Format>& plan, Value next) const { return Format::is_within(next, plan.largest); }
     // Replaces a sample that is not accepted: by the bound, or by the sample before if it is a NaN.
-    constexpr typename Format::Value clamped(const Plan<Format>& plan, typename Format::Value next) const {
+    constexpr Value clamped(const Plan<Format>& plan, Value next) const {
       return Format::clamped_to(next, plan.largest, sample);
     }
     // The immediate share of the sample at the step's end in the displacement.
-    constexpr typename Format::Value at_once(const Plan<Format>& plan, typename Format::Value next) const {
-      return plan.at_once * next;
+    constexpr Increment<Value> at_once(const Plan<Format>& plan, Value next) const {
+      return plan.at_once * Sample<Value>(next);
     }
-    constexpr typename Format::Value advance(const Plan<Format>& plan, typename Format::Value next) {
-      const auto increment = plan.increment_before * sample + plan.increment_now * next;
-      sample = next;
-      return increment;
+    constexpr Increment<Value> advance(const Plan<Format>& plan, Value next) {
+      const Sample<Value> before = sample;
+      sample = Sample<Value>(next);
+      return plan.increment_before * before + plan.increment_now * sample;
     }
-    constexpr typename Format::Value rate(const Plan<Format>& plan) const { return plan.rate * sample; }
+    constexpr Penetration<Value> rate(const Plan<Format>& plan) const { return plan.rate * sample; }
     // Returns what change() needs of the step's start.
-    constexpr typename Format::Value before() const { return sample; }
+    constexpr Sample<Value> before() const { return sample; }
     // The change of the drive in the last step.
-    constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan, typename Format::Value last) const {
+    constexpr DriveChange<Value> change(const Plan<Format>& plan, Sample<Value> last) const {
       const auto half_change = plan.increment_throughout * (Format::value(half(sample)) - Format::value(half(last)));
       return {plan.increment_before * sample - plan.increment_before * last, half_change, half_change, {}};
     }
-    constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>& from,
-                                                            const Plan<Format>&, const Handover<Format>& to) const {
+    constexpr DriveShares<Value> hand_over(const Plan<Format>&, const Handover<Format>& from, const Plan<Format>&,
+                                           const Handover<Format>& to) const {
       return {from.ahead * sample, to.behind * sample};
     }
-    constexpr typename Format::Value force(const Plan<Format>&) const { return sample; }
+    constexpr Value force(const Plan<Format>&) const { return sample; }
   };
   template <class Format>
   static constexpr double force_unit(const Scene&, const Bounds& bounds) {

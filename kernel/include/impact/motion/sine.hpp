@@ -107,31 +107,30 @@ struct Sine {
 
   template <class Format>
   struct State {
+    using Value = typename Format::Value;
     typename Format::Oscillator oscillator;
 
     static constexpr State start(const Plan<Format>& plan) { return {Format::Oscillator::start(plan.oscillator)}; }
     // Advances to the end of the step and returns the drive's change of the displacement per step.
-    [[gnu::always_inline]] constexpr typename Format::Value advance(const Plan<Format>& plan) {
+    [[gnu::always_inline]] constexpr Increment<Value> advance(const Plan<Format>& plan) {
       const auto s = Format::reading(oscillator.value_head());
       oscillator.advance(plan.oscillator);
-      return Format::moved_term(plan.increment, s);
+      return Increment<Value>(Format::moved_term(plan.increment, s));
     }
     // The drive's share in the displacement of the coming step. It is inlined, because a function of its own would need
     // the plan in memory.
-    [[gnu::always_inline]] constexpr typename Format::Value rate(const Plan<Format>& plan) const {
-      return plan.rate_by_value * Format::reading(oscillator.value_head()) +
-             plan.rate_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
+    [[gnu::always_inline]] constexpr Penetration<Value> rate(const Plan<Format>& plan) const {
+      return Penetration<Value>(plan.rate_by_value * Format::reading(oscillator.value_head()) +
+                                plan.rate_by_slope * Format::reading(oscillator.slope_head(plan.oscillator)));
     }
     // Returns what change() needs of the step's start.
     struct Before {};
     constexpr Before before() const { return {}; }
     // The change of the drive in the last step.
-    [[gnu::always_inline]] constexpr DriveChange<typename Format::Value> change(const Plan<Format>& plan,
-                                                                                Before) const {
+    [[gnu::always_inline]] constexpr DriveChange<Value> change(const Plan<Format>& plan, Before) const {
       const auto heads = oscillator.heads_before(plan.oscillator);
-      const auto next = plan.increment * Format::reading(oscillator.value_head()),
-                 now = plan.increment * Format::reading(heads.last),
-                 last = plan.increment * Format::reading(heads.before_last);
+      const Increment<Value> next(plan.increment * Format::reading(oscillator.value_head())),
+          now(plan.increment * Format::reading(heads.last)), last(plan.increment * Format::reading(heads.before_last));
       return {{}, Format::value(quarter(next - last)), Format::value(half(now - last)), next - now - (now - last)};
     }
     // The force now, over twice the amplitude.
@@ -142,9 +141,8 @@ struct Sine {
 
     // Changes to another plan's oscillator at the same phase. sin^2 + cos^2 = 1 corrects the amplitude, so that it does
     // not drift over any number of changes.
-    constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>& from, const Handover<Format>& out,
-                                                            const Plan<Format>& to, const Handover<Format>& in) {
-      using Value = typename Format::Value;
+    constexpr DriveShares<Value> hand_over(const Plan<Format>& from, const Handover<Format>& out,
+                                           const Plan<Format>& to, const Handover<Format>& in) {
       Value sine = force(from), cosine = out.cosine_by_value * Format::reading(oscillator.value_head()) +
                                          out.cosine_by_slope * Format::reading(oscillator.slope_head(from.oscillator));
       const Value size = Format::value(sine * sine) + Format::value(cosine * cosine);
@@ -158,8 +156,8 @@ struct Sine {
       oscillator =
           Format::Oscillator::at(to.oscillator, Format::native(in.value_by_sine * sine + in.value_by_cosine * cosine),
                                  Format::native(in.slope_by_sine * sine + in.slope_by_cosine * cosine));
-      return {out.ahead_by_sine * sine + out.ahead_by_cosine * cosine,
-              in.behind_by_sine * sine + in.behind_by_cosine * cosine};
+      return {Increment<Value>(out.ahead_by_sine * sine + out.ahead_by_cosine * cosine),
+              Increment<Value>(in.behind_by_sine * sine + in.behind_by_cosine * cosine)};
     }
   };
   template <class Format>

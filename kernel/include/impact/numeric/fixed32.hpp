@@ -70,6 +70,15 @@ struct Fixed32 : Fixed32Numbers {
     const auto carried = static_cast<int32_t>(static_cast<uint32_t>(chance.raw) >> (32 - gain.shift));
     return {(high_product(x.raw, gain.mantissa) + carried) >> gain.shift};
   }
+  template <class From, class To>
+  [[gnu::always_inline]] static constexpr In<Value, To> term(GainOf<Gain, From, To> gain, In<Value, From> x) {
+    return In<Value, To>(term(gain.own, x));
+  }
+  template <class From, class To>
+  [[gnu::always_inline]] static constexpr In<Value, To> dithered_term(GainOf<Gain, From, To> gain, In<Value, From> x,
+                                                                      Long chance) {
+    return In<Value, To>(dithered_term(gain.own, x, chance));
+  }
   // Rounded down, for a gain of 0 or a power of two from 2^-32 on.
   static constexpr Value moved_term(Gain gain, Value x) {
     const int bits = gain.shift + 2;
@@ -137,6 +146,10 @@ struct Fixed32 : Fixed32Numbers {
   template <int bits>
   static constexpr Value value(Unsigned<bits> x) {
     return as_signed(with_bits<31>(x));
+  }
+  template <class Number, class Unit>
+  static constexpr In<Value, Unit> value(In<Number, Unit> x) {
+    return In<Value, Unit>(value(bare(x)));
   }
   // numerator <= denominator
   template <int a, int b>

@@ -8,6 +8,7 @@
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/fixed32_numbers.hpp>
+#include <impact/numeric/in.hpp>
 #include <impact/numeric/units.hpp>
 
 namespace impact {
@@ -107,35 +108,37 @@ struct Fixed32Units {
     return static_cast<double>(x.raw) * constant::power_of_two(position_exponent - 63);
   }
   constexpr double si_penetration_unit() const { return constant::power_of_two(penetration_exponent); }
-  constexpr double si_penetration(Value x) const { return x.raw * constant::power_of_two(-31) * si_penetration_unit(); }
+  constexpr double si_penetration(Penetration<Value> x) const {
+    return x.raw * constant::power_of_two(-31) * si_penetration_unit();
+  }
   static constexpr double fraction(Value x) { return x.raw * constant::power_of_two(-31); }
   static constexpr double fraction(Energy x) { return static_cast<double>(x.raw) * constant::power_of_two(-62); }
 
-  static constexpr Value position(Long x) { return {upper_word(x.raw)}; }
-  constexpr Value displacement(Long w) const { return narrowed(w.raw >> displacement_shift); }
-  constexpr Value damped(Long w) const {
+  static constexpr Position<Value> position(Long x) { return Position<Value>({upper_word(x.raw)}); }
+  constexpr Displacement<Value> displacement(Long w) const {
+    return Displacement<Value>(narrowed(w.raw >> displacement_shift));
+  }
+  constexpr Damped<Value> damped(Long w) const {
     IMPACT_EXPECT(w.raw >> damped_shift == static_cast<int32_t>(w.raw >> damped_shift));
-    return {static_cast<int32_t>(static_cast<uint64_t>(w.raw) >> damped_shift)};
+    return Damped<Value>({static_cast<int32_t>(static_cast<uint64_t>(w.raw) >> damped_shift)});
   }
   static constexpr Value narrowed(int64_t x) {
     IMPACT_EXPECT(x == static_cast<int32_t>(x));
     return {static_cast<int32_t>(x)};
   }
   // Of a displacement per step and of a force: their own units serve.
-  static constexpr Value velocity(Value per_step) { return per_step; }
-  static constexpr Value native_force(Value force) { return force; }
-  static constexpr Value per_step(Value velocity) { return velocity; }
+  static constexpr Value velocity(Displacement<Value> per_step) { return per_step; }
+  static constexpr Value native_force(Force<Value> force) { return force; }
+  static constexpr Displacement<Value> per_step(Value velocity) { return Displacement<Value>(velocity); }
   constexpr double displacement_unit() const { return constant::power_of_two(position_exponent); }
   constexpr double velocity_unit(double step) const {
     return constant::power_of_two(position_exponent + displacement_shift - 32) / step;
   }
-  // A penetration or its rate as a displacement per step counts.
-  constexpr Value as_displacement(Value rate) const {
-    return Fixed32Numbers::moved(rate, displacement_shift - penetration_shift);
+  constexpr Displacement<Value> as_displacement(Penetration<Value> rate) const {
+    return Displacement<Value>(Fixed32Numbers::moved(rate, displacement_shift - penetration_shift));
   }
-  // What drive, spring and field add to a displacement per step, as a rate counts.
-  constexpr Value increment_of_rate(Value increment) const {
-    return Fixed32Numbers::moved(increment, penetration_shift - increment_shift);
+  constexpr Penetration<Value> increment_of_rate(Increment<Value> increment) const {
+    return Penetration<Value>(Fixed32Numbers::moved(increment, penetration_shift - increment_shift));
   }
   // What is added from outside: no more than the limit.
   static constexpr bool clamp(Value& x, int32_t limit) {
@@ -147,31 +150,35 @@ struct Fixed32Units {
   constexpr int32_t correction_limit() const { return limits.main; }
   constexpr int32_t rate_correction_limit() const { return displacement({(int64_t{limits.way} << 32) - 1}).raw; }
   // Clamped at the unit's end, which two limits of a bound that is a power of two pass by a hundredth.
-  static constexpr void add_position(Long& x, Value by) {
+  static constexpr void add_position(Long& x, Position<Value> by) {
     if (__builtin_add_overflow(x.raw, int64_t{by.raw} * (int64_t{1} << 32), &x.raw))
       x.raw = by.raw > 0 ? INT64_MAX : -INT64_MAX;
   }
-  constexpr void add_displacement(Long& w, Value by) const { add_shifted(w.raw, by.raw, displacement_shift); }
-  constexpr void add(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
-  // What counts in another unit, 2^bits as coarse.
-  static constexpr void add(Long& x, Value value, int bits) { add_shifted(x.raw, value.raw, bits); }
+  constexpr void add_displacement(Long& w, Displacement<Value> by) const {
+    add_shifted(w.raw, by.raw, displacement_shift);
+  }
+  constexpr void add(Long& x, Increment<Value> increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
+  static constexpr void add(Long& x, In<Value, unit::Field> by, int bits) { add_shifted(x.raw, by.raw, bits); }
   constexpr int bits_of(int exponent) const { return 32 - (position_exponent - exponent); }
   // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
-  constexpr void displace(Long& x, Value penetration) const {
+  constexpr void displace(Long& x, Penetration<Value> penetration) const {
     const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
     IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + Wide{penetration.raw} * (Wide{1} << penetration_shift)));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
   }
-  // By gain times a penetration with all the bits of a state, so that what one mass gains the other loses.
-  constexpr void displace(Long& x, Fixed32Numbers::Gain gain, Value penetration) const {
-    const Long way = product(gain, penetration, penetration_shift);
+  // By gain * x with all the bits of a state, so that what one mass gains the other loses.
+  template <class Unit>
+  constexpr void displace(Long& x, GainOf<Fixed32Numbers::Gain, Unit, unit::Penetration> gain,
+                          In<Value, Unit> by) const {
+    const Long way = product(gain.own, by, penetration_shift);
     IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + way.raw));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way.raw));
   }
   // gain x of an x that is a number in 2^-spare_bits of the penetrations' unit.
-  constexpr Long part(Fixed32Numbers::Gain gain, Long x, int spare_bits) const {
+  constexpr Long part(GainOf<Fixed32Numbers::Gain, unit::Penetration, unit::Penetration> gain, Long x,
+                      int spare_bits) const {
     const int shift = spare_bits < penetration_shift ? penetration_shift - spare_bits : 1;
-    return product(gain, narrowed((x.raw + (int64_t{1} << (shift - 1))) >> shift), shift);
+    return product(gain.own, narrowed((x.raw + (int64_t{1} << (shift - 1))) >> shift), shift);
   }
   // gain x with all the bits of a state; x counts in 2^shift of them.
   static constexpr Long product(Fixed32Numbers::Gain gain, Value x, int shift) {
@@ -180,18 +187,25 @@ struct Fixed32Units {
     IMPACT_EXPECT(bits >= 0 || Wide{product} * (int64_t{1} << -bits) == product * (int64_t{1} << -bits));
     return {bits >= 0 ? product >> bits : product * (int64_t{1} << -bits)};
   }
-  constexpr void push(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, push_shift); }
-  constexpr void push(Long& x, Signed<32> increment) const { add_shifted(x.raw, increment.raw, push_shift - 1); }
-  constexpr void recoil(Long& x, Value increment) const { add_shifted(x.raw, increment.raw, push_shift - 1); }
-  constexpr Value relative(Long difference) const {
-    return narrowed((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift);
+  [[gnu::always_inline]] constexpr void push(Long& x, Push<Value> push) const {
+    add_shifted(x.raw, push.raw, push_shift);
   }
-  constexpr Value relative(Long x, Long other) const { return relative(x - other); }
-  constexpr Value travel(Long x, Long other) const { return relative(x - other); }
-  constexpr Value penetration(Long relative_displacement) const {
+  [[gnu::always_inline]] constexpr void push(Long& x, Push<Signed<32>> push) const {
+    add_shifted(x.raw, push.raw, push_shift - 1);
+  }
+  [[gnu::always_inline]] constexpr void recoil(Long& x, Recoil<Value> recoil) const {
+    add_shifted(x.raw, recoil.raw, push_shift - 1);
+  }
+  constexpr Penetration<Value> relative(Long difference) const {
+    return Penetration<Value>(
+        narrowed((difference.raw + (int64_t{1} << (penetration_shift - 1))) >> penetration_shift));
+  }
+  constexpr Penetration<Value> relative(Long x, Long other) const { return relative(x - other); }
+  constexpr Penetration<Value> travel(Long x, Long other) const { return relative(x - other); }
+  constexpr Penetration<Value> penetration(Long relative_displacement) const {
     const int64_t inside = (relative_displacement - Long{gap}).raw;
-    if (fits(relative_displacement)) return {static_cast<int32_t>(inside >> penetration_shift)};
-    return {inside < 0 ? INT32_MIN : INT32_MAX};
+    if (fits(relative_displacement)) return Penetration<Value>({static_cast<int32_t>(inside >> penetration_shift)});
+    return Penetration<Value>({inside < 0 ? INT32_MIN : INT32_MAX});
   }
   constexpr bool fits(Long relative_displacement) const {
     const auto upper = static_cast<uint32_t>((relative_displacement - Long{gap}).raw >> 32);
@@ -209,7 +223,7 @@ struct Fixed32Units {
   }
   // Whether w less `other` is more than `least`, or where the sign is negative less than its opposite; on the upper
   // words alone, at times two LSBs late.
-  static constexpr bool is_beyond(Long w, Long other, Long sign, Value least) {
+  static constexpr bool is_beyond(Long w, Long other, Long sign, Position<Value> least) {
     return (upper_difference(w, other) ^ static_cast<int32_t>(sign.raw >> 63)) > least.raw;
   }
   static constexpr int32_t upper_difference(Long x2, Long x1) {
@@ -221,7 +235,7 @@ struct Fixed32Units {
     const auto upper = static_cast<int32_t>(x.raw >> 32);
     return (upper ^ upper >> 31) < limit;
   }
-  constexpr bool is_too_deep(Value penetration) const { return penetration.raw > limits.penetration; }
+  constexpr bool is_too_deep(Penetration<Value> penetration) const { return penetration.raw > limits.penetration; }
   static constexpr bool is_sound(Long) { return true; }
   static constexpr bool is_sound(Value) { return true; }
   static constexpr Value clamped(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
@@ -234,10 +248,10 @@ struct Fixed32Units {
     x.raw = x.raw > 0 ? most : -most;
     return true;
   }
-  // 1, and a purely elastic force, in the unit of forces.
+  // 1, and a linear elastic force, in the unit of forces.
   constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
-  constexpr Value elastic(Value x) const {
-    return {force_bits >= 0 ? x.raw >> force_bits : to_left(x.raw, -force_bits)};
+  constexpr Force<Value> elastic(Penetration<Value> x) const {
+    return Force<Value>({force_bits >= 0 ? x.raw >> force_bits : to_left(x.raw, -force_bits)});
   }
   constexpr Energy elastic(Energy x) const {
     return {force_bits >= 0 ? x.raw >> force_bits : static_cast<int64_t>(static_cast<uint64_t>(x.raw) << -force_bits)};

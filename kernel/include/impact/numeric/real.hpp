@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include <impact/numeric/formula.hpp>
+#include <impact/numeric/in.hpp>
 #include <impact/numeric/oscillator.hpp>
 #include <impact/numeric/power_four_fifths.hpp>
 #include <impact/numeric/square_root.hpp>
@@ -120,13 +121,17 @@ struct RealFormat {
               {static_cast<Real>(limits.main), static_cast<Real>(limits.ball), static_cast<Real>(limits.way),
                static_cast<Real>(limits.penetration)}};
     }
-    constexpr Value velocity(Value per_step) const { return per_step * per_second; }
-    constexpr Value native_force(Value force) const { return force * of_forces; }
-    constexpr Value per_step(Value velocity) const { return velocity * step; }
+    constexpr Value velocity(Displacement<Value> per_step) const { return per_step * per_second; }
+    constexpr Value native_force(Force<Value> force) const { return force * of_forces; }
+    constexpr Displacement<Value> per_step(Value velocity) const { return Displacement<Value>(velocity * step); }
     static constexpr double displacement_unit() { return 1; }
     static constexpr double velocity_unit(double) { return 1; }
-    static constexpr Value as_displacement(Value rate) { return rate; }
-    static constexpr Value increment_of_rate(Value increment) { return increment; }
+    static constexpr Displacement<Value> as_displacement(Penetration<Value> rate) {
+      return Displacement<Value>(bare(rate));
+    }
+    static constexpr Penetration<Value> increment_of_rate(Increment<Value> increment) {
+      return Penetration<Value>(bare(increment));
+    }
     // An addition from outside: clamped to the limit, and 0 if it is no number.
     static constexpr bool clamp(Real& x, Real limit) {
       if (is_within(x, limit)) return false;
@@ -135,8 +140,8 @@ struct RealFormat {
     }
     constexpr Real correction_limit() const { return limits.main; }
     constexpr Real rate_correction_limit() const { return limits.way; }
-    static constexpr void add_position(Long& x, Value by) { x.add(by); }
-    static constexpr void add_displacement(Long& w, Value by) { w.add(by); }
+    static constexpr void add_position(Long& x, Position<Value> by) { x.add(by); }
+    static constexpr void add_displacement(Long& w, Displacement<Value> by) { w.add(by); }
 
     // More than the distance of two positions in range.
     static constexpr double out_of_reach(const UnitExponents&) { return 0x1p22; }
@@ -150,32 +155,41 @@ struct RealFormat {
     static constexpr Long state_at(double x) { return state(x); }
     static constexpr double si_at(Long x) { return x.total(); }
     static constexpr double si(Long x) { return x.total(); }
-    static constexpr double si_penetration(Value x) { return static_cast<double>(x); }
+    static constexpr double si_penetration(Penetration<Value> x) { return static_cast<double>(x); }
     static constexpr double si_penetration_unit() { return 1; }
     static constexpr double fraction(Value x) { return static_cast<double>(x); }
 
-    static constexpr Value position(Long x) { return x.sum; }
-    static constexpr Value displacement(Long w) { return w.sum; }
-    static constexpr Value damped(Long w) { return w.sum; }
-    static constexpr void add(Long& x, Value increment) { x.add(increment); }
-    static constexpr void add(Long& x, Value value, int) { x.add(value); }
+    static constexpr Position<Value> position(Long x) { return Position<Value>(x.sum); }
+    static constexpr Displacement<Value> displacement(Long w) { return Displacement<Value>(w.sum); }
+    static constexpr Damped<Value> damped(Long w) { return Damped<Value>(w.sum); }
+    static constexpr void add(Long& x, Increment<Value> increment) { x.add(increment); }
+    static constexpr void add(Long& x, In<Value, unit::Field> by, int) { x.add(by); }
     static constexpr int bits_of(int) { return 0; }
-    static constexpr void displace(Long& x, Value penetration) { x.add(penetration); }
-    static constexpr void displace(Long& x, Gain gain, Value penetration) { x.add(gain * penetration); }
-    static constexpr Long part(Gain gain, Long x, int) {
+    static constexpr void displace(Long& x, Penetration<Value> penetration) { x.add(penetration); }
+    template <class Unit>
+    static constexpr void displace(Long& x, GainOf<Gain, Unit, unit::Penetration> gain, In<Value, Unit> by) {
+      x.add(gain * by);
+    }
+    static constexpr Long part(GainOf<Gain, unit::Penetration, unit::Penetration> gain, Long x, int) {
       Long result{};
-      result.add(gain * x.value());
+      result.add(gain.own * x.value());
       return result;
     }
-    static constexpr void push(Long& x, Value increment) { x.add(increment); }
-    static constexpr void recoil(Long& x, Value increment) { x.add(increment); }
-    static constexpr Value relative(Long difference) { return difference.value(); }
-    static constexpr Value relative(Long x, Long other) { return x.value_beyond(other); }
+    static constexpr void push(Long& x, Push<Value> push) { x.add(push); }
+    static constexpr void recoil(Long& x, Recoil<Value> recoil) { x.add(recoil); }
+    static constexpr Penetration<Value> relative(Long difference) { return Penetration<Value>(difference.value()); }
+    static constexpr Penetration<Value> relative(Long x, Long other) {
+      return Penetration<Value>(x.value_beyond(other));
+    }
     // The change in a step, to the resolution of a Value, for any division of a displacement into sum and rest.
-    static constexpr Value travel(Long x, Long other) { return x.value() - other.value(); }
-    constexpr Value penetration(Long relative_displacement) const { return relative_displacement.value_beyond(gap); }
+    static constexpr Penetration<Value> travel(Long x, Long other) {
+      return Penetration<Value>(x.value() - other.value());
+    }
+    constexpr Penetration<Value> penetration(Long relative_displacement) const {
+      return Penetration<Value>(relative_displacement.value_beyond(gap));
+    }
     constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
-    static constexpr bool is_beyond(Long w, Long other, Long sign, Value least) {
+    static constexpr bool is_beyond(Long w, Long other, Long sign, Position<Value> least) {
       return impact::mirrored(w.sum - other.sum, sign.is_negative()) > least;
     }
     static constexpr bool fits(Long) { return true; }
@@ -189,7 +203,7 @@ struct RealFormat {
       if (__builtin_is_constant_evaluated()) return size(x) <= limit;
       return magnitude_bits(x) <= magnitude_bits(limit);
     }
-    constexpr bool is_too_deep(Value penetration) const { return !(penetration <= limits.penetration); }
+    constexpr bool is_too_deep(Penetration<Value> penetration) const { return !(penetration <= limits.penetration); }
     static constexpr bool clamp(Long& x, Real limit) {
       if (is_within(x, limit)) return false;
       Real clamped = x.sum;
@@ -202,7 +216,8 @@ struct RealFormat {
     static constexpr bool is_sound(Long x) { return is_within(x.value(), 2 * x.sum); }
     static constexpr bool is_sound(Value x) { return is_within(x, static_cast<Real>(0x1p20)); }
     static constexpr Value one() { return 1; }
-    static constexpr Value elastic(Value x) { return x; }
+    static constexpr Force<Value> elastic(Penetration<Value> x) { return Force<Value>(bare(x)); }
+    static constexpr Energy elastic(Energy x) { return x; }
   };
 
   using Weight = Gain;
@@ -221,6 +236,14 @@ struct RealFormat {
   static constexpr Value dithered_term(Gain gain, Value x, const Long&) { return term(gain, x); }
   // Of a power of two.
   static constexpr Value moved_term(Gain gain, Value x) { return gain * x; }
+  template <class From, class To>
+  static constexpr In<Value, To> term(GainOf<Gain, From, To> gain, In<Value, From> x) {
+    return In<Value, To>(term(gain.own, x));
+  }
+  template <class From, class To>
+  static constexpr In<Value, To> dithered_term(GainOf<Gain, From, To> gain, In<Value, From> x, const Long&) {
+    return term(gain, x);
+  }
   static constexpr Gain largest_gain =
       sizeof(Real) == sizeof(float) ? static_cast<Real>(0x1p100) : static_cast<Real>(0x1p900);
   // gain in [0, 128). An impact at the speed 0 has the damping of a very slow one.
@@ -271,6 +294,10 @@ struct RealFormat {
     return false;
   }
   static constexpr Value value(Real x) { return x; }
+  template <class Unit>
+  static constexpr In<Value, Unit> value(In<Value, Unit> x) {
+    return x;
+  }
   template <class... Values>
   static constexpr int spare_bits(Values...) {
     return 0;

@@ -118,7 +118,7 @@ namespace composed {
 
 // With the table's reciprocal the first ratio is never above the true one and at most 4 units below it. All 2^30 cases
 // have been tried.
-constexpr int32_t square_over_five(int32_t z, uint32_t p) {
+[[gnu::always_inline]] constexpr int32_t square_over_five(int32_t z, uint32_t p) {
   const auto sign = static_cast<uint32_t>(z >> 31), size = (static_cast<uint32_t>(z) ^ sign) - sign;
   const uint32_t part = (p >> 18) + 1, divisor = 5 * part;
   uint32_t whole = part << 17, upper = size >> 1;

@@ -17,6 +17,7 @@ struct UnitExponents {
   int push = 0;          // of its change by contact in a step, m
   int recoil = 0;        // of the change of the rate of penetration by contact in a step, m
   int penetration = 0;   // m; rates of penetration, in m per step, share it
+  int field = 0;         // of h^2 times the acceleration of a sampled field, m; its own plan sets it
   int force = 0;         // of the contact force over k1 * 2^(penetration * exponent of the law)
 };
 

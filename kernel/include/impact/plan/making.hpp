@@ -10,6 +10,7 @@
 #include <impact/motion/handover.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>
+#include <impact/numeric/in.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/plan/identity.hpp>
 #include <impact/scene.hpp>
@@ -242,10 +243,11 @@ class PlanMaking {
     plan.status = PlanStatus::ok;
     plan.step = h;
     plan.units = units;
-    plan.stiffness = Format::gain(flow.stiffness(), exponents.position, exponents.increment);
-    plan.damping = Format::gain(scene.main_damping > 0 ? flow.damping() : 0, exponents.damped, exponents.increment);
-    plan.rate_by_dx1 = Format::gain(1 / flow.e12 - 1, exponents.displacement, exponents.penetration);
-    plan.rate_by_x1 = Format::gain(-flow.e11 / flow.e12, exponents.position, exponents.penetration);
+    const Scaled<Format> gain{exponents};
+    plan.stiffness = gain(flow.stiffness());
+    plan.damping = gain(scene.main_damping > 0 ? flow.damping() : 0);
+    plan.rate_by_dx1 = gain(1 / flow.e12 - 1);
+    plan.rate_by_x1 = gain(-flow.e11 / flow.e12);
     plan.drive = Drive::template make_plan<Format>(scene, bounds, h, flow, exponents);
     plan.contact = Contact::make_plan(terms, flow, exponents);
     plan.force_scale = terms.force_unit;

@@ -10,6 +10,7 @@
 #include <impact/motion/field.hpp>
 #include <impact/motion/friction.hpp>
 #include <impact/motion/handover.hpp>
+#include <impact/numeric/in.hpp>
 #include <impact/plan/identity.hpp>
 #include <impact/plan/making.hpp>
 #include <impact/quantity.hpp>
@@ -42,8 +43,11 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   PlanStatus status;  // unless ok, the rest is meaningless
   double step;        // h, s
   typename Format::Units units;
-  Gain stiffness, damping;       // of the recurrence in linear_flow.hpp
-  Gain rate_by_dx1, rate_by_x1;  // a velocity from the displacement of the coming step
+  // Of the recurrence in linear_flow.hpp, and of a velocity from the displacement of the coming step.
+  GainOf<Gain, unit::Position, unit::Increment> stiffness;
+  GainOf<Gain, unit::Damped, unit::Increment> damping;
+  GainOf<Gain, unit::Displacement, unit::Penetration> rate_by_dx1;
+  GainOf<Gain, unit::Position, unit::Penetration> rate_by_x1;
   typename Drive::template Plan<Format> drive;
   typename ContactType::Plan contact;
   double force_scale, drive_scale;  // units of State's forces and of the drive's, N

@@ -16,6 +16,7 @@ struct FrictionImpulse {
   using Contact = typename Model::Contact;
   using Value = typename Model::Value;
   using Long = typename Model::Long;
+  using Penetration = impact::Penetration<Value>;
 
   // False for a plan AtRunTime with a friction of 0: then nothing is done, and the bits are those without DryFriction.
   static constexpr bool acts([[maybe_unused]] const Model& m) {
@@ -26,11 +27,11 @@ struct FrictionImpulse {
   }
 
   // The rate of sliding that friction works against.
-  static constexpr Value rubbing_rate(const Model& m) {
-    Value main = m.plan.units.relative(m.state.dx1) + m.rate_ahead(), sliding = m.relative_rate(false);
+  static constexpr Penetration rubbing_rate(const Model& m) {
+    Penetration main = m.plan.units.relative(m.state.dx1) + m.rate_ahead(), sliding = m.relative_rate(false);
     if constexpr (Contact::traits.keeps_force) {
-      const Value main_carried = m.plan.contact.dx1_share * m.state.contact.force,
-                  ball_carried = m.plan.contact.dx2_share * m.state.contact.force;
+      const Penetration main_carried = m.plan.contact.dx1_share * m.state.contact.force,
+                        ball_carried = m.plan.contact.dx2_share * m.state.contact.force;
       main = main - mirrored(main_carried, m.contact_is_left());
       sliding = sliding + mirrored(main_carried + ball_carried, m.contact_is_left());
     }
@@ -38,15 +39,15 @@ struct FrictionImpulse {
   }
   // The work of the half of the last impulse that acts in the step ahead.
   static constexpr auto still_to_work(const Model& m) {
-    const Value impulse = m.state.impulse;
-    const Value main = m.plan.friction.main_rate_ahead * impulse, ball = m.plan.friction.ball_ahead * impulse;
-    const Value more = Friction::rubbing_rate(m.plan, main + ball, -main);
+    const Penetration impulse = m.state.impulse;
+    const Penetration main = m.plan.friction.main_rate_ahead * impulse, ball = m.plan.friction.ball_ahead * impulse;
+    const Penetration more = Friction::rubbing_rate(m.plan, main + ball, -main);
     return Friction::dissipated(m.plan, m.state, rubbing_rate(m) + Format::value(half(more)));
   }
 
   // Half of the impulse acts in the coming step. The impulse exceeds that of a first step by `excess`; only its change
   // is added.
-  static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] Value excess = {}) {
+  static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] Penetration excess = {}) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
       Friction::begin(m.plan, m.state, m.plan.units.relative(m.way_ahead()), excess);
@@ -55,7 +56,7 @@ struct FrictionImpulse {
   }
   // Call it before a change of the state or the plan, and start() after. It returns by how much the last impulse
   // exceeds that of a first step, so that a change of nothing leaves the impulse as it is.
-  static constexpr Value stop([[maybe_unused]] Model& m) {
+  static constexpr Penetration stop([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return {};
       if constexpr (Model::counts_slid_way) {
@@ -75,11 +76,11 @@ struct FrictionImpulse {
 
   // The impulse of a step in which the ball has slid by `slid`. Without friction it would slide by `ahead` in the next.
   template <class Allowed>
-  [[gnu::noinline]] static constexpr void apply_anew(Model& m, Value slid, Long ahead, Allowed allowed) {
+  [[gnu::noinline]] static constexpr void apply_anew(Model& m, Penetration slid, Long ahead, Allowed allowed) {
     Friction::rub(m.plan, m.state, slid, ahead, allowed);
   }
   // The work of an impulse at the average of the rates before and after it: exactly what both masses lose.
-  static constexpr void count_work(Model& m, Value rate_before) {
+  static constexpr void count_work(Model& m, Penetration rate_before) {
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rate_before));
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rubbing_rate(m)));
   }
@@ -87,7 +88,7 @@ struct FrictionImpulse {
   // At the end of a step in flight.
   [[gnu::always_inline]] static constexpr void after_flight(Model& m, Long main_travel) {
     if (!acts(m)) return;
-    [[maybe_unused]] Value rate{};
+    [[maybe_unused]] Penetration rate{};
     if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
     if (!Friction::slides_on(m.plan, m.state, m.state.dx2))
       apply_anew(m, m.way_flown(main_travel), m.way_ahead(), typename Friction::Any{});
@@ -99,7 +100,7 @@ struct FrictionImpulse {
     const Long slid = flight - taken;
     const bool touches = m.state.contact.phase != Phase::apart;
     if (!touches) taken = {};
-    [[maybe_unused]] Value rate{};
+    [[maybe_unused]] Penetration rate{};
     if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
     if (m.plan.contact.response.is_sudden)
       apply_anew(m, m.plan.units.relative(slid), m.way_ahead() - taken, Friction::passive(m.plan, rubbing_rate(m)));
@@ -107,7 +108,7 @@ struct FrictionImpulse {
       apply_anew(m, m.plan.units.relative(slid), m.way_ahead() - taken, typename Friction::Any{});
     if constexpr (Model::counts_slid_way) count_work(m, rate);
     if (!touches) return;
-    const Value towards_stop = mirrored(-m.state.impulse, m.contact_is_left());
+    const Penetration towards_stop = mirrored(-m.state.impulse, m.contact_is_left());
     m.state.contact.change_rate(m.plan.contact, towards_stop);
     if constexpr (Model::counts_slid_way) m.state.contact_rate = m.state.contact_rate + towards_stop;
   }

@@ -28,6 +28,7 @@ struct Machine : Source {
   using Friction = typename PlanType::FrictionType;
   using Contact = typename PlanType::ContactType;
   using Value = typename Format::Value;
+  using Penetration = impact::Penetration<Value>;
   using Long = typename Format::Long;
 
   // True if a feature records the steps in contact.
@@ -60,17 +61,17 @@ struct Machine : Source {
   // sample.
   constexpr Long position_of(Long x) const { return Field::position(plan, state, x); }
 
-  // h v1 less the displacement of the main mass in the coming step, in the unit of penetrations. Spring, damper, drive
-  // and field take it from h v1, on average over that step.
-  constexpr Value rate_ahead_without_field() const {
-    Value ahead =
+  // h v1 less the displacement of the main mass in the coming step. Spring, damper, drive and field take it from h v1,
+  // on average over that step.
+  constexpr Penetration rate_ahead_without_field() const {
+    Penetration ahead =
         plan.rate_by_dx1 * plan.units.displacement(state.dx1) + plan.rate_by_x1 * plan.units.position(state.x1);
     if constexpr (Drive::is_sine || Drive::is_sampled) ahead = ahead - state.drive.rate(plan.drive);
     return ahead;
   }
-  constexpr Value rate_ahead() const { return rate_ahead_without_field() - Field::main_rate(plan, state); }
+  constexpr Penetration rate_ahead() const { return rate_ahead_without_field() - Field::main_rate(plan, state); }
   // Rate of penetration.
-  constexpr Value relative_rate(bool left) const {
+  constexpr Penetration relative_rate(bool left) const {
     return mirrored(
         plan.units.relative(state.dx2, state.dx1) - rate_ahead_without_field() - Field::rate_apart(plan, state), left);
   }
@@ -87,10 +88,14 @@ struct Machine : Source {
   constexpr bool ball_is_left() const {
     return plan.left_stop && (!plan.right_stop || (state.x2 - state.x1).is_negative());
   }
-  constexpr Value depth_in(bool left) const { return plan.units.penetration(mirrored(state.x2 - state.x1, left)); }
+  constexpr Penetration depth_in(bool left) const {
+    return plan.units.penetration(mirrored(state.x2 - state.x1, left));
+  }
   // 0 unless the ball is inside a stop. (The difference of both positions counts modulo 2^64 in Fixed32: a ball far
   // from the only stop may seem deep inside it.)
-  constexpr Value depth_beyond_stop() const { return is_beyond_stop() ? depth_in(ball_is_left()) : Value{}; }
+  constexpr Penetration depth_beyond_stop() const {
+    return is_beyond_stop() ? depth_in(ball_is_left()) : Penetration{};
+  }
 
   // Adds the immediate share of the samples at the step's end to a way of the main mass, or subtracts it from the
   // ball's relative way.
@@ -110,7 +115,7 @@ struct Machine : Source {
     return way;
   }
   // The change of x2 - x1 by a step's flight.
-  constexpr Value way_flown(Long main_travel) const {
+  constexpr Penetration way_flown(Long main_travel) const {
     return plan.units.travel(Field::ball_travel(plan, state), main_travel);
   }
 
@@ -149,7 +154,7 @@ struct Machine : Source {
   constexpr bool clamp_to_range() { return !is_in_range(state) && clamp(); }
   constexpr void end_contact() {
     state.contact.phase = Phase::apart;
-    if constexpr (Contact::traits.keeps_force) state.contact.force = Value{};
+    if constexpr (Contact::traits.keeps_force) state.contact.force = Force<Value>{};
   }
 };
 

@@ -17,7 +17,7 @@ struct Restart {
 
   // The ball in its stop between two steps.
   static constexpr Standing<Value> standing(const Model& m, bool left) {
-    const Value in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), left);
+    const Penetration<Value> in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), left);
     const auto &x1 = m.state.x1, &x2 = m.state.x2;
     // Exact on both sides, whereas mirrored() of a state may be one LSB off.
     return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1), m.relative_rate(left), in_half_a_step + in_half_a_step};
@@ -54,7 +54,7 @@ struct Restart {
     const Standing<Value> found = standing(m, left);
     if (Contact::traits.is_instantaneous ? is_negative(found.penetration) : !is_positive(found.penetration))
       return m.end_contact();
-    Value inside = found.penetration;
+    Penetration<Value> inside = found.penetration;
     if (is_same_plan) {
       inside = contact.resume(m.plan.contact, units, found);
     } else {

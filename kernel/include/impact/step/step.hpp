@@ -28,15 +28,17 @@ struct Step {
   static constexpr ContactTraits traits = Contact::traits;
   using Value = typename Model::Value;
   using Long = typename Model::Long;
+  using Increment = impact::Increment<Value>;
+  using Penetration = impact::Penetration<Value>;
 
   using Rub = FrictionImpulse<Model>;
 
   // The parts of the drive's change that the contact reads.
   struct ChangeAtEnd {
-    Value to_end, half;
+    Increment to_end, half;
   };
   struct ChangeFromStart : ChangeAtEnd {
-    Value bend;
+    Increment bend;
   };
   using SeenChange = typename detail::Either<traits.starts_from_rate, ChangeFromStart, ChangeAtEnd>::Type;
 
@@ -47,7 +49,7 @@ struct Step {
     [[maybe_unused]] const auto drive_before = m.state.drive.before();
     Long main_travel = m.state.dx1;  // in this step
     m.add_at_once(main_travel, force, acceleration, false);
-    const Value increment = fly(m, main_travel, force, acceleration);  // of dx1
+    const Increment increment = fly(m, main_travel, force, acceleration);  // of dx1
     // The range of a flight that meets a stop is checked after the contact.
     if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
       SeenChange change{};
@@ -85,14 +87,14 @@ struct Step {
   }
 
   // Moves both masses to the step's end, as if nothing touched.
-  [[gnu::always_inline]] static constexpr Value fly(Model& m, const Long& main_travel, [[maybe_unused]] Value force,
-                                                    [[maybe_unused]] Value acceleration) {
+  [[gnu::always_inline]] static constexpr Increment fly(Model& m, const Long& main_travel, [[maybe_unused]] Value force,
+                                                        [[maybe_unused]] Value acceleration) {
     const auto& plan = m.plan;
     auto& state = m.state;
     state.x1.advance(main_travel);
     if constexpr (!Field::is_field) state.x2.advance(state.dx2);
-    Value increment = -Format::term(plan.stiffness, plan.units.position(state.x1)) -
-                      Format::dithered_term(plan.damping, plan.units.damped(state.dx1), state.x1);
+    Increment increment = -Format::term(plan.stiffness, plan.units.position(state.x1)) -
+                          Format::dithered_term(plan.damping, plan.units.damped(state.dx1), state.x1);
     if constexpr (Drive::is_sine) increment = increment + state.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state.drive.advance(plan.drive, force);
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state, acceleration);
@@ -101,16 +103,18 @@ struct Step {
     return increment;
   }
   // The one call boundary of a step, in the formats that need it (compiler.hpp).
-  [[gnu::always_inline]] static constexpr void contact(Model& m, Value increment, Long main_travel, SeenChange change) {
+  [[gnu::always_inline]] static constexpr void contact(Model& m, Increment increment, Long main_travel,
+                                                       SeenChange change) {
     if constexpr (Format::calls_contact)
       call_contact(m, increment, main_travel, change);
     else
       contact_and_friction(m, increment, main_travel, change);
   }
-  [[gnu::noinline]] static constexpr void call_contact(Model& m, Value increment, Long main_travel, SeenChange change) {
+  [[gnu::noinline]] static constexpr void call_contact(Model& m, Increment increment, Long main_travel,
+                                                       SeenChange change) {
     contact_and_friction(m, increment, main_travel, change);
   }
-  [[gnu::always_inline]] static constexpr void contact_and_friction(Model& m, Value increment, Long main_travel,
+  [[gnu::always_inline]] static constexpr void contact_and_friction(Model& m, Increment increment, Long main_travel,
                                                                     SeenChange change) {
     if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
@@ -128,7 +132,7 @@ struct Step {
       typename detail::Either<traits.is_instantaneous, ApproachAtInstant<InField, Value>, FromStart>::Type;
   using StopApproach = typename detail::Either<Model::records, RecordedApproach<Unrecorded>, Unrecorded>::Type;
 
-  [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Value increment, Long main_travel,
+  [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Increment increment, Long main_travel,
                                                              SeenChange change) {
     const auto& plan = m.plan;
     auto& state = m.state;
@@ -159,7 +163,7 @@ struct Step {
   }
   // A ball that has left one stop reaches the other in the same step. It is treated as if it had flown freely with the
   // rate at which it left. No plan lets it cross the cavity in a step in a field.
-  [[gnu::noinline]] static constexpr void cross_cavity(Model& m, Value increment, bool left) {
+  [[gnu::noinline]] static constexpr void cross_cavity(Model& m, Increment increment, bool left) {
     StopApproach approach{};
     if (!find_contact(m, approach, left)) return;
     m.state.at_left = left;
@@ -171,7 +175,7 @@ struct Step {
   }
 
   // The effect of a kept force in the step after its own.
-  [[gnu::always_inline]] static constexpr void apply_kept_force(Model& m, Value force) {
+  [[gnu::always_inline]] static constexpr void apply_kept_force(Model& m, Force<Value> force) {
     m.plan.units.push(m.state.dx1, m.plan.contact.dx1_next * force);
     m.plan.units.push(m.state.dx2, -(m.plan.contact.dx2_next * force));
   }
@@ -180,14 +184,14 @@ struct Step {
   [[gnu::always_inline]] static constexpr bool put_back(Model& m, Approach<Value>& approach, bool left) {
     m.plan.units.displace(m.state.x2, -mirrored(approach.before, left));
     approach.penetration = approach.travel;
-    approach.before = Value{};
+    approach.before = Penetration{};
     return is_positive(approach.penetration);
   }
   // True if the ball is inside the stop without having moved into it: by rounding, or by crossing a cavity that is
   // shorter than the way of a step.
   [[gnu::always_inline]] static constexpr bool begin_inside(Model& m, Approach<Value>& approach, bool left) {
     if constexpr (traits.puts_back) return put_back(m, approach, left);
-    approach.before = Value{};
+    approach.before = Penetration{};
     return true;
   }
 
@@ -203,8 +207,8 @@ struct Step {
 
   // Applies the contact's impulse to both masses. Returns false if the ball was put back to its stop or the state was
   // clamped.
-  [[gnu::always_inline]] static constexpr bool apply_contact(Model& m, StopApproach& approach, Value increment,
-                                                             bool left, [[maybe_unused]] Value to_end) {
+  [[gnu::always_inline]] static constexpr bool apply_contact(Model& m, StopApproach& approach, Increment increment,
+                                                             bool left, [[maybe_unused]] Increment to_end) {
     const auto& plan = m.plan;
     auto& state = m.state;
     Contact& contact = state.contact;
@@ -256,11 +260,11 @@ struct Step {
     return true;
   }
   // The rate of the main mass at the step's end.
-  [[gnu::always_inline]] static constexpr Value main_rate(const Model& m) {
+  [[gnu::always_inline]] static constexpr Penetration main_rate(const Model& m) {
     return m.plan.units.relative(m.state.dx1) + m.rate_ahead();
   }
   template <class Units>
-  static constexpr Value touch_rate(const Units& units, const Approach<Value>& approach) {
+  static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
     if (is_positive(approach.before) || !is_positive(approach.penetration) || !is_positive(approach.travel))
       return approach.rate;
     const auto way = Format::divisor(without_sign(approach.travel));

@@ -24,6 +24,7 @@
 #include <impact/law/terms.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/formula.hpp>
+#include <impact/numeric/in.hpp>
 #include <impact/numeric/units.hpp>
 
 namespace impact {
@@ -49,33 +50,33 @@ struct ContactTraits {
 template <class Value>
 struct Approach {
   static constexpr bool is_recorded = false, is_in_field = false;
-  Value penetration, rate;  // at the end of the step
-  Value travel;             // of the penetration in the step
-  Value before;             // at its start
-  Value increment;          // of the rate by spring, drive and field from this step's end to the next one's, of a
-                            // drive as it is at the end where the contact sees_change
+  Penetration<Value> penetration, rate;  // at the end of the step
+  Penetration<Value> travel;             // of the penetration in the step
+  Penetration<Value> before;             // at its start
+  Increment<Value> increment;  // of the rate by spring, drive and field from this step's end to the next one's, of a
+                               // drive as it is at the end where the contact sees_change
 
   // As if the rate were linear in time.
-  [[gnu::always_inline]] constexpr Value rate_at_start() const { return travel + (travel - rate); }
+  [[gnu::always_inline]] constexpr Penetration<Value> rate_at_start() const { return travel + (travel - rate); }
 };
 // The same in a field (motion/field.hpp).
 template <class Value>
 struct ApproachInField : Approach<Value> {
   static constexpr bool is_in_field = true;
-  Value ball_increment;  // the ball's part of the increment
+  Increment<Value> ball_increment;  // the ball's part of the increment
 };
 // Either of them, for a contact that follows the flight within the step.
 template <class Seen, class Value>
 struct ApproachFromStart : Seen {
-  Value rate_before;  // at the step's start, where a contact begins
-  Value bend;         // second difference of the drive's increments
+  Penetration<Value> rate_before;  // at the step's start, where a contact begins
+  Increment<Value> bend;           // second difference of the drive's increments
 };
 // Either of them, for impacts that take no time.
 template <class Seen, class Value>
 struct ApproachAtInstant : Seen {
-  Value half_change;  // of the drive's increment of the rate, from the step's start to its end
-  Value damped;       // the damper's part of the increment
-  Value main_rate;    // of the main mass at the end
+  Increment<Value> half_change;  // of the drive's increment of the rate, from the step's start to its end
+  Increment<Value> damped;       // the damper's part of the increment
+  Penetration<Value> main_rate;  // of the main mass at the end
 };
 // Any of them, where features see the reaction.
 template <class Seen>
@@ -83,15 +84,15 @@ struct RecordedApproach : Seen {
   static constexpr bool is_recorded = true;
 };
 
-// The impulse of the contact's force in a step, and its moment about the step's end.
-template <class Value>
+// The impulse of the contact's force in a step, and its moment about the step's end, in the contact's own unit.
+template <class Number>
 struct Impulse {
-  Value j0, j1;
+  Number j0, j1;
 };
 // The nearest impulse of a force that never pulls: 0 <= J1 <= J0.
 template <class Format, class Value>
 [[gnu::always_inline]] constexpr Impulse<Value> of_push(const Impulse<Value>& impulse) {
-  const Value j1 = Format::value(positive_part(impulse.j1));
+  const Value j1(Format::value(positive_part(impulse.j1)));
   return {no_less(impulse.j0, j1), j1};
 }
 template <class Value>
@@ -102,35 +103,37 @@ template <class Value>
 // A step in contact as the features see it. The contact writes the first four, the step the others.
 template <class Format>
 struct ContactStep {
-  Impulse<typename Format::Value> force;  // in force_unit
+  using Value = typename Format::Value;
+
+  Impulse<Force<Value>> force;
   typename Format::Energy stored;
-  typename Format::Value rate;  // of penetration at the step's end, or before an impact that takes no time
-  typename Format::Value way;   // how far the contact moved, where it knows_way
-  typename Format::Value rate_at_start, rate_at_touch;  // the latter in the first step of a contact
+  Penetration<Value> rate;                          // at the step's end, or before an impact that takes no time
+  Penetration<Value> way;                           // how far the contact moved, where it knows_way
+  Penetration<Value> rate_at_start, rate_at_touch;  // the latter in the first step of a contact
   bool begins, knows_way;
 };
 
-// The result of a contact in a step, in plan.response's units. A contact writes what its response reads, the
-// penetration, and, if the approach is_recorded, the record.
-template <class Format>
+// The result of a contact in a step, with impulses in the unit of Number, from which plan.response leads. A contact
+// writes what its response reads, the penetration, and, if the approach is_recorded, the record.
+template <class Format, class Number>
 struct Reaction {
   using Value = typename Format::Value;
 
-  Impulse<Value> main, ball;  // on each mass; a shared response reads `main` alone
-  Value penetration;          // at the step's end, if the contact does not keep it
-  Value shift;                // additional shift of the ball out of the stop
+  Impulse<Number> main, ball;      // on each mass; a shared response reads `main` alone
+  Penetration<Value> penetration;  // at the step's end, if the contact does not keep it
+  Penetration<Value> shift;        // additional shift of the ball out of the stop
   ContactStep<Format> record;
 };
 // The result of one impulse on both masses.
-template <class Format, class Value>
-[[gnu::always_inline]] constexpr Reaction<Format> reaction_of(const Impulse<Value>& impulse) {
+template <class Format, class Number>
+[[gnu::always_inline]] constexpr Reaction<Format, Number> reaction_of(const Impulse<Number>& impulse) {
   return {impulse, impulse, {}, {}, {}};
 }
 
 // A contact between steps: the penetration, its rate, and the change of the rate in a step by spring, drive and field.
 template <class Value>
 struct Standing {
-  Value penetration, rate, load;
+  Penetration<Value> penetration, rate, load;
 };
 
 // The unit of a force, N.

@@ -47,15 +47,17 @@ struct Impulsive {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
+    using Penetration = impact::Penetration<Value>;
+    using Force = impact::Force<Value>;
 
     // A ball at rest is placed where it lies.
-    struct InstantAnswer : Answer<Gain> {
+    struct InstantAnswer : Answer<Gain, unit::Force> {
       static constexpr bool is_sudden = true;
 
       template <class State>
-      [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
-                                                  bool left) const {
-        Answer<Gain>::apply(units, state, reaction, left);
+      [[gnu::always_inline]] constexpr void apply(const Units& units, State& state,
+                                                  const Reaction<Format, Force>& reaction, bool left) const {
+        Answer<Gain, unit::Force>::apply(units, state, reaction, left);
         if (state.contact.rests) place_ball(units, state, left, state.contact.lies);
       }
     };
@@ -63,11 +65,12 @@ struct Impulsive {
       InstantAnswer response;
       Rebound<Format, ContactLaw> rebound;
       ImpactForce<Format, ContactLaw> force;
-      Gain acceleration;  // the change of the displacement per step, as one of the rate
+      GainOf<Gain, unit::Increment, unit::Penetration>
+          acceleration;   // the change of the displacement per step, as one of the rate
       Gain turn, fading;  // (w0 h)^2, and c h/M
       bool fades;
       Value largest_rate, largest_impulse;
-      Gain weight;  // m a, over 2 mu
+      GainOf<Gain, unit::Increment, unit::Penetration> weight;  // m a, over 2 mu
       struct {
         typename Format::ClampedGain by_penetration, by_rate;  // f h that takes d, and V
         Gain displacement, rate;      // what it does to the main mass, over what an impulse at the step's start does,
@@ -91,29 +94,29 @@ struct Impulsive {
                    penetration_rate_by_force = mass * (rate_by_force + 1 / ball_mass);
       const double fading = terms.main_damping * h / main_mass;
       const bool fades = fading <= largest_fading;
+      const Scaled<Format> gain{unit};
       const double unit_impulse =
           impulse / constant::smaller(ball_mass, main_mass) * constant::power_of_two(-unit.push);
-      return {
-          {{Format::gain(impulse / main_mass, 0, unit.push), Format::gain(impulse / main_mass * flow.e12, 0, unit.push),
-            Format::gain(impulse / main_mass * flow.e11, 0, unit.push), Format::gain(impulse / ball_mass, 0, unit.push),
-            Format::gain(impulse / ball_mass, 0, unit.push)}},
-          Rebound<Format, ContactLaw>::make(terms, unit),
-          ImpactForce<Format, ContactLaw>::make(terms, unit),
-          // The response of a free main mass over the change of the displacement per step, so that the rate is that of
-          // the derivation above.
-          Format::gain(h * h / (main_mass * flow.constant_increment()), unit.increment, unit.penetration),
-          Format::gain(turn, 0, 0),
-          Format::gain(fades ? fading : 0, 0, 0),
-          fades,
-          Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
-          Format::sample(0.999999 / unit_impulse),
-          Format::gain(ball_mass / mass, unit.increment, unit.penetration),
-          {{Format::gain(1 / penetration_by_force, 0, 0)},
-           {Format::gain(1 / penetration_rate_by_force, 0, 0)},
-           Format::gain(main_mass * displacement_by_force, 0, 0),
-           Format::gain(main_mass * rate_by_force, 0, 0),
-           Format::gain(penetration_by_force, 0, 0),
-           Format::gain(penetration_rate_by_force / 2, 0, 0)}};
+      return {{{{gain(impulse / main_mass), gain(impulse / main_mass * flow.e12), gain(impulse / main_mass * flow.e11)},
+                gain(impulse / ball_mass),
+                gain(impulse / ball_mass)}},
+              Rebound<Format, ContactLaw>::make(terms, unit),
+              ImpactForce<Format, ContactLaw>::make(terms, unit),
+              // The response of a free main mass over the change of the displacement per step, so that the rate is that
+              // of the derivation above.
+              gain(h * h / (main_mass * flow.constant_increment())),
+              Format::gain(turn, 0, 0),
+              Format::gain(fades ? fading : 0, 0, 0),
+              fades,
+              Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
+              Format::sample(0.999999 / unit_impulse),
+              gain(ball_mass / mass),
+              {{Format::gain(1 / penetration_by_force, 0, 0)},
+               {Format::gain(1 / penetration_rate_by_force, 0, 0)},
+               Format::gain(main_mass * displacement_by_force, 0, 0),
+               Format::gain(main_mass * rate_by_force, 0, 0),
+               Format::gain(penetration_by_force, 0, 0),
+               Format::gain(penetration_rate_by_force / 2, 0, 0)}};
     }
 
     static constexpr ContactTraits traits = [] {
@@ -124,15 +127,15 @@ struct Impulsive {
     }();
 
     Phase phase;
-    uint32_t rests;  // at rest on its stop after the last step
-    Value lies;      // and its depth in the stop
+    uint32_t rests;    // at rest on its stop after the last step
+    Penetration lies;  // and its depth in the stop
 
     constexpr void start(const Plan&, const Units&, const Standing<Value>& at) {
       phase = Phase::touching;
       lies = at.penetration;
     }
     // A ball at rest lies no deeper than it lay.
-    constexpr Value resume(const Plan&, const Units&, const Standing<Value>& at) {
+    constexpr Penetration resume(const Plan&, const Units&, const Standing<Value>& at) {
       if (!rests) return at.penetration;
       if (is_positive(lies - at.penetration)) {
         lies = at.penetration;
@@ -142,24 +145,28 @@ struct Impulsive {
     }
 
     template <class Seen>
-    [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
+    [[gnu::always_inline]] constexpr Reaction<Format, Force> solve(const Plan& plan, const Units& units,
+                                                                   const Seen& step) {
       const SplitImpulse given = impulse_of(plan, units, step);
-      Reaction<Format> reaction{given.main, given.ball, step.penetration, {}, {}};
+      Reaction<Format, Force> reaction{as_forces(given.main), as_forces(given.ball), step.penetration, {}, {}};
       if constexpr (Seen::is_recorded) {
-        reaction.record.force = {given.ball.j0, Format::value(half(given.ball.j0))};
+        reaction.record.force = {reaction.ball.j0, Format::value(half(reaction.ball.j0))};
         // The work at the average rate; the change of the rate may be twice a Value.
-        reaction.record.way = given.rate - given.ball.j0;
-        reaction.record.rate = given.rate;
+        reaction.record.way = Penetration(given.rate - given.ball.j0);
+        reaction.record.rate = Penetration(given.rate);
       }
       return reaction;
     }
 
    private:
-    // And the rate of penetration before the impact.
+    // Impulses over 2 mu h count as the rates that they change. With them the rate of penetration before the impact.
     struct SplitImpulse {
       Impulse<Value> main, ball;
       Value rate;
     };
+    static constexpr Impulse<Force> as_forces(const Impulse<Value>& impulse) {
+      return {Force(impulse.j0), Force(impulse.j1)};
+    }
     template <class Seen>
     [[gnu::always_inline]] constexpr SplitImpulse impulse_of(const Plan& plan, const Units& units, Seen step) {
       const Value trial = step.penetration, rate = step.rate, travel = step.travel;
@@ -174,12 +181,12 @@ struct Impulsive {
       phase = Phase::touching;
       // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
       if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
-        return rest(plan, trial, lies, {}, weight, support(plan, units, trial - lies, rate));
+        return rest(plan, trial, lies, {}, weight, support(plan, units, trial - bare(lies), rate));
       if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
-        acceleration = main_part + units.increment_of_rate(step.ball_increment);
+        acceleration = main_part + bare(units.increment_of_rate(step.ball_increment));
       }
       const Value pace = is_positive(travel) ? travel : rate;
       const auto way = Format::divisor(without_sign(pace));
@@ -187,7 +194,8 @@ struct Impulsive {
                   bend = Format::beyond_rounding(travel - rate + half_acceleration);
       Value speed = pace;
       if (is_positive(travel)) {
-        Value at_touch = rate_at_touch<Format>(way, way.share(without_sign(trial)), travel, rate, acceleration, 0);
+        Value at_touch = rate_at_touch<Format>(way, way.share(without_sign(trial)), Penetration(travel),
+                                               Penetration(rate), Penetration(acceleration), 0);
         if (is_positive(before)) at_touch = at_touch - Format::value(acceleration * Format::value(way.ratio(before)));
         if (is_positive(at_touch)) speed = at_touch;
       }
@@ -222,7 +230,7 @@ struct Impulsive {
       rests = 1;
       const Value force = clamped(plan, units, plan.rest.by_rate * rate),
                   inside = trial - plan.rest.penetration * force;
-      lies = left_inside(inside, weight, force, inside - before);
+      lies = Penetration(left_inside(inside, weight, force, inside - before));
       return given(plan, force, {}, inside - before);
     }
 
@@ -239,7 +247,7 @@ struct Impulsive {
                                                        Value weight, const Support& support) {
       const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
       rests = 1;
-      lies = left_inside(is_positive(trial - from) ? from : trial, weight, last, last);
+      lies = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
       return given(plan, support.force, last, way);
     }
     // A force over the step, against which the ball moves by `way`, and an impulse at its end. Both take the energy of
@@ -280,7 +288,7 @@ struct Impulsive {
                  Format::value(half(turned * main_rate))) {}
       // Without the damper's change since then.
       template <class Share>
-      constexpr Value undamped(const Plan& plan, Share t, Value damped) const {
+      constexpr Value undamped(const Plan& plan, Share t, Increment<Value> damped) const {
         const Value part = plan.acceleration * damped;
         return rate + Format::value(t * (part - sixth(part)));
       }

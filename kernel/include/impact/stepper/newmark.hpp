@@ -49,14 +49,17 @@ struct Pointwise {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
+    using Penetration = impact::Penetration<Value>;
+    using Force = impact::Force<Value>;
 
     struct Plan {
-      Response<Gain> response;
-      Gain dx1_next, dx2_next;    // the force's share in the displacement per step after the next step
-      Gain dx1_share, dx2_share;  // its share in the displacement of the next step
-      Gain damping;               // c1 / (k1 h)
+      Response<Gain, unit::Force> response;
+      GainOf<Gain, unit::Force, unit::Push> dx1_next, dx2_next;  // in the displacement per step after the next step
+      GainOf<Gain, unit::Force, unit::Penetration> dx1_share, dx2_share;  // in the displacement of the next step
+      Gain damping;                                                       // c1 / (k1 h)
       struct {
-        Value trial, rate, force;
+        Penetration trial, rate;
+        Force force;
       } largest;      // Reach
       Gain solution;  // Hooke-Newton: 1 / (1 - d law / d force)
       struct {
@@ -120,23 +123,24 @@ struct Pointwise {
       const int asked = Format::exponent_of(largest_slope), slope_unit = asked < 0 ? 0 : asked < 29 ? asked : 29;
       const Reach reach = reach_of(terms);
       const double length = constant::power_of_two(-unit.penetration);
+      const Scaled<Format> gain{unit};
       int passes = 1;
       for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
       return {
-          {{Format::gain(force_unit * flow.b1, 0, unit.push),
-            Format::gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0), 0, unit.push),
-            Format::gain(0, 0, 0), Format::gain(force_unit * beta * ball, 0, unit.push),
-            Format::gain(force_unit * (1 - beta) * ball, 0, unit.push)},
-           Format::gain(force_unit * by_penetration, 0, unit.penetration),
-           Format::gain(force_unit * by_rate, 0, unit.penetration),
-           Format::gain(0, 0, 0)},
-          Format::gain(force_unit * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0), 0, unit.push),
-          Format::gain(force_unit * beta * ball, 0, unit.push),
-          Format::gain(force_unit * flow.b0 / flow.e12, 0, unit.penetration),
-          Format::gain(force_unit * (0.5 - beta) * ball, 0, unit.penetration),
+          {{{gain(force_unit * flow.b1), gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0)),
+             gain(0)},
+            gain(force_unit * beta * ball),
+            gain(force_unit * (1 - beta) * ball)},
+           gain(force_unit * by_penetration),
+           gain(force_unit * by_rate),
+           gain(0)},
+          gain(force_unit * (flow.e12 * flow.c0 - (1 + flow.e22) * flow.b0)),
+          gain(force_unit * beta * ball),
+          gain(force_unit * flow.b0 / flow.e12),
+          gain(force_unit * (0.5 - beta) * ball),
           damping_gain<Format, ContactLaw>(terms, unit),
-          {Format::sample(reach.trial * length), Format::sample(reach.rate * length),
-           Format::sample(reach.force / force_unit)},
+          {Penetration(Format::sample(reach.trial * length)), Penetration(Format::sample(reach.rate * length)),
+           Force(Format::sample(reach.force / force_unit))},
           Format::gain(1 / (1 + slope), 0, 0),
           {Format::gain(force_unit * by_penetration, 0, unit.penetration + slope_unit),
            Format::gain(force_unit * by_rate, 0, unit.penetration + slope_unit), Format::power_of_two(-1 - slope_unit)},
@@ -151,14 +155,14 @@ struct Pointwise {
       return own;
     }();
     constexpr bool is_beyond_reach(const Plan& plan, const Approach<Value>& step) const {
-      const auto is_within = [](Value x, Value largest) {
-        return is_positive(largest - Format::value(positive_part(x)));
+      const auto is_within = [](auto x, auto largest) {
+        return is_positive(bare(largest) - Format::value(positive_part(x)));
       };
       return !is_within(force, plan.largest.force) || !is_within(step.penetration, plan.largest.trial) ||
              !is_within(step.rate, plan.largest.rate);
     }
 
-    Value force;  // at the start of the step
+    Force force;  // at the start of the step
     Phase phase;
 
     // The remaining effect of a kept force is in the range of a displacement.
@@ -169,15 +173,16 @@ struct Pointwise {
     }
 
     template <class Seen>
-    [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
-      const Value force_before = force;
-      const Value trial = step.penetration, trial_rate = step.rate;
+    [[gnu::always_inline]] constexpr Reaction<Format, Force> solve(const Plan& plan, const Units& units,
+                                                                   const Seen& step) {
+      const Force force_before = force;
+      const Penetration trial = step.penetration, trial_rate = step.rate;
       const bool touches = is_positive(trial);
       if constexpr (ContactLaw::is_damped_per_impact)
         if (touches && phase == Phase::apart) this->begin(plan.damping, trial_rate);
       phase = touches ? Phase::touching : Phase::apart;
-      force = touches ? found(plan, units, trial, trial_rate) : Value{};
-      const Impulse<Value> impulse = {force, force};
+      force = touches ? found(plan, units, trial, trial_rate) : Force{};
+      const Impulse<Force> impulse = {force, force};
       auto reaction = reaction_of<Format>(impulse);
       reaction.penetration = penetration_after(plan.response, trial, impulse);
       if constexpr (Seen::is_recorded) {
@@ -191,20 +196,20 @@ struct Pointwise {
       return reaction;
     }
 
-    constexpr Value resume(const Plan& plan, const Units& units, const Standing<Value>& standing) {
+    constexpr Penetration resume(const Plan& plan, const Units& units, const Standing<Value>& standing) {
       start(plan, units, standing);
       return standing.penetration;
     }
     constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& standing) {
-      const Value at = standing.penetration, at_rate = standing.rate;
+      const Penetration at = standing.penetration, at_rate = standing.rate;
       phase = Phase::touching;
       if constexpr (ContactLaw::is_linear) {
-        force = units.elastic(at) + this->damping(plan) * at_rate;
-        if (plan.clamped) force = Format::value(positive_part(force));
+        force = units.elastic(at) + Force(this->damping(plan) * bare(at_rate));
+        if (plan.clamped) force = Force(Format::value(positive_part(force)));
       } else {
-        force = Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate));
+        force = Force(Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate)));
       }
-      force = Units::clamped(force, plan.largest.force);
+      force = Force(Units::clamped(force, plan.largest.force));
     }
 
    private:
@@ -218,16 +223,16 @@ struct Pointwise {
         return x;
     }
 
-    [[gnu::always_inline]] constexpr Value found(const Plan& plan, const Units& units, Value trial,
-                                                 Value trial_rate) const {
+    [[gnu::always_inline]] constexpr Force found(const Plan& plan, const Units& units, Penetration trial,
+                                                 Penetration trial_rate) const {
       if constexpr (ContactLaw::is_linear) {
-        const Value f = plan.solution * (units.elastic(trial) + this->damping(plan) * trial_rate);
-        return Units::clamped(plan.clamped ? Format::value(positive_part(f)) : f, plan.largest.force);
+        const Value f = plan.solution * (units.elastic(trial) + Force(this->damping(plan) * bare(trial_rate)));
+        return Force(Units::clamped(plan.clamped ? Format::value(positive_part(f)) : f, plan.largest.force));
       } else {
-        Value f{};
+        Force f{};
         for (int pass = 0; pass < plan.passes; ++pass) {
           const Value d = Format::value(positive_part(trial - plan.response.penetration * f));
-          const Value rate = trial_rate - plan.response.rate * f;
+          const Penetration rate = trial_rate - plan.response.rate * f;
           const auto root = Format::root(d);
           const auto shape = root * without_sign(d);
           const Value law = Format::value(damped(plan, units, shape, rate));
@@ -237,7 +242,8 @@ struct Pointwise {
           if constexpr (ContactLaw::is_damped)
             slope = strength<ContactLaw::is_damped_per_impact, Units>(
                 slope, this->damping(plan) * (plan.slope.by_rate * Format::value(shape)));
-          f = Units::clamped(f + Format::over_one_plus(law - f, slope, plan.slope.half_one), plan.largest.force);
+          f = Force(Units::clamped(f + Force(Format::over_one_plus(law - bare(f), slope, plan.slope.half_one)),
+                                   plan.largest.force));
         }
         return f;
       }

@@ -8,7 +8,8 @@ namespace impact {
 
 // Places the ball at `depth` in its stop, relative to the main mass.
 template <class Units, class State, class Value>
-[[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left, Value depth) {
+[[gnu::always_inline]] constexpr void place_ball(const Units& units, State& state, bool left,
+                                                 Penetration<Value> depth) {
   auto place = units.stop(state.x1, left);
   units.displace(place, mirrored(depth, left));
   state.x2 = place;
@@ -20,30 +21,35 @@ template <class Units, class State, class Value>
 // the right stop: x1 and dx1 grow, the others fall.
 //
 // `is_sudden` is true if a response may change the rate of penetration by more than a force over that step can.
-template <class Gain>
-struct Answer {
+template <class Gain, class Unit>
+struct MainAnswer {
   static constexpr bool is_sudden = false;
-  Gain x1, dx1, dx1_by_moment, x2, dx2;
+  GainOf<Gain, Unit, unit::Push> x1, dx1, dx1_by_moment;
 
-  template <class Units, class State, class Value>
-  [[gnu::always_inline]] constexpr void move_main(const Units& units, State& state, const Impulse<Value>& main) const {
+  template <class Units, class State, class Number>
+  [[gnu::always_inline]] constexpr void move_main(const Units& units, State& state, const Impulse<Number>& main) const {
     units.push(state.x1, x1 * main.j1);
     units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
   }
-  template <class Units, class State, class Format>
-  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
+};
+template <class Gain, class Unit>
+struct Answer : MainAnswer<Gain, Unit> {
+  GainOf<Gain, Unit, unit::Push> x2, dx2;
+
+  template <class Units, class State, class Reaction>
+  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction& reaction,
                                               bool left) const {
     const auto main = mirrored(reaction.main, left), ball = mirrored(reaction.ball, left);
-    move_main(units, state, main);
+    this->move_main(units, state, main);
     units.push(state.x2, x2 * -ball.j1);
     units.push(state.dx2, dx2 * -ball.j0);
   }
 };
 
 // The change of the penetration and of its rate.
-template <class Gain>
-struct Response : Answer<Gain> {
-  Gain penetration, rate, rate_by_moment;
+template <class Gain, class Unit>
+struct Response : Answer<Gain, Unit> {
+  GainOf<Gain, Unit, unit::Penetration> penetration, rate, rate_by_moment;
 };
 
 // One mass's share of an impulse on both. In Fixed32 it is at most an LSB below 1, since 1 would need a shift to the
@@ -55,11 +61,11 @@ inline constexpr double largest_share = 1 - 0x1p-31;
 template <class Gain>
 struct SharedResponse {
   static constexpr bool is_sudden = false;
-  Gain ball, dx1, dx1_by_moment;
-  Gain penetration, rate, rate_by_moment;
+  GainOf<Gain, unit::Recoil, unit::Recoil> ball, dx1, dx1_by_moment;
+  GainOf<Gain, unit::Recoil, unit::Penetration> penetration, rate, rate_by_moment;
 
-  template <class Units, class State, class Format>
-  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
+  template <class Units, class State, class Reaction>
+  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction& reaction,
                                               bool left) const {
     const auto impulse = mirrored(reaction.main, left);
     const auto ball_j0 = ball * impulse.j0, ball_j1 = ball * impulse.j1;
@@ -71,13 +77,15 @@ struct SharedResponse {
 };
 
 // The penetration and its rate after an impulse.
-template <class Response, class Value>
-[[gnu::always_inline]] constexpr Value penetration_after(const Response& response, Value penetration,
-                                                         const Impulse<Value>& impulse) {
+template <class Response, class Value, class Number>
+[[gnu::always_inline]] constexpr Penetration<Value> penetration_after(const Response& response,
+                                                                      Penetration<Value> penetration,
+                                                                      const Impulse<Number>& impulse) {
   return penetration - response.penetration * impulse.j1;
 }
-template <class Response, class Value>
-[[gnu::always_inline]] constexpr Value rate_after(const Response& response, Value rate, const Impulse<Value>& impulse) {
+template <class Response, class Value, class Number>
+[[gnu::always_inline]] constexpr Penetration<Value> rate_after(const Response& response, Penetration<Value> rate,
+                                                               const Impulse<Number>& impulse) {
   return rate - response.rate * impulse.j0 - response.rate_by_moment * impulse.j1;
 }
 

@@ -4,6 +4,7 @@
 // chord's instant of touch, with one correction. Derivation: kernel/docs/moment.md.
 
 #include <impact/numeric/formula.hpp>
+#include <impact/numeric/in.hpp>
 
 namespace impact {
 
@@ -17,21 +18,22 @@ template <class Format, class Share, class Value>
 // The touch is earlier than the chord's by this part of a step, at most a quarter; a touch farther away hardly moves.
 // `way` is the divisor D, with u = way.share(d).
 template <class Format, class Way, class Share, class Value>
-[[gnu::always_inline]] constexpr Value earlier_than_chord(const Way& way, Share u, Value bend,
-                                                          Value half_acceleration) {
+[[gnu::always_inline]] constexpr Value earlier_than_chord(const Way& way, Share u, Penetration<Value> bend,
+                                                          Penetration<Value> half_acceleration) {
   return Format::within_a_quarter(Format::value(way.ratio(above_chord<Format>(u, bend, half_acceleration))));
 }
 
 // The acceleration counts in a unit 2^bits as fine as that of penetrations.
-template <class Format, class Way, class Share, class Value>
-[[gnu::always_inline]] constexpr Value rate_at_touch(const Way& way, Share u, Value travel, Value rate,
-                                                     Value acceleration, int bits) {
-  const Value half_acceleration = Format::moved(Format::value(half(acceleration)), bits),
-              bend = Format::beyond_rounding(travel - rate + half_acceleration), bent = Format::value(u * bend);
+template <class Format, class Way, class Share, class Value, class Unit>
+[[gnu::always_inline]] constexpr Penetration<Value> rate_at_touch(const Way& way, Share u, Penetration<Value> travel,
+                                                                  Penetration<Value> rate, In<Value, Unit> acceleration,
+                                                                  int bits) {
+  const Penetration<Value> half_acceleration(Format::moved(Format::value(half(acceleration)), bits)),
+      bend(Format::beyond_rounding(travel - rate + half_acceleration)), bent = Format::value(u * bend);
   const Value later = Format::value(Format::constant(0.5)) - Format::value(u) -
                       earlier_than_chord<Format>(way, u, bend, half_acceleration);
   return travel - bend + Format::value(u * (bent + bent + bent)) +
-         Format::moved(Format::value(acceleration * later), bits);
+         Penetration<Value>(Format::moved(Format::value(acceleration * later), bits));
 }
 
 }  // namespace impact

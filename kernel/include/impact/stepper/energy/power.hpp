@@ -32,6 +32,8 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   using Weight = typename Format::Weight;
   using Units = typename Format::Units;
   using Root = typename Format::Root;
+  using Penetration = impact::Penetration<Value>;
+  using Push = impact::Push<Value>;
   static constexpr ContactTraits traits = constant_force_traits();
   static constexpr bool is_per_impact = ContactLaw::is_damped_per_impact;
   using Stiff = StiffContact<Format, ContactLaw>;
@@ -45,7 +47,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Factor stiffness;   // K
     Factor correction;  // C G^2/3
     typename Stiff::Plan stiff;
-    typename Format::ClampedGain field;  // g over the increment that the field gives the ball
+    GainOf<typename Format::ClampedGain, unit::Increment, unit::Penetration> field;  // g over the ball's increment
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
 
@@ -128,23 +130,22 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
             Stiff::Plan::make(compliance * power_of_two(-unit.penetration),
                               Format::gain(1 / (terms.force_unit * answer.penetration()), unit.penetration, 0),
                               terms.damping_exponent),
-            {Format::gain(answer.penetration() * terms.ball_mass / (terms.step * terms.step), unit.increment,
-                          unit.penetration)},
+            Scaled<Format>{unit}(answer.penetration() * terms.ball_mass / (terms.step * terms.step)),
             {}};
   }
 
-  Value penetration;
+  Penetration penetration;
   Root root;        // at the start of the step, while touching
   Value memory[3];  // of a resolved contact taken(), of a stiff one stored_rate()
   Phase phase;
 
-  constexpr Value resume(const Plan& plan, const Units& units, const Standing<Value>& standing) {
+  constexpr Penetration resume(const Plan& plan, const Units& units, const Standing<Value>& standing) {
     if constexpr (is_per_impact) this->hold_damping(plan, standing.penetration, standing.rate);
     start(plan, units, standing);
     return penetration;
   }
   constexpr void start(const Plan& plan, const Units&, const Standing<Value>& standing) {
-    const Value at = standing.penetration, rate = standing.rate;
+    const Penetration at = standing.penetration, rate = standing.rate;
     penetration = at;
     root = Format::root(at);
     memory[0] = memory[1] = memory[2] = Value{};
@@ -156,13 +157,13 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     // The law's force in the middle of the step before and of the step ahead. A contact that starts without a touch
     // gains or loses the energy that its memory implies: with y' the change in a step and y'' the change of that, y y''
     // - y'^2/2 is lost. So y'' is set to y'^2/(2 y), and to y'/2 if that would be more.
-    const auto y = [&](Value d, Value way) {
+    const auto y = [&](Penetration d, Penetration way) {
       const auto within = positive_part(d);
       return pushed(plan, Mean::of(Format::root(Format::value(within)) * within), way).j1;
     };
-    const Value now = plan.response.travel(y(at, rate)), half_way = Format::value(half(rate));
+    const Penetration now = plan.response.travel(y(at, rate)), half_way = Format::value(half(rate));
     taken(1) = y(at - half_way, rate + now);
-    const Value fall = taken(1) - y(at + half_way, rate - now);
+    const Value fall = taken(1) - bare(y(at + half_way, rate - now));
     const Value size = mirrored(fall, is_negative(fall)), most = is_positive(size - taken(1)) ? size : taken(1);
     taken(2) = taken(1) + fall;
     taken(3) = taken(2) + fall;
@@ -175,7 +176,8 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   }
 
   template <class Seen>
-  [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
+  [[gnu::always_inline]] constexpr Reaction<Format, Push> solve(const Plan& plan, const Units& units,
+                                                                const Seen& step) {
     if constexpr (is_per_impact)
       if (phase == Phase::apart) this->begin(plan.damping, step.rate);
     auto reaction = plan.response.is_sudden ? solve_stiff(plan, step) : solve_resolved(plan, step);
@@ -185,10 +187,10 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return reaction;
   }
   template <class Seen>
-  [[gnu::always_inline]] constexpr Reaction<Format> solve_resolved(const Plan& plan, const Seen& step) {
+  [[gnu::always_inline]] constexpr Reaction<Format, Push> solve_resolved(const Plan& plan, const Seen& step) {
     const bool enters = phase == Phase::apart;
-    const Value before = enters ? step.before : penetration;
-    Value predicted{};
+    const Penetration before = enters ? step.before : penetration;
+    Push predicted{};
     Factor n;
     if (enters) {
       taken(2) = taken(3) = Value{};
@@ -196,16 +198,16 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
       n = enter(step.travel);
     } else {
       const Value rise = taken(1) - taken(2);
-      predicted = rise + rise + rise + taken(3);
+      predicted = Push(rise + rise + rise + taken(3));
       penetration = step.penetration - plan.response.travel(predicted);
       taken(3) = taken(2), taken(2) = taken(1);
       n = is_positive(penetration) ? stay(before) : leave(before);
     }
     if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, Mean::shape(n));
-    const Value way = enters ? step.travel : penetration - before;
-    Impulse<Value> push = pushed(plan, n, way);  // not const: GCC would keep it in memory
+    const Penetration way = enters ? step.travel : penetration - before;
+    Impulse<Push> push = pushed(plan, n, way);  // not const: GCC would keep it in memory
     taken(1) = push.j1;
-    return reaction_of<Format>(Impulse<Value>{push.j0, predicted});
+    return reaction_of<Format>(Impulse<Push>{push.j0, predicted});
   }
 
   constexpr typename Format::Energy stored(const Plan& plan, const Units& units) const {
@@ -220,29 +222,30 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   constexpr Value stored_rate() const { return memory[0]; }
 
   // J0, and as j1 y, of a step with the mean n in which the penetration changes by `way`, but for the correction.
-  [[gnu::always_inline]] constexpr Impulse<Value> pushed(const Plan& plan, Factor n, Value way) const {
-    Value correction{};
+  [[gnu::always_inline]] constexpr Impulse<Push> pushed(const Plan& plan, Factor n, Penetration way) const {
+    Push correction{};
     auto factor = positive_part(Format::value(plan.stiffness));
     if constexpr (ContactLaw::is_damped) {
       correction = correction_of(plan, n);
       factor = positive_part(strength<is_per_impact, Units>(
-          Format::value(plan.stiffness), this->damping(plan) * (way + plan.response.travel(correction))));
+          Format::value(plan.stiffness), this->damping(plan) * bare(way + plan.response.travel(correction))));
     }
-    const Value j0 = as_signed(n * factor);
-    return {j0, half(j0) + correction};
+    const Push j0(as_signed(n * factor));
+    return {j0, Format::value(half(j0)) + correction};
   }
-  constexpr Value correction_of(const Plan& plan, Factor n) const {
+  constexpr Push correction_of(const Plan& plan, Factor n) const {
     if constexpr (is_per_impact)
-      return Format::value(this->own_damping * plan.response.travel(Format::value(plan.stiffness * n)) * n *
-                           Format::short_constant(1.0 / 12));
+      return Push(
+          Format::value(this->own_damping * bare(plan.response.travel(Push(Format::value(plan.stiffness * n)))) * n *
+                        Format::short_constant(1.0 / 12)));
     else
-      return Format::value(plan.correction * square(n));
+      return Push(Format::value(plan.correction * square(n)));
   }
   template <class Seen>
-  [[gnu::always_inline]] constexpr Reaction<Format> solve_stiff(const Plan& plan, const Seen& step) {
+  [[gnu::always_inline]] constexpr Reaction<Format, Push> solve_stiff(const Plan& plan, const Seen& step) {
     constexpr bool is_in_field = Seen::is_in_field;
-    const Value trial = step.penetration;
-    Value field{};
+    const Penetration trial = step.penetration;
+    Penetration field{};
     if constexpr (is_in_field) field = plan.field * step.ball_increment;
     if (phase == Phase::apart) {
       penetration = step.before;
@@ -259,26 +262,26 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
                         field};
     const auto end = contact.template end<is_in_field>();
     stored_rate() = end.rate;
-    penetration = end.penetration;
+    penetration = Penetration(end.penetration);
     phase = end.is_inside ? Phase::touching : Phase::apart;
-    const Value j1 = Format::moved(end.recoil, -plan.response.travel_bits);
-    auto reaction = reaction_of<Format>(Impulse<Value>{j1 + j1, j1});
-    reaction.shift = trial - end.recoil - end.penetration;
+    const Push j1(Format::moved(end.recoil, -plan.response.travel_bits));
+    auto reaction = reaction_of<Format>(Impulse<Push>{j1 + j1, j1});
+    reaction.shift = trial - Penetration(end.recoil) - penetration;
     return reaction;
   }
 
   // n, for the penetration at the end; these take root and phase along.
-  [[gnu::always_inline]] constexpr Factor enter(Value way) {
+  [[gnu::always_inline]] constexpr Factor enter(Penetration way) {
     phase = Phase::touching;
     root = Format::root(penetration);
     return Mean::over_part(root, penetration, way);
   }
-  [[gnu::always_inline]] constexpr Factor stay(Value before) {
+  [[gnu::always_inline]] constexpr Factor stay(Penetration before) {
     const Root r = root;
     root = Format::root(penetration);
     return Mean::inside(r, root, before, penetration);
   }
-  [[gnu::always_inline]] constexpr Factor leave(Value before) {
+  [[gnu::always_inline]] constexpr Factor leave(Penetration before) {
     phase = Phase::apart;
     return Mean::over_part(root, before, before - penetration);
   }

@@ -20,28 +20,30 @@ template <class Format>
 struct ConstantForceGains {
   using Value = typename Format::Value;
 
-  typename Format::Weight ball, dx1;
-  typename Format::Gain force;  // from twice the displacement to the force
-  int travel_bits;              // from displacements to penetrations
-  bool is_sudden;               // a stiff contact
+  GainOf<typename Format::Weight, unit::Push, unit::Push> ball, dx1;
+  GainOf<typename Format::Gain, unit::Push, unit::Force> force;  // from twice the displacement
+  int travel_bits;
+  bool is_sudden;  // a stiff contact
 
-  constexpr Value travel(Value displacement) const { return Format::moved(displacement, travel_bits); }
+  constexpr Penetration<Value> travel(Push<Value> displacement) const {
+    return Penetration<Value>(Format::moved(displacement, travel_bits));
+  }
 
   template <class Units, class State>
-  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
-                                              bool left) const {
+  [[gnu::always_inline]] constexpr void apply(const Units& units, State& state,
+                                              const Reaction<Format, Push<Value>>& reaction, bool left) const {
     const auto impulse = mirrored(reaction.main, left);
     const auto ball_part = ball * impulse.j0, main_part = impulse.j0 - ball_part;
     units.push(state.x1, half(main_part));
     units.push(state.dx1, dx1 * impulse.j0);
-    units.push(state.x2, half(main_part) - impulse.j1);
+    units.push(state.x2, Format::value(half(main_part)) - impulse.j1);
     units.push(state.dx2, -ball_part);
     if (is_sudden) units.displace(state.x2, -mirrored(reaction.shift, left));
   }
   // For features, which compute the work from the force and the contact's way.
-  [[gnu::always_inline]] constexpr void record(Reaction<Format>& reaction, typename Format::Energy stored,
-                                               Value way) const {
-    const Value own_force = force * reaction.main.j0;
+  [[gnu::always_inline]] constexpr void record(Reaction<Format, Push<Value>>& reaction, typename Format::Energy stored,
+                                               Penetration<Value> way) const {
+    const Force<Value> own_force = force * reaction.main.j0;
     reaction.record.force = {own_force, Format::value(half(own_force))};
     reaction.record.stored = stored;
     reaction.record.way = way;
@@ -70,9 +72,9 @@ struct ConstantForceResponse {
   template <class Format>
   constexpr ConstantForceGains<Format> gains(double force_unit, const UnitExponents& unit,
                                              bool is_stiff = false) const {
-    return {Format::weight(dx2 / impulse(), 0, 0),
-            Format::weight(constant::smaller(dx1 / impulse(), largest_share), 0, 0),
-            Format::gain(1 / (impulse() * force_unit), unit.push, 0), unit.penetration - unit.push, is_stiff};
+    const Scaled<Format> gain{unit};
+    return {gain(dx2 / impulse()), gain(constant::smaller(dx1 / impulse(), largest_share)),
+            gain(1 / (impulse() * force_unit)), unit.penetration - unit.push, is_stiff};
   }
 };
 

@@ -20,12 +20,15 @@ struct MomentLinear : ContactDefaults {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;
+  using Penetration = impact::Penetration<Value>;
+  using Force = impact::Force<Value>;
 
   struct Plan {
-    Response<Gain> response;
-    Gain damping;  // C
+    Response<Gain, unit::Force> response;
+    GainOf<Gain, unit::Penetration, unit::Force> damping;  // C
     struct {
-      Gain penetration, change, rate_change, curving;  // d0, trial - d0, trial rate - v0, trial - d0 - v0
+      GainOf<Gain, unit::Penetration, unit::Force> penetration, change, rate_change,
+          curving;  // d0, trial - d0, trial rate - v0, trial - d0 - v0
     } j0, j1;
     bool clamped;
   };
@@ -53,19 +56,18 @@ struct MomentLinear : ContactDefaults {
     };
     const Moments by_penetration = moments(1, 0, 0, 0), by_change = moments(0, 1, 0, 0), by_rate = moments(0, 0, 1, 0),
                   by_curving = moments(0, 0, 0, 1);
-    const int to = unit.force;
+    const double k1 = constant::power_of_two(-terms.damping_exponent);  // over force_unit
+    const Scaled<Format> gain{unit};
     return {answer.gains<Format>(terms, flow, unit),
-            Format::gain(damping, unit.penetration, terms.damping_exponent),
-            {Format::gain(by_penetration.j0, 0, to), Format::gain(by_change.j0, 0, to), Format::gain(by_rate.j0, 0, to),
-             Format::gain(by_curving.j0, 0, to)},
-            {Format::gain(by_penetration.j1, 0, to), Format::gain(by_change.j1, 0, to), Format::gain(by_rate.j1, 0, to),
-             Format::gain(by_curving.j1, 0, to)},
+            gain(k1 * damping),
+            {gain(k1 * by_penetration.j0), gain(k1 * by_change.j0), gain(k1 * by_rate.j0), gain(k1 * by_curving.j0)},
+            {gain(k1 * by_penetration.j1), gain(k1 * by_change.j1), gain(k1 * by_rate.j1), gain(k1 * by_curving.j1)},
             terms.clamped};
   }
 
   static constexpr ContactTraits traits = moment_traits(true, false);
 
-  Value penetration, rate;  // at the start of the step, while touching or let go inside
+  Penetration penetration, rate;  // at the start of the step, while touching or let go inside
   Phase phase;
 
   constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& at) {
@@ -75,16 +77,17 @@ struct MomentLinear : ContactDefaults {
     phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
   // A released ball moves out. Deeper in, the stop would return the energy that a correction has put in.
-  constexpr Value resume(const Plan&, const Units&, const Standing<Value>& at) {
+  constexpr Penetration resume(const Plan&, const Units&, const Standing<Value>& at) {
     if (phase != Phase::released || !is_positive(at.penetration - penetration)) penetration = at.penetration;
     rate = at.rate;
     return penetration;
   }
-  constexpr void change_rate(const Plan&, Value by) { rate = rate + by; }
+  constexpr void change_rate(const Plan&, Penetration by) { rate = rate + by; }
 
   template <class Seen>
-  [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
-    Impulse<Value> impulse = impulse_of(plan, units, step);  // not const: compiler.hpp
+  [[gnu::always_inline]] constexpr Reaction<Format, Force> solve(const Plan& plan, const Units& units,
+                                                                 const Seen& step) {
+    Impulse<Force> impulse = impulse_of(plan, units, step);  // not const: compiler.hpp
     auto reaction = reaction_of<Format>(impulse);
     if constexpr (Seen::is_recorded) {
       reaction.record.force = impulse;
@@ -93,20 +96,20 @@ struct MomentLinear : ContactDefaults {
     }
     return reaction;
   }
-  [[gnu::always_inline]] constexpr Impulse<Value> impulse_of(const Plan& plan, const Units& units,
+  [[gnu::always_inline]] constexpr Impulse<Force> impulse_of(const Plan& plan, const Units& units,
                                                              const Approach<Value>& step) {
-    const Value trial = step.penetration, trial_rate = step.rate, before = step.before;
+    const Penetration trial = step.penetration, trial_rate = step.rate, before = step.before;
     if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
     if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
-    const Value change = trial - penetration, rate_change = trial_rate - rate, curving = change - rate;
-    const Impulse<Value> impulse = felt(plan, {plan.j0.penetration * penetration + plan.j0.change * change +
+    const Penetration change = trial - penetration, rate_change = trial_rate - rate, curving = change - rate;
+    const Impulse<Force> impulse = felt(plan, {plan.j0.penetration * penetration + plan.j0.change * change +
                                                    plan.j0.rate_change * rate_change + plan.j0.curving * curving,
                                                plan.j1.penetration * penetration + plan.j1.change * change +
                                                    plan.j1.rate_change * rate_change + plan.j1.curving * curving});
-    const Value d = penetration_after(plan.response, trial, impulse),
-                v = rate_after(plan.response, trial_rate, impulse);
+    const Penetration d = penetration_after(plan.response, trial, impulse),
+                      v = rate_after(plan.response, trial_rate, impulse);
     if (plan.clamped) {
-      const Value force = units.elastic(d) + plan.damping * v;
+      const Force force = units.elastic(d) + plan.damping * v;
       if (!is_positive(force)) return leave(plan, units, trial, trial_rate, force);
     } else if (!is_positive(d)) {
       return leave(plan, units, trial, trial_rate, d);
@@ -117,11 +120,11 @@ struct MomentLinear : ContactDefaults {
   }
 
  private:
-  [[gnu::always_inline]] static constexpr Impulse<Value> felt(const Plan& plan, const Impulse<Value>& found) {
+  [[gnu::always_inline]] static constexpr Impulse<Force> felt(const Plan& plan, const Impulse<Force>& found) {
     return plan.clamped ? of_push<Format>(found) : found;
   }
-  [[gnu::always_inline]] constexpr Impulse<Value> settle(const Plan& plan, Value trial, Value trial_rate,
-                                                         Impulse<Value> impulse) {
+  [[gnu::always_inline]] constexpr Impulse<Force> settle(const Plan& plan, Penetration trial, Penetration trial_rate,
+                                                         Impulse<Force> impulse) {
     impulse = felt(plan, impulse);
     penetration = penetration_after(plan.response, trial, impulse);
     rate = rate_after(plan.response, trial_rate, impulse);
@@ -132,29 +135,33 @@ struct MomentLinear : ContactDefaults {
   static constexpr int series_terms = 5;  // of the series; the next one is below (pulsation h)^5 / 720 of the impulse
 
   struct Series {
-    Value d[series_terms + 1], f[series_terms];  // derivatives at the start, per step
+    Penetration d[series_terms + 1];  // derivatives at the start, per step
+    Force f[series_terms];
+
+    constexpr const Force* like(Force) const { return f; }
+    constexpr const Penetration* like(Penetration) const { return d; }
   };
-  [[gnu::always_inline]] static constexpr Series series(const Plan& plan, const Units& units, Value d, Value v, Value a,
-                                                        Value jerk) {
+  [[gnu::always_inline]] static constexpr Series series(const Plan& plan, const Units& units, Penetration d,
+                                                        Penetration v, Penetration a, Penetration jerk) {
     Series result{};
     result.d[0] = d;
     result.d[1] = v;
     for (int n = 0; n < series_terms; ++n) {
       result.f[n] = units.elastic(result.d[n]) + plan.damping * result.d[n + 1];
       if (n + 2 <= series_terms)
-        result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Value{}) - plan.response.rate * result.f[n];
+        result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Penetration{}) - plan.response.rate * result.f[n];
     }
     return result;
   }
 
   // x0 + x1 t/(1 + integrals) + x2 t^2/((1 + integrals)(2 + integrals)) + ...: the series at t, or its repeated
   // integral from 0 to t over t^integrals / integrals!.
-  template <int integrals, class Time, int n = 1>
-  [[gnu::always_inline]] static constexpr Value at(const Value* x, Time t) {
+  template <int integrals, int n = 1, class Number, class Time>
+  [[gnu::always_inline]] static constexpr Number at(const Number* x, Time t) {
     if constexpr (n == series_terms) {
       return x[n - 1];
     } else {
-      const Value term = Format::value(at<integrals, Time, n + 1>(x, t) * t);
+      const Number term = Format::value(at<integrals, n + 1>(x, t) * t);
       if constexpr (n + integrals == 1) {
         return x[n - 1] + term;
       } else {
@@ -166,53 +173,54 @@ struct MomentLinear : ContactDefaults {
 
   // The impulse of a force that acts from the series' start for the time t, and not for the rest of the step.
   template <class Time>
-  [[gnu::always_inline]] static constexpr Impulse<Value> impulse_until(const Series& from, Time t) {
-    const Value j0 = Format::value(at<1>(from.f, t) * t);
-    const Value lever = Format::value(half(Format::value(at<2>(from.f, t) * t)) * t);
+  [[gnu::always_inline]] static constexpr Impulse<Force> impulse_until(const Series& from, Time t) {
+    const Force j0 = Format::value(at<1>(from.f, t) * t);
+    const Force lever = Format::value(half(Format::value(at<2>(from.f, t) * t)) * t);
     return {j0, lever};
   }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, const Units& units, Value trial,
-                                                        Value trial_rate, Value before) {
-    const Value a = twice_value(trial_rate - (trial - before));
+  [[gnu::always_inline]] constexpr Impulse<Force> enter(const Plan& plan, const Units& units, Penetration trial,
+                                                        Penetration trial_rate, Penetration before) {
+    const Penetration a = twice_value(trial_rate - (trial - before));
     auto t = Format::quotient(without_sign(trial), without_sign(trial - before));
     for (int pass = 0; pass < 2; ++pass) {
-      const Value still = trial - Format::value((trial_rate - Format::value(half(a * t))) * t);
+      const Penetration still = trial - Format::value((trial_rate - Format::value(half(a * t))) * t);
       t = Format::corrected(t, still, positive_part(trial_rate - Format::value(a * t)));
     }
-    const Series from = series(plan, units, Value{}, trial_rate - Format::value(a * t), a, Value{});
+    const Series from = series(plan, units, Penetration{}, trial_rate - Format::value(a * t), a, Penetration{});
     return settle(plan, trial, trial_rate, impulse_until(from, t));
   }
 
   // `end` is the value of the vanishing quantity at the step's end, if the contact had lasted. The chord gives a first
   // guess of the instant.
-  [[gnu::always_inline]] constexpr Impulse<Value> leave(const Plan& plan, const Units& units, Value trial,
-                                                        Value trial_rate, Value end) {
-    const Value change = trial_rate - rate, curving = twice_value(trial - penetration - rate);
-    const Value half_jerk = change + twice_value(change - curving) - curving;
+  template <class Vanishing>
+  [[gnu::always_inline]] constexpr Impulse<Force> leave(const Plan& plan, const Units& units, Penetration trial,
+                                                        Penetration trial_rate, Vanishing end) {
+    const Penetration change = trial_rate - rate, curving = twice_value(trial - penetration - rate);
+    const Penetration half_jerk = change + twice_value(change - curving) - curving;
     const Series from = series(plan, units, penetration, rate, change - half_jerk, twice_value(half_jerk));
-    const Value* const vanishing = plan.clamped ? from.f : from.d;
+    const Vanishing* const vanishing = from.like(end);
     auto t = Format::quotient(positive_part(vanishing[0]), positive_part(vanishing[0] - end));
     for (int pass = 0; pass < 2; ++pass)
       t = Format::corrected(t, at<0>(vanishing, t), positive_part(-slope(vanishing, t)));
-    Impulse<Value> impulse = impulse_until(from, t);
+    Impulse<Force> impulse = impulse_until(from, t);
     impulse.j1 = impulse.j1 + impulse.j0 - Format::value(impulse.j0 * t);
     impulse = settle(plan, trial, trial_rate, impulse);
     if (phase == Phase::touching) phase = Phase::released;
     return impulse;
   }
-  template <class Time>
-  static constexpr Value slope(const Value* x, Time t) {
+  template <class Number, class Time>
+  static constexpr Number slope(const Number* x, Time t) {
     return x[1] + Format::value((x[2] + Format::value(half(x[3] * t))) * t);
   }
-  static constexpr Value twice_value(Value x) { return x + x; }
+  static constexpr Penetration twice_value(Penetration x) { return x + x; }
 
   // The ball is pushed in again before it was out: the force grows from zero, to first order in time.
-  [[gnu::always_inline]] constexpr Impulse<Value> pressed_again(const Plan& plan, const Units& units, Value trial,
-                                                                Value trial_rate) {
-    const Value start = units.elastic(penetration) + plan.damping * rate;
-    const Value end = units.elastic(trial) + plan.damping * trial_rate;
-    Impulse<Value> impulse{};
+  [[gnu::always_inline]] constexpr Impulse<Force> pressed_again(const Plan& plan, const Units& units, Penetration trial,
+                                                                Penetration trial_rate) {
+    const Force start = units.elastic(penetration) + plan.damping * rate;
+    const Force end = units.elastic(trial) + plan.damping * trial_rate;
+    Impulse<Force> impulse{};
     const bool is_pressed = is_positive(trial) && is_positive(end);
     if (is_pressed) {
       const auto u = Format::quotient(positive_part(end), positive_part(end - start));

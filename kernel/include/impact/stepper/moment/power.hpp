@@ -31,6 +31,8 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   using Gain = typename Format::Gain;
   using Weight = typename Format::Weight;
   using Units = typename Format::Units;
+  using Penetration = impact::Penetration<Value>;
+  using Recoil = impact::Recoil<Value>;
   using Factor = decltype(Format::constant(0));
 
   struct Plan {
@@ -39,9 +41,9 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Weight damping, part_damping;      // K C, 2 K C/5
     Weight sixth_damping;              // K C/6, by what an impulse does to a rate
     Gain back;                         // from a moment to the response of spring and damper in the next step
-    Gain force;                        // 1/K: from an impulse to the force's own impulse
-    int travel_bits, change_bits;      // from impulses to penetrations, from increments to impulses
-    int ahead_bits;                    // K's shift to the left before it is multiplied by an impulse in a coarser unit
+    GainOf<Gain, unit::Recoil, unit::Force> force;  // 1/K
+    int travel_bits, change_bits;                   // from impulses to penetrations, from increments to impulses
+    int ahead_bits;  // K's shift to the left before it is multiplied by an impulse in a coarser unit
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -58,7 +60,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
             Format::weight(0.4 * stiffness * damping, from, 0),
             Format::weight(stiffness * damping / 6, unit.recoil, 0),
             Format::gain(-2 * response.hg1 / response.mobility(terms), 0, 0),
-            Format::gain(1 / of_force, unit.recoil, 0),
+            Scaled<Format>{unit}(1 / of_force),
             unit.penetration - unit.recoil,
             unit.recoil - unit.increment,
             coarser < 0 || room < 0 ? 0
@@ -71,16 +73,17 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
       moment_traits(ContactLaw::is_damped_per_impact, ContactLaw::is_damped_per_impact);
 
   // While touching, at the step's start. The change is that of the rate in a step around it, without contact.
-  Value penetration, change;
+  Penetration penetration;
+  Recoil change;
   Root root;
   Phase phase;
 
   constexpr void start(const Plan& plan, const Units&, const Standing<Value>& at) {
     stand_at(at.penetration);
-    change = Format::moved(at.load, -plan.travel_bits);
+    change = Recoil(Format::moved(at.load, -plan.travel_bits));
     phase = Phase::touching;
   }
-  constexpr Value resume(const Plan& plan, const Units&, const Standing<Value>& at) {
+  constexpr Penetration resume(const Plan& plan, const Units&, const Standing<Value>& at) {
     if constexpr (ContactLaw::is_damped_per_impact) this->hold_damping(plan, at.penetration, at.rate);
     stand_at(at.penetration);
     return at.penetration;
@@ -90,8 +93,9 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   }
 
   template <class Seen>
-  [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
-    Impulse<Value> impulse = impulse_of(plan, units, step);  // not const: compiler.hpp
+  [[gnu::always_inline]] constexpr Reaction<Format, Recoil> solve(const Plan& plan, const Units& units,
+                                                                  const Seen& step) {
+    Impulse<Recoil> impulse = impulse_of(plan, units, step);  // not const: compiler.hpp
     auto reaction = reaction_of<Format>(impulse);
     if constexpr (Seen::is_recorded) {
       reaction.record.force = {plan.force * impulse.j0, plan.force * impulse.j1};
@@ -100,46 +104,47 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     }
     return reaction;
   }
-  [[gnu::always_inline]] constexpr Impulse<Value> impulse_of(const Plan& plan, const Units&,
-                                                             const Approach<Value>& step) {
-    const Value trial = step.penetration, before = step.before;
-    const Value after = Format::moved(step.increment, plan.change_bits);
-    const Value g = Format::value(half((phase == Phase::apart ? after : change) + after));
+  [[gnu::always_inline]] constexpr Impulse<Recoil> impulse_of(const Plan& plan, const Units&,
+                                                              const Approach<Value>& step) {
+    const Penetration trial = step.penetration, before = step.before;
+    const Recoil after(Format::moved(step.increment, plan.change_bits));
+    const Recoil g = Format::value(half((phase == Phase::apart ? after : change) + after));
     change = after;
     return respond(plan, trial, before, step.rate, g);
   }
 
  private:
-  constexpr void stand_at(Value at) {
+  constexpr void stand_at(Penetration at) {
     penetration = at;
     root = Format::root(at);
   }
-  [[gnu::always_inline]] constexpr Impulse<Value> respond(const Plan& plan, Value trial, Value before, Value trial_rate,
-                                                          Value g) {
+  [[gnu::always_inline]] constexpr Impulse<Recoil> respond(const Plan& plan, Penetration trial, Penetration before,
+                                                           Penetration trial_rate, Recoil g) {
     if (phase == Phase::apart) return enter(plan, trial, before, trial_rate, g);
-    const Value rate = trial - penetration - Format::value(half(travel(plan, g)));
+    const Penetration rate = trial - penetration - Format::value(half(travel(plan, g)));
     const Prediction predicted = predict(plan, rate, g);
-    const Value d = trial - travel(plan, predicted.moment);
+    const Penetration d = trial - travel(plan, predicted.moment);
     if (!is_positive(d)) return leave(plan, trial, g, d);
     return stay(plan, trial, g, d, predicted.taken);
   }
 
   // The Taylor step: J1, and contact's change of the rate until the step's end, f + f'/2.
   struct Prediction {
-    Value moment, taken;
+    Recoil moment, taken;
   };
-  [[gnu::always_inline]] constexpr Prediction predict(const Plan& plan, Value rate, Value g) const {
+  [[gnu::always_inline]] constexpr Prediction predict(const Plan& plan, Penetration rate, Recoil g) const {
     const auto steepness = root * strength(plan, rate);
-    const Value force = Format::value(steepness * without_sign(penetration));
-    Value third_rise = Format::value(quarter(steepness * rate));  // f'/6
+    const Recoil force(Format::value(steepness * without_sign(penetration)));
+    Recoil third_rise(Format::value(quarter(steepness * bare(rate))));  // f'/6
     if constexpr (ContactLaw::is_damped)
       third_rise = third_rise + damped_sixth(plan, g - force, root * without_sign(penetration));
-    const Value moment = Format::value(half(force)) + third_rise;
+    const Recoil moment = Format::value(half(force)) + third_rise;
     return {moment, moment + moment + third_rise};
   }
 
   // `taken` is contact's change of the rate in the predicted step, g - (v1 - v0).
-  [[gnu::always_inline]] constexpr Impulse<Value> stay(const Plan& plan, Value trial, Value g, Value d, Value taken) {
+  [[gnu::always_inline]] constexpr Impulse<Recoil> stay(const Plan& plan, Penetration trial, Recoil g, Penetration d,
+                                                        Recoil taken) {
     const auto end = Format::known_root(d);
     const auto s = end.at_point();
     if constexpr (ContactLaw::is_damped_per_impact) this->limit(plan.limit, plan.damping, s * without_sign(d));
@@ -151,25 +156,26 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const auto n =
         p * (half(without_sign(d) + without_sign(penetration)) + zz) + zz * zz_5p;  // p^2 + z^2 is their mean
     const auto w = eighth(p) + quarter(zz_5p);
-    const Value dd = d - penetration, dv = g - taken;
+    const Penetration dd = d - penetration;
+    const Recoil dv = g - taken;
     const Value mean = strength(plan, dd);
     if (!is_positive(mean)) return ended(plan, trial, {}, end);
     const auto factor = without_sign(mean);
     const auto by_change = ahead(plan, Format::value(plan.stiffness)) * w;
-    const Value j0 = Format::value(n * factor) - behind(plan, Format::value(by_change * dv));
-    Value j1 = Format::value(half(j0)) - Format::value(w * factor * dd);
+    const Recoil j0 = Recoil(Format::value(n * factor)) - behind(plan, Format::value(by_change * dv));
+    Recoil j1 = Format::value(half(j0)) - Recoil(Format::value(w * factor * bare(dd)));
     if constexpr (ContactLaw::is_damped) j1 = j1 - damped_sixth(plan, dv, half(n));
 
     // Newton's step from the predicted end: d n / d d1 = p - r/4 + z^2/(5p) to second order in z.
-    const Value missed = trial - travel(plan, j1) - d;
+    const Penetration missed = trial - travel(plan, j1) - d;
     const auto slope = p - quarter(root) + zz_5p;
-    const Value correction =
+    const Recoil correction =
         by_missed(plan, slope * factor, n, missed) - behind(plan, Format::value(by_change * (taken - j0)));
     return ended(plan, trial, {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))}, end);
   }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> enter(const Plan& plan, Value trial, Value before,
-                                                        [[maybe_unused]] Value trial_rate, Value g) {
+  [[gnu::always_inline]] constexpr Impulse<Recoil> enter(const Plan& plan, Penetration trial, Penetration before,
+                                                         [[maybe_unused]] Penetration trial_rate, Recoil g) {
     const auto d = without_sign(trial);
     const auto end = Format::known_root(trial);
     const auto s = end.at_point();
@@ -184,37 +190,38 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     }
     const auto later = u * Format::short_constant(2.0 / 7);
     const auto su = plan.part_stiffness * s * u;
-    const Value elastic = Format::value(su * d);
+    const Recoil elastic(Format::value(su * d));
     const auto b = Format::constant(1.0 / 2) - later;
-    Value loss{};
+    Recoil loss{};
     if constexpr (ContactLaw::is_damped) loss = part_damping(plan, s * d, trial);
-    const Value j0 =
+    const Recoil j0 =
         elastic - behind(plan, Format::value(ahead(plan, Format::value(su * b)) * (u * (g - elastic)))) + loss;
-    const Value j1 = Format::value(half(j0)) - Format::value(b * (elastic + loss));
+    const Recoil j1 = Format::value(half(j0)) - Format::value(b * (elastic + loss));
 
-    const Value back = travel(plan, j1);
-    const Value correction = by_missed(plan, su + su + half(su) - su * u, s * d, back);
+    const Penetration back = travel(plan, j1);
+    const Recoil correction = by_missed(plan, su + su + half(su) - su * u, s * d, back);
     phase = Phase::touching;
     return ended(plan, trial, {j0 - correction, j1 - Format::value(later * correction)}, end);
   }
 
-  [[gnu::always_inline]] constexpr Impulse<Value> leave(const Plan& plan, Value trial, Value g, Value d1) {
+  [[gnu::always_inline]] constexpr Impulse<Recoil> leave(const Plan& plan, Penetration trial, Recoil g,
+                                                         Penetration d1) {
     const auto d = without_sign(penetration);
     const auto way = Format::divisor(without_sign(penetration - d1));
     const auto u = way.share(d);
     const auto later = u * Format::short_constant(2.0 / 7);
     const auto ru = plan.part_stiffness * root * u;
-    const Value elastic = Format::value(ru * d);
+    const Recoil elastic(Format::value(ru * d));
     const auto b = Format::constant(1.0 / 2) - later;
-    const Value lever = Format::value(elastic * b);
-    Value loss{}, loss_later{};
+    const Recoil lever = Format::value(elastic * b);
+    Recoil loss{}, loss_later{};
     if constexpr (ContactLaw::is_damped) {
       loss = part_damping(plan, root * d, penetration);
       loss_later = Format::value(later * loss);
     }
-    const Value j0 =
+    const Recoil j0 =
         elastic - behind(plan, Format::value(ahead(plan, Format::value(ru * b)) * (u * (g - elastic + loss))));
-    const Value j1 = Format::value(half(j0)) + lever - loss + loss_later;
+    const Recoil j1 = Format::value(half(j0)) + lever - loss + loss_later;
 
     // The end moves from the predicted one, and u with it.
     const auto more = way.ratio(trial - travel(plan, j1) - d1);
@@ -225,10 +232,10 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
 
   // The contact after the step; its root is computed from a known one nearby.
   template <class Known>
-  [[gnu::always_inline]] constexpr Impulse<Value> ended(const Plan& plan, Value trial, Impulse<Value> impulse,
-                                                        const Known& known) {
+  [[gnu::always_inline]] constexpr Impulse<Recoil> ended(const Plan& plan, Penetration trial, Impulse<Recoil> impulse,
+                                                         const Known& known) {
     impulse = of_push<Format>(impulse);
-    change = change + Format::term(plan.back, impulse.j1);
+    change = change + Recoil(Format::term(plan.back, impulse.j1));
     penetration = trial - travel(plan, impulse.j1);
     if (is_positive(penetration))
       root = known.beside(penetration);
@@ -240,40 +247,43 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     static constexpr Root beside(Value x) { return Format::root(x); }
   };
 
-  // An impulse's change of the penetration, in the penetration's unit.
-  static constexpr Value travel(const Plan& plan, Value j1) { return Format::moved(j1, plan.travel_bits); }
+  // An impulse's change of the penetration.
+  static constexpr Penetration travel(const Plan& plan, Recoil j1) {
+    return Penetration(Format::moved(j1, plan.travel_bits));
+  }
   // K times an impulse. K is shifted to the left by ahead_bits first, and the product to the right by these and
   // travel's, so that no bits are lost.
   static constexpr Value ahead(const Plan& plan, Value factor) { return Format::moved(factor, -plan.ahead_bits); }
-  static constexpr Value behind(const Plan& plan, Value product) {
-    return Format::moved(product, plan.travel_bits + plan.ahead_bits);
+  static constexpr Recoil behind(const Plan& plan, Recoil product) {
+    return Recoil(Format::moved(product, plan.travel_bits + plan.ahead_bits));
   }
   // (steepness + K C d^(3/2)) missed: the error of J0 by that of the penetration at the end.
   template <class Steepness, class Shape>
-  [[gnu::always_inline]] constexpr Value by_missed(const Plan& plan, Steepness steepness, Shape shape,
-                                                   Value missed) const {
+  [[gnu::always_inline]] constexpr Recoil by_missed(const Plan& plan, Steepness steepness, Shape shape,
+                                                    Value missed) const {
     if constexpr (!ContactLaw::is_damped)
-      return Format::value(steepness * missed);
+      return Recoil(Format::value(steepness * missed));
     else if constexpr (ContactLaw::is_damped_per_impact)
-      return Format::value(steepness * missed) + Format::value(this->own_damping * missed * shape);
+      return Recoil(Format::value(steepness * missed) + Format::value(this->own_damping * missed * shape));
     else
-      return Format::product_of_sum(steepness, plan.damping, shape, missed);
+      return Recoil(Format::product_of_sum(steepness, plan.damping, shape, missed));
   }
   // (1/6) K C dv d^(3/2)
   template <class Shape>
-  constexpr Value damped_sixth(const Plan& plan, Value dv, Shape shape) const {
+  constexpr Recoil damped_sixth(const Plan& plan, Recoil dv, Shape shape) const {
     if constexpr (ContactLaw::is_damped_per_impact)
-      return Format::value(this->own_damping * travel(plan, dv) * Format::short_constant(1.0 / 6) * shape);
+      return Recoil(
+          Format::value(this->own_damping * bare(travel(plan, dv)) * Format::short_constant(1.0 / 6) * shape));
     else
-      return Format::product(plan.sixth_damping, dv, shape);
+      return Recoil(Format::product(plan.sixth_damping, dv, shape));
   }
   // (2/5) K C d^(5/2), the damping's share in a step of touch or separation.
   template <class Shape>
-  [[gnu::always_inline]] constexpr Value part_damping(const Plan& plan, Shape shape, Value d) const {
+  [[gnu::always_inline]] constexpr Recoil part_damping(const Plan& plan, Shape shape, Value d) const {
     if constexpr (ContactLaw::is_damped_per_impact)
-      return Format::value(Format::constant(2.0 / 5) * (shape * (this->own_damping * d)));
+      return Recoil(Format::value(Format::constant(2.0 / 5) * (shape * (this->own_damping * d))));
     else
-      return Format::value(shape * (plan.part_damping * d));
+      return Recoil(Format::value(shape * (plan.part_damping * d)));
   }
   // K (1 + C v)
   [[gnu::always_inline]] constexpr Value strength(const Plan& plan, Value rate) const {

@@ -31,15 +31,16 @@ struct MomentResponse {
         hg1(6 * (flow.c0 - flow.c1) / (terms.step * terms.step)) {}
 
   template <class Format>
-  constexpr Response<typename Format::Gain> gains(const ContactTerms& terms, const LinearFlow& flow,
-                                                  const UnitExponents& unit) const {
+  constexpr Response<typename Format::Gain, unit::Force> gains(const ContactTerms& terms, const LinearFlow& flow,
+                                                               const UnitExponents& unit) const {
+    const Scaled<Format> gain{unit};
     const double scale = terms.force_unit * terms.step * terms.step, ball = scale / terms.ball_mass;
-    return {{Format::gain(scale * gx, 0, unit.push), Format::gain(scale * flow.e12 * g0, 0, unit.push),
-             Format::gain(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, unit.push), Format::gain(ball, 0, unit.push),
-             Format::gain(ball, 0, unit.push)},
-            Format::gain(ball + scale * gx, 0, unit.penetration),
-            Format::gain(ball + scale * g0, 0, unit.penetration),
-            Format::gain(scale * hg1, 0, unit.penetration)};
+    return {{{gain(scale * gx), gain(scale * flow.e12 * g0), gain(scale * (flow.e12 * hg1 + flow.e11 * gx))},
+             gain(ball),
+             gain(ball)},
+            gain(ball + scale * gx),
+            gain(ball + scale * g0),
+            gain(scale * hg1)};
   }
   // The change of the penetration by a moment.
   constexpr double mobility(const ContactTerms& terms) const { return 1 / terms.ball_mass + gx; }
@@ -47,13 +48,14 @@ struct MomentResponse {
   template <class Format>
   constexpr SharedResponse<typename Format::Weight> shared(const ContactTerms& terms, const LinearFlow& flow,
                                                            const UnitExponents& unit) const {
+    const Scaled<Format> gain{unit};
     const double scale = 1 / mobility(terms), ball = scale / terms.ball_mass;
-    return {Format::weight(-ball, 0, 0),
-            Format::weight(constant::smaller(scale * flow.e12 * g0, largest_share), 0, 0),
-            Format::weight(scale * (flow.e12 * hg1 + flow.e11 * gx), 0, 0),
-            Format::weight(1, unit.recoil, unit.penetration),
-            Format::weight(ball + scale * g0, unit.recoil, unit.penetration),
-            Format::weight(scale * hg1, unit.recoil, unit.penetration)};
+    return {gain(-ball),
+            gain(constant::smaller(scale * flow.e12 * g0, largest_share)),
+            gain(scale * (flow.e12 * hg1 + flow.e11 * gx)),
+            gain(1),
+            gain(ball + scale * g0),
+            gain(scale * hg1)};
   }
 };
 

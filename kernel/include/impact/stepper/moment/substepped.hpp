@@ -53,17 +53,21 @@ struct SubsteppedMoment {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
+    using Penetration = impact::Penetration<Value>;
+    using Recoil = impact::Recoil<Value>;
 
     // Like Answer, but the ball's share of an impulse keeps all its bits: a heavy ball's share may be below an LSB of a
     // push.
-    struct StepAnswer : Answer<Gain> {
+    struct StepAnswer : MainAnswer<Gain, unit::Recoil> {
+      GainOf<Gain, unit::Recoil, unit::Penetration> ball;
+
       template <class State>
-      [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction<Format>& reaction,
-                                                  bool left) const {
-        const auto ball = mirrored(reaction.ball, left);
+      [[gnu::always_inline]] constexpr void apply(const Units& units, State& state,
+                                                  const Reaction<Format, Recoil>& reaction, bool left) const {
+        const auto by = mirrored(reaction.ball, left);
         this->move_main(units, state, mirrored(reaction.main, left));
-        units.displace(state.x2, this->x2, -ball.j1);
-        units.displace(state.dx2, this->dx2, -ball.j0);
+        units.displace(state.x2, ball, -by.j1);
+        units.displace(state.dx2, ball, -by.j0);
       }
     };
     // Impulses of the power laws are changes of the relative rate. Hooke-Newton's are in units of force and are
@@ -77,31 +81,33 @@ struct SubsteppedMoment {
     // In a free step the main mass's rates v0 and v1 at both ends, its way w and half of the drive's change F satisfy
     // v0 = along w - back v1 + across F. This combination contains neither x1 nor a constant force.
     struct StartRate {
-      Gain by_way, by_rate, by_change;
+      GainOf<Gain, unit::Displacement, unit::Penetration> by_way;
+      Gain by_rate;
+      GainOf<Gain, unit::Increment, unit::Penetration> by_change;
 
       // The rate of penetration at the step's start less that of a rate that is linear in time.
-      constexpr Value bend(Value way, Value rate, Value half_change) const {
+      constexpr Penetration bend(Displacement<Value> way, Penetration rate, Increment<Value> half_change) const {
         return by_way * way + by_rate * rate + by_change * half_change;
       }
     };
     static constexpr StartRate start_rate_of(const LinearFlow& flow, const UnitExponents& unit) {
       const double slope = (flow.c0 + flow.c1) / flow.constant_start(), back = 1 / (slope * flow.e12 - 1 - flow.e22);
-      return {Format::gain(2 - back * slope, unit.displacement, unit.penetration), Format::gain(back - 1, 0, 0),
-              Format::gain(2 * back * (slope * flow.b1 - flow.c1) / flow.constant_increment(), unit.increment,
-                           unit.penetration)};
+      const Scaled<Format> gain{unit};
+      return {gain(2 - back * slope), Format::gain(back - 1, 0, 0),
+              gain(2 * back * (slope * flow.b1 - flow.c1) / flow.constant_increment())};
     }
     struct Plan {
       StepAnswer response;
       StartRate start_rate;
-      Gain quartic, drive_quartic;  // (w0 h)^2/24, and by what the drive adds in a step
+      Gain quartic;                                                    // (w0 h)^2/24
+      GainOf<Gain, unit::Increment, unit::Penetration> drive_quartic;  // and by what the drive adds in a step
       typename Inner::Plan inner;
-      int exponent;                                            // n = 2^exponent
-      Gain part, square;                                       // 1/n, 1/n^2
-      Stride strides[static_cast<size_t>(exponent_of(most))];  // over 1, 2, 4, .. sub-steps
-      Gain by_impulse, by_moment;                              // from forces to their changes of rate and penetration
-      Gain main_x, main_u, main_u_by_moment, ball;             // the masses' shares in these
-      int increment_bits;                                      // from increments to penetrations
-      Gain force;                                              // from the ball's impulse to the force's impulse
+      int exponent;                                                   // n = 2^exponent
+      Gain part, square;                                              // 1/n, 1/n^2
+      Stride strides[static_cast<size_t>(exponent_of(most))];         // over 1, 2, 4, .. sub-steps
+      GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton
+      Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
+      GainOf<Gain, unit::Recoil, unit::Force> force;                  // from the ball's impulse
       int travel_bits;
     };
     // An impulse is in units of its effect in a sub-step. The n impulses of a step change the rate by at most n^2 of
@@ -142,29 +148,25 @@ struct SubsteppedMoment {
                            Format::gain((over.e12 - 1) * k / n, 0, 0), Format::gain(over.e21 / k * n, 0, 0),
                            Format::gain(over.e22, 0, 0)};
       }
-      plan.response = {{Format::gain(1, unit.recoil, unit.push), Format::gain(flow.e12, unit.recoil, unit.push),
-                        Format::gain(flow.e11, unit.recoil, unit.push),
-                        Format::gain(share, unit.recoil, unit.penetration),
-                        Format::gain(share, unit.recoil, unit.penetration)}};
+      const Scaled<Format> gain{unit};
+      plan.response = {{gain(1), gain(flow.e12), gain(flow.e11)}, gain(share)};
       plan.start_rate = start_rate_of(flow, unit);
       plan.quartic = Format::gain(terms.main_stiffness * terms.step * terms.step / (24 * terms.main_mass), 0, 0);
-      plan.drive_quartic = Format::gain(terms.step * terms.step / (24 * terms.main_mass * flow.constant_increment()),
-                                        unit.increment, unit.penetration);
+      plan.drive_quartic = gain(terms.step * terms.step / (24 * terms.main_mass * flow.constant_increment()));
       plan.inner = Inner::make_plan(sub, part, unit);
       if constexpr (!is_linear) plan.inner.change_bits = unit.recoil - unit.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);
       plan.square = Format::gain(1.0 / (n * n), 0, 0);
       if constexpr (is_linear) {
         const double of_force = terms.force_unit * sub.step * sub.step * mobility;
-        plan.by_impulse = Format::gain(n * of_force, 0, unit.recoil);
-        plan.by_moment = Format::gain(of_force, 0, unit.recoil);
+        plan.by_impulse = gain(n * of_force);
+        plan.by_moment = gain(of_force);
       }
       plan.main_x = Format::gain(answer.gx / mobility, 0, 0);
       plan.main_u = Format::gain(answer.g0 / mobility, 0, 0);
       plan.main_u_by_moment = Format::gain(n * answer.hg1 / mobility, 0, 0);
       plan.ball = Format::gain(share, 0, 0);
-      plan.increment_bits = unit.penetration - unit.increment;
-      plan.force = Format::gain(1 / (terms.force_unit * terms.step * terms.step * mobility), unit.recoil, 0);
+      plan.force = gain(1 / (terms.force_unit * terms.step * terms.step * mobility));
       plan.travel_bits = unit.penetration - unit.recoil;
       return plan;
     }
@@ -175,13 +177,13 @@ struct SubsteppedMoment {
       return own;
     }();
 
-    Value step_rate;  // of penetration, at the end of the last step in contact
+    Penetration step_rate;  // of penetration, at the end of the last step in contact
 
     constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& at) {
       Inner::start(plan.inner, units, of_a_part(plan, at));
       step_rate = at.rate;
     }
-    constexpr Value resume(const Plan& plan, const Units& units, const Standing<Value>& at) {
+    constexpr Penetration resume(const Plan& plan, const Units& units, const Standing<Value>& at) {
       step_rate = at.rate;
       return Inner::resume(plan.inner, units, of_a_part(plan, at));
     }
@@ -189,18 +191,19 @@ struct SubsteppedMoment {
       return {at.penetration, plan.part * at.rate, plan.square * at.load};
     }
     constexpr bool valid(const Plan& plan, const Units& units) const { return Inner::valid(plan.inner, units); }
-    constexpr void change_rate(const Plan& plan, Value by) {
+    constexpr void change_rate(const Plan& plan, Penetration by) {
       step_rate = step_rate + by;
       Inner::change_rate(plan.inner, plan.part * by);
     }
 
     template <class Seen>
-    [[gnu::always_inline]] constexpr Reaction<Format> solve(const Plan& plan, const Units& units, const Seen& step) {
-      const Value trial = step.penetration;
+    [[gnu::always_inline]] constexpr Reaction<Format, Recoil> solve(const Plan& plan, const Units& units,
+                                                                    const Seen& step) {
+      const Penetration trial = step.penetration;
       const bool begins = this->phase == Phase::apart;
-      Value at = begins ? step.before : this->penetration;
-      const Value start_rate = begins ? step.rate_before : step_rate;
-      Value by_spring = start_rate - step.rate;
+      Penetration at = begins ? step.before : this->penetration;
+      const Penetration start_rate = begins ? step.rate_before : step_rate;
+      Penetration by_spring = start_rate - step.rate;
       if constexpr (Seen::is_in_field) by_spring = by_spring + units.increment_of_rate(step.ball_increment);
       const Quartic free(trial, step.rate, trial - at, start_rate,
                          plan.quartic * by_spring + plan.drive_quartic * step.bend);
@@ -212,20 +215,21 @@ struct SubsteppedMoment {
         ++i;
         sums.advance(plan, 0);
         const auto s = Format::parts(n - i, plan.exponent, plan.part);
-        const Value part_trial = (i == n ? trial : free.at(s)) - sums.way(plan);
+        const Penetration part_trial = (i == n ? trial : free.at(s)) - sums.way(plan);
         if (this->phase == Phase::apart) {
           if (!is_positive(part_trial)) {
             at = part_trial;
             continue;
           }
-          if (is_positive(at)) at = Value{};
+          if (is_positive(at)) at = Penetration{};
         }
         Approach<Value> part{};
         part.penetration = part_trial;
         part.rate = plan.part * ((i == n ? free.rate : free.rate_at(s)) - sums.rate(plan));
         part.travel = part_trial - at;
         part.before = at;
-        part.increment = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
+        const Penetration bending = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
+        part.increment = Increment<Value>(bare(bending));  // as Inner reads it
         sums.add(plan, Inner::impulse_of(plan.inner, units, part));
         at = this->penetration;
         if (this->phase == Phase::apart) {
@@ -238,11 +242,11 @@ struct SubsteppedMoment {
         }
       }
       step_rate = free.rate - sums.rate(plan);
-      auto reaction = reaction_of<Format>(Impulse<Value>{sums.u, sums.x});
+      auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u, sums.x});
       reaction.ball = {sums.w, sums.y};
       if constexpr (Seen::is_recorded) {
         // J0 (v0 + v1)/2 is all of a free pair's work, for any course of the force.
-        const Value force = plan.force * reaction.ball.j0;
+        const Force<Value> force = plan.force * reaction.ball.j0;
         reaction.record.force = {force, Format::value(half(force))};
         if (this->phase == Phase::touching)
           reaction.record.stored = ContactLaw::template stored<Format>(units, this->penetration);
@@ -255,60 +259,68 @@ struct SubsteppedMoment {
     // In free flight: the penetration s steps before the step's end, d - v s + a s^2/2 - j s^3 + q s^4. It follows from
     // the penetrations and rates at both ends and the main mass's fourth derivative, -w0^2 times its acceleration.
     struct Quartic {
-      Value end, rate, half_acceleration, bend, quartic;
+      Penetration end, rate, half_acceleration, bend, quartic;
 
-      constexpr Quartic(Value at_end, Value rate_at_end, Value travel, Value rate_at_start, Value q)
+      constexpr Quartic(Penetration at_end, Penetration rate_at_end, Penetration travel, Penetration rate_at_start,
+                        Penetration q)
           : end(at_end), rate(rate_at_end), half_acceleration(q), bend(q + q), quartic(q) {
-        const Value curving = travel - rate_at_start, rate_change = rate - rate_at_start;
+        const Penetration curving = travel - rate_at_start, rate_change = rate - rate_at_start;
         half_acceleration = half_acceleration + (rate_change + rate_change - curving - curving - curving);
         bend = bend + (rate_change - curving - curving);
       }
       template <class Share>
-      constexpr Value at(Share s) const {
-        const Value bent = bend - Format::value(s * quartic),
-                    slope = rate - Format::value(s * (half_acceleration - Format::value(s * bent)));
+      constexpr Penetration at(Share s) const {
+        const Penetration bent = bend - Format::value(s * quartic),
+                          slope = rate - Format::value(s * (half_acceleration - Format::value(s * bent)));
         return end - Format::value(s * slope);
       }
       template <class Share>
-      constexpr Value rate_at(Share s) const {
-        const Value by_quartic = Format::value(s * quartic), bent = bend - by_quartic;
+      constexpr Penetration rate_at(Share s) const {
+        const Penetration by_quartic = Format::value(s * quartic), bent = bend - by_quartic;
         return rate - Format::value(s * (acceleration() - Format::value(s * (bent + bent + bent - by_quartic))));
       }
       template <class Share>
-      constexpr Value acceleration_at(Share s) const {
-        const Value bent = Format::value(s * (bend - Format::value(s * (quartic + quartic)))),
-                    three = bent + bent + bent;
+      constexpr Penetration acceleration_at(Share s) const {
+        const Penetration bent = Format::value(s * (bend - Format::value(s * (quartic + quartic)))),
+                          three = bent + bent + bent;
         return acceleration() - three - three;
       }
-      constexpr Value acceleration() const { return half_acceleration + half_acceleration; }
+      constexpr Penetration acceleration() const { return half_acceleration + half_acceleration; }
     };
     // Displacements and rates per step: (x, u) of the main mass by its own flow, and (y, w) by the impulses on both
     // masses, of which the ball has its share.
     struct Sums {
-      Value x, u, y, w;
+      Recoil x, u, y, w;
 
       constexpr void advance(const Plan& plan, int stride) {
         const Stride& flow = plan.strides[stride];
-        const Value moved = x + flow.part * u + flow.by_x_to_x * x + flow.by_u_to_x * u;
+        const Recoil moved = x + flow.part * u + flow.by_x_to_x * x + flow.by_u_to_x * u;
         u = u + flow.by_x_to_u * x + flow.by_u_to_u * u;
         x = moved;
         y = y + flow.part * w;
       }
-      constexpr void add(const Plan& plan, const Impulse<Value>& by) {
-        const Value j0 = is_linear ? plan.by_impulse * by.j0 : Format::times(by.j0, 1 << plan.exponent),
-                    j1 = is_linear ? plan.by_moment * by.j1 : by.j1;
+      constexpr void add(const Plan& plan, const Impulse<Force<Value>>& by) {
+        add_changes(plan, plan.by_impulse * by.j0, plan.by_moment * by.j1);
+      }
+      constexpr void add(const Plan& plan, const Impulse<Recoil>& by) {
+        add_changes(plan, Recoil(Format::times(by.j0, 1 << plan.exponent)), by.j1);
+      }
+      constexpr void add_changes(const Plan& plan, Recoil j0, Recoil j1) {
         x = x + plan.main_x * j1;
         u = u + plan.main_u * j0 + plan.main_u_by_moment * j1;
         y = y + j1;
         w = w + j0;
       }
       // The share of both in the penetration and in its rate.
-      constexpr Value way(const Plan& plan) const { return Format::moved(x + plan.ball * y, plan.travel_bits); }
-      constexpr Value rate(const Plan& plan) const { return Format::moved(u + plan.ball * w, plan.travel_bits); }
+      constexpr Penetration way(const Plan& plan) const { return travel(plan, x + plan.ball * y); }
+      constexpr Penetration rate(const Plan& plan) const { return travel(plan, u + plan.ball * w); }
+      static constexpr Penetration travel(const Plan& plan, Recoil by) {
+        return Penetration(Format::moved(by, plan.travel_bits));
+      }
     };
     // Advances to a sub-step or two before the touch.
-    static constexpr void skip_flight(const Plan& plan, const Quartic& free, int& i, Value& at) {
-      const Value travel = free.end - at;
+    static constexpr void skip_flight(const Plan& plan, const Quartic& free, int& i, Penetration& at) {
+      const Penetration travel = free.end - at;
       if (is_positive(at) || !is_positive(travel)) return;
       const auto way = Format::divisor(without_sign(travel));
       const auto u = way.share(without_sign(free.end));
@@ -316,7 +328,7 @@ struct SubsteppedMoment {
       const int n = 1 << plan.exponent, left = Format::parts_of(Format::value(u), plan.exponent, plan.part) +
                                                Format::parts_of(earlier, plan.exponent, plan.part) + 3;
       if (left < 1 || left >= n) return;
-      const Value there = free.at(Format::parts(left, plan.exponent, plan.part));
+      const Penetration there = free.at(Format::parts(left, plan.exponent, plan.part));
       if (is_positive(there)) return;
       i = n - left;
       at = there;

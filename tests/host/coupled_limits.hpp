@@ -7,6 +7,7 @@
 
 #include "host_ref/coupled_scenes.hpp"
 #include "host_ref/extremes.hpp"
+#include "host_ref/settled.hpp"
 
 namespace impact::host {
 
@@ -44,15 +45,15 @@ inline double energy_rounded(const CoupledScene& found) {
 
 // The largest gain, as a share of the scene's energy. Moment-fitted steppers create up to 1e-5 in each of some hundred
 // contacts. Named ones with fewer than the 8 steps per contact of the rule create up to 6e-5. The other steppers create
-// none, except for rounding. Named sub-steps beyond the phase that the rule allows create more, and the tool warns of
+// none, except for rounding. Named sub-steps beyond the phase or the number that the rule allows create more, and the tool warns of
 // them.
 inline double largest_energy_gain(const CoupledScene& found) {
-  const Stepper stepper = found.request.stepper;
   const Scene& scene = found.request.scene;
-  const bool has_sub_steps =
-      stepper == Stepper::moment_4 || stepper == Stepper::moment_8 || stepper == Stepper::moment_n;
+  const int parts = sub_steps(found.request);
   const double swing = std::sqrt(scene.main_stiffness / scene.main_mass) * found.request.step;
-  return (has_sub_steps && swing > longest_sub_stepped_phase ? 0.03 : 0.01) + energy_rounded(found);
+  const bool is_beyond_rule =
+      parts > 1 && (swing > longest_sub_stepped_phase || parts > most_sub_steps_in(found.request.numeric));
+  return (is_beyond_rule ? 0.03 : 0.01) + energy_rounded(found);
 }
 
 }  // namespace impact::host

@@ -77,7 +77,8 @@ struct EnergyLedger {
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     auto& own = record_in<EnergyLedger, Plan>(state);
     const auto rate_before = step.begins ? step.rate_at_start : own.contact_rate;
-    const auto done = step.knows_way
+    const auto done = Plan::ContactType::traits.starts_from_rate ? step.work
+                      : step.knows_way
                           ? work(step.force.j0, step.way)
                           : work(step.force.j0 - step.force.j1, step.rate) + work(step.force.j1, rate_before);
     own.dissipated.add(done - (step.stored - own.stored));
@@ -155,8 +156,8 @@ struct ImpactLog : SilentFeature {
       ++own.impacts;
       own.impact_rate = step.rate_at_touch;
     }
-    const auto size =
-        Contact::traits.is_instantaneous ? bare(impact_rate_of(state.contact, step)) : bare(step.force.j0);
+    auto size = Contact::traits.is_instantaneous ? bare(impact_rate_of(state.contact, step)) : bare(step.force.j0);
+    if constexpr (Contact::traits.starts_from_rate) size = mirrored(size, is_negative(size));
     if (is_positive(size - own.peak)) own.peak = size;
   }
   template <class Plan, class State>

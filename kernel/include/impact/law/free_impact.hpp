@@ -15,8 +15,6 @@ struct FreeImpact {
 
 namespace detail {
 
-inline constexpr double never = 1e300;  // s
-
 constexpr FreeImpact hooke_newton_impact(double stiffness, double damping_time, double mu, bool clamped) {
   const double omega = constant::square_root(stiffness / mu), zeta = damping_time * omega / 2;
   if (clamped) {

@@ -45,6 +45,7 @@ constexpr Resolution resolution_of(const ContactTerms& terms) {
   Resolution contact{};
   contact.is_linear = ContactLaw::is_linear;
   contact.contact_time = time;
+  contact.crossing = terms.crossing;
   contact.restitution = e;
   contact.shortest_part = shortest_part;
   contact.pulsation = constant::square_root(slope / mu);
@@ -62,7 +63,6 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   contact.main_phase = w0 * contact.contact_time;
   contact.main_pulsation = w0;
   if (!ContactLaw::is_linear && !ContactLaw::is_damped_per_impact) contact.lasting_damping = terms.damping_under(press);
-  contact.crossing = scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never;
   contact.field_share = (1 + scene.ball_mass / scene.main_mass) * field * contact.contact_time / terms.largest_rate;
   contact.swing = 0.5 * terms.largest_rate * terms.reduced_mass() / scene.main_mass / constant::larger(w0, 1);
   return contact;

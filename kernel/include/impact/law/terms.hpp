@@ -15,6 +15,10 @@
 
 namespace impact {
 
+namespace detail {
+inline constexpr double never = 1e300;  // s
+}
+
 struct ContactTerms {
   double step = 0;         // h, s
   bool is_linear = false;  // power = 1
@@ -34,8 +38,10 @@ struct ContactTerms {
   int damping_exponent = 0;                          // the unit of the damping term c1/k1 delta' is 2^damping_exponent
   double damping_ratio = 0;                          // a = c1 v0/k1, if it is set at each impact from its speed v0
   bool clamped = true;
-  bool crosses = false;  // the ball can cross the clearance within a step
+  double crossing = 0;  // from stop to stop at the largest rate, s; `never` for one stop
 
+  // The ball can cross the clearance within a step.
+  constexpr bool crosses() const { return crossing <= step; }
   constexpr double reduced_mass() const { return 1 / (1 / ball_mass + 1 / main_mass); }
   constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }
   // c/mu at the penetration d, 1/s.
@@ -75,6 +81,7 @@ constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   terms.main_stiffness = scene.main_stiffness;
   terms.main_damping = scene.main_damping;
   terms.largest_rate = 2 * bounds.speed;
+  terms.crossing = scene.stops == Stops::both ? scene.clearance / terms.largest_rate : detail::never;
   terms.damping_ratio = damping_ratio<ContactLaw>(scene);
   terms.clamped = scene.tension == Tension::clamp;
   // A damping set per impact is that of an impact at the largest speed.

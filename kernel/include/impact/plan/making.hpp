@@ -109,9 +109,6 @@ class PlanMaking {
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
     basis.terms.deepest = Contact::deepest(basis.terms);
     if (!(bounds.penetration > 0)) basis.terms.largest_penetration = basis.terms.deepest;
-    // If the ball crosses the clearance in a step, a contact that begins in the next step finds it beyond the stop by
-    // the ways of both masses.
-    basis.terms.crosses = scene.stops == Stops::both && basis.terms.largest_rate * h >= scene.clearance;
     return basis;
   }
 
@@ -150,7 +147,9 @@ class PlanMaking {
     largest.displacement = largest.way + h * h / 2 * terms.pressing;
     // And the half of friction's impulse that acts in the coming step.
     if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
-    const double way = terms.largest_rate * h * (terms.crosses && !Contact::traits.crosses_cavity ? 2 : 1);
+    // If the ball crosses the clearance in a step, a contact that begins in the next step finds it beyond the stop by
+    // the ways of both masses.
+    const double way = terms.largest_rate * h * (terms.crosses() && !Contact::traits.crosses_cavity ? 2 : 1);
     // Free flight from a state in contact ends deeper than contact lets the ball go. With (d/D)^2 + (d'/V)^2 <= 1
     // (power laws: (d/D)^(5/2)) it ends at most (D^2 + (5/4) (h V)^2)^(1/2) deep.
     const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
@@ -254,7 +253,7 @@ class PlanMaking {
     plan.drive_scale = Drive::template force_unit<Format>(scene, bounds);
     plan.left_stop = scene.stops == Stops::both || scene.stops == Stops::left;
     plan.right_stop = scene.stops != Stops::left;
-    plan.crosses = terms.crosses && Contact::traits.crosses_cavity;
+    plan.crosses = terms.crosses() && Contact::traits.crosses_cavity;
     plan.x1 = units.state_at(scene.x1);
     const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
     const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);

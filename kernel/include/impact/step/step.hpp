@@ -157,9 +157,9 @@ struct Step {
       approach.half_change = -mirrored(change.half, left);
       approach.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
     }
-    if (apply_contact(m, approach, increment, left, change.to_end) && plan.crosses &&
-        state.contact.phase == Phase::apart)
-      cross_cavity(m, increment, !left);
+    const bool goes_on = apply_contact(m, approach, increment, left, change.to_end);
+    if constexpr (!traits.starts_from_rate)
+      if (goes_on && plan.crosses && state.contact.phase == Phase::apart) cross_cavity(m, increment, !left);
   }
   // A ball that has left one stop reaches the other in the same step. It is treated as if it had flown freely with the
   // rate at which it left. No plan lets it cross the cavity in a step in a field.
@@ -257,7 +257,25 @@ struct Step {
       }
       m.record_contact(seen);
     }
+    if constexpr (traits.starts_from_rate)
+      if (plan.crosses) follow_crossings(m, reaction);
     return true;
+  }
+  // Each touch of the other stop in the step. The work of all is in the first record.
+  template <class Number>
+  static constexpr void follow_crossings(Model& m, Reaction<Format, Number>& reaction) {
+    for (uint32_t i = 0; i < reaction.crossings; ++i) {
+      m.state.at_left ^= 1;
+      if constexpr (Model::records) {
+        auto& seen = reaction.record;
+        seen.force = {};
+        seen.work = {};
+        seen.rate = -seen.rate;
+        seen.rate_at_touch = seen.rate_at_crossing;
+        seen.begins = true;
+        m.record_contact(seen);
+      }
+    }
   }
   // The rate of the main mass at the step's end.
   [[gnu::always_inline]] static constexpr Penetration main_rate(const Model& m) {

@@ -34,7 +34,8 @@ enum class Phase : uint32_t { apart, touching, released };
 
 struct ContactTraits {
   bool is_instantaneous = false;  // impacts take no time: no check of the force's size; forces are in units of 2 mu
-  bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step
+  bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step; one that
+                                  // starts_from_rate follows the ball there by itself
   bool reads_rate = true;         // reads the rate at the step's end, which costs computing the main mass's
   bool sees_change = false;       // needs the increment of the drive's force at the step's end
   bool starts_from_rate = false;  // at a touch it needs the rate at the step's start, by the plan's start_rate
@@ -111,6 +112,8 @@ struct ContactStep {
   Penetration<Value> way;                           // how far the contact moved, where it knows_way
   Penetration<Value> rate_at_start, rate_at_touch;  // the latter in the first step of a contact
   bool begins, knows_way;
+  Penetration<Value> rate_at_crossing;  // at the last touch of the other stop in the step
+  typename Format::Energy work;         // of the force, where the contact starts_from_rate
 };
 
 // The result of a contact in a step, with impulses in the unit of Number, from which plan.response leads. A contact
@@ -122,12 +125,13 @@ struct Reaction {
   Impulse<Number> main, ball;      // on each mass; a shared response reads `main` alone
   Penetration<Value> penetration;  // at the step's end, if the contact does not keep it
   Penetration<Value> shift;        // additional shift of the ball out of the stop
+  uint32_t crossings;              // how often the ball touched the other stop than before
   ContactStep<Format> record;
 };
 // The result of one impulse on both masses.
 template <class Format, class Number>
 [[gnu::always_inline]] constexpr Reaction<Format, Number> reaction_of(const Impulse<Number>& impulse) {
-  return {impulse, impulse, {}, {}, {}};
+  return {impulse, impulse, {}, {}, {}, {}};
 }
 
 // A contact between steps: the penetration, its rate, and the change of the rate in a step by spring, drive and field.
@@ -153,7 +157,7 @@ struct ContactDefaults {
     using constant::larger;
     const double k1 = terms.stiffness, h = terms.step;
     // A linear force is sized by the largest penetration: of a contact of few steps the ball's way in one.
-    const double way = terms.largest_rate * h * (terms.crosses ? 2 : 1);
+    const double way = terms.largest_rate * h * (terms.crosses() ? 2 : 1);
     const double d = terms.is_linear ? larger(terms.largest_penetration, way) : terms.largest_penetration;
     const double damping = terms.damping_time * terms.largest_rate;
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));

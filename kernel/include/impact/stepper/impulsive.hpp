@@ -82,7 +82,7 @@ struct Impulsive {
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       const double rate = terms.largest_rate * terms.step;
       largest.force_factor = 1;
-      largest.penetration = (terms.crosses ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
+      largest.penetration = (terms.crosses() ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
       largest.push = rate + 2 * largest.increment;
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -148,7 +148,7 @@ struct Impulsive {
     [[gnu::always_inline]] constexpr Reaction<Format, Force> solve(const Plan& plan, const Units& units,
                                                                    const Seen& step) {
       const SplitImpulse given = impulse_of(plan, units, step);
-      Reaction<Format, Force> reaction{as_forces(given.main), as_forces(given.ball), step.penetration, {}, {}};
+      Reaction<Format, Force> reaction{as_forces(given.main), as_forces(given.ball), step.penetration, {}, {}, {}};
       if constexpr (Seen::is_recorded) {
         reaction.record.force = {reaction.ball.j0, Format::value(half(reaction.ball.j0))};
         // The work at the average rate; the change of the rate may be twice a Value.

@@ -29,7 +29,9 @@ struct SubsteppedMoment {
   // The number that gives the shortest contact precise_parts sub-steps, and every contact Moment's range.
   static constexpr int precise_parts = 20;
   static constexpr int parts_for(const Resolution& contact, double step) {
-    const double longest = constant::smaller(contact.shortest_part / precise_parts, Moment::steps(contact).most);
+    const double longest =
+        constant::smaller(constant::smaller(contact.shortest_part / precise_parts, Moment::steps(contact).most),
+                          contact.crossing / fewest_parts_across);
     int n = named == 0 ? 2 : named;
     while (n < most && step > n * longest) n *= 2;
     return n;
@@ -37,11 +39,13 @@ struct SubsteppedMoment {
   // The quartic's error of the main mass's displacement is (w0 h)^5/13000 of its amplitude.
   static constexpr double longest_phase = 0.32;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
-  // After a contact that ends within a step, none may follow at the other stop in that step. An undamped ball that is
-  // hardly ever free gains up to 1 % in 2000 impacts at the longest phase, and twice that if it crosses in a step.
-  static constexpr double fewest_steps_across = 1.5;
+  // After a contact that ends within a sub-step, none may follow at the other stop in that sub-step. Without damping a
+  // ball that crosses many times in a step gains energy.
+  static constexpr double fewest_parts_across = 1.5, fewest_steps_across = 0.5;
   static constexpr Range steps(const Resolution& contact) {
-    return {0, constant::smaller(most * Moment::steps(contact).most, contact.crossing / fewest_steps_across)};
+    return {0, constant::smaller(
+                   most * constant::smaller(Moment::steps(contact).most, contact.crossing / fewest_parts_across),
+                   contact.crossing / fewest_steps_across)};
   }
   static constexpr double restitution_error(const Resolution& contact, double step) {
     return Moment::restitution_error(contact, step / parts_for(contact, step));
@@ -109,6 +113,8 @@ struct SubsteppedMoment {
       Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
       GainOf<Gain, unit::Recoil, unit::Force> force;                  // from the ball's impulse
       int travel_bits;
+      bool crosses;
+      Penetration clearance;
     };
     // An impulse is in units of its effect in a sub-step. The n impulses of a step change the rate by at most n^2 of
     // these, or twice the largest rate. A prediction may be off by as much again.
@@ -168,12 +174,15 @@ struct SubsteppedMoment {
       plan.ball = Format::gain(share, 0, 0);
       plan.force = gain(1 / (terms.force_unit * terms.step * terms.step * mobility));
       plan.travel_bits = unit.penetration - unit.recoil;
+      plan.crosses = terms.crosses();
+      plan.clearance =
+          Penetration(Format::sample(terms.crossing * terms.largest_rate * constant::power_of_two(-unit.penetration)));
       return plan;
     }
 
     static constexpr ContactTraits traits = [] {
       ContactTraits own;
-      own.sees_change = own.starts_from_rate = true;
+      own.sees_change = own.starts_from_rate = own.crosses_cavity = true;
       return own;
     }();
 
@@ -209,30 +218,46 @@ struct SubsteppedMoment {
                          plan.quartic * by_spring + plan.drive_quartic * step.bend);
       int i = 0;
       if (begins) skip_flight(plan, free, i, at);
-      Sums sums{};  // the effect of the impulses so far
+      Sums sums{};             // the effect of the impulses so far
+      uint32_t crossings = 0;  // odd: at the other stop than at the start
+      [[maybe_unused]] Penetration rate_at_crossing{};
+      [[maybe_unused]] Work work{plan, start_rate};
       const int n = 1 << plan.exponent;
       while (i < n) {
         ++i;
         sums.advance(plan, 0);
         const auto s = Format::parts(n - i, plan.exponent, plan.part);
-        const Penetration part_trial = (i == n ? trial : free.at(s)) - sums.way(plan);
+        bool is_across = (crossings & 1) != 0;
+        Penetration part_trial = (i == n ? trial : free.at(s)) - sums.way(plan);
+        if (is_across) part_trial = across(plan, part_trial);
+        const Penetration rate_now = (i == n ? free.rate : free.rate_at(s)) - sums.rate(plan);
         if (this->phase == Phase::apart) {
+          if (plan.crosses && is_positive(across(plan, part_trial))) {
+            part_trial = across(plan, part_trial);
+            at = across(plan, at);
+            ++crossings;
+            is_across = !is_across;
+            rate_at_crossing = mirrored(rate_now, is_across);
+          }
           if (!is_positive(part_trial)) {
             at = part_trial;
             continue;
           }
           if (is_positive(at)) at = Penetration{};
+          if constexpr (Seen::is_recorded) work.begin(rate_now, sums.w);
         }
         Approach<Value> part{};
         part.penetration = part_trial;
-        part.rate = plan.part * ((i == n ? free.rate : free.rate_at(s)) - sums.rate(plan));
+        part.rate = plan.part * mirrored(rate_now, is_across);
         part.travel = part_trial - at;
         part.before = at;
         const Penetration bending = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
-        part.increment = Increment<Value>(bare(bending));  // as Inner reads it
-        sums.add(plan, Inner::impulse_of(plan.inner, units, part));
+        part.increment = Increment<Value>(bare(mirrored(bending, is_across)));  // as Inner reads it
+        sums.add(plan, mirrored(Inner::impulse_of(plan.inner, units, part), is_across));
         at = this->penetration;
-        if (this->phase == Phase::apart) {
+        if constexpr (Seen::is_recorded)
+          if (this->phase == Phase::apart) work.end((i == n ? free.rate : free.rate_at(s)) - sums.rate(plan), sums.w);
+        if (this->phase == Phase::apart && !plan.crosses) {
           Sums end = sums;
           for (int stride = 0; stride < plan.exponent; ++stride)
             if ((((n - i) >> stride) & 1) != 0) end.advance(plan, stride);
@@ -241,21 +266,44 @@ struct SubsteppedMoment {
           break;
         }
       }
-      step_rate = free.rate - sums.rate(plan);
+      step_rate = mirrored(free.rate - sums.rate(plan), (crossings & 1) != 0);
       auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u, sums.x});
       reaction.ball = {sums.w, sums.y};
+      reaction.crossings = crossings;
       if constexpr (Seen::is_recorded) {
-        // J0 (v0 + v1)/2 is all of a free pair's work, for any course of the force.
         const Force<Value> force = plan.force * reaction.ball.j0;
         reaction.record.force = {force, Format::value(half(force))};
         if (this->phase == Phase::touching)
           reaction.record.stored = ContactLaw::template stored<Format>(units, this->penetration);
-        reaction.record.rate = step_rate;
+        reaction.record.rate = free.rate - sums.rate(plan);
+        if (this->phase != Phase::apart) work.end(reaction.record.rate, sums.w);
+        reaction.record.work = work.done;
+        reaction.record.rate_at_crossing = rate_at_crossing;
       }
       return reaction;
     }
 
    private:
+    // A penetration of one stop as one of the other.
+    static constexpr Penetration across(const Plan& plan, Penetration penetration) {
+      return -penetration - plan.clearance;
+    }
+    // J0 (v0 + v1)/2 is all of a free pair's work, for any course of the force: of each contact in the step.
+    struct Work {
+      const Plan& plan;
+      Penetration rate;
+      Recoil impulse{};  // both at its start
+      typename Format::Energy done{};
+
+      constexpr void begin(Penetration rate_now, Recoil impulse_now) {
+        rate = rate_now;
+        impulse = impulse_now;
+      }
+      constexpr void end(Penetration rate_now, Recoil impulse_now) {
+        const auto share = half(plan.force * (impulse_now - impulse));
+        done = done + (work(share, rate) + work(share, rate_now));
+      }
+    };
     // In free flight: the penetration s steps before the step's end, d - v s + a s^2/2 - j s^3 + q s^4. It follows from
     // the penetrations and rates at both ends and the main mass's fourth derivative, -w0^2 times its acceleration.
     struct Quartic {

@@ -197,7 +197,7 @@ async function parts(page) {
   await refused('ball-friction', 'Allowed: 0 to');
   await page.click('#value-ball-friction-refusal button');
   await choose('newmark', 'average');
-  await refused('newmark', 'the classical schemes take no --base-acceleration-file');
+  await refused('newmark', 'the classical schemes do not support --base-acceleration-file');
   await page.click('#value-newmark-refusal button');
   await page.until('explorer.due.size === 0 && explorer.runs.a.isReady');
 }

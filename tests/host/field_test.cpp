@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "against_reference.hpp"
+#include "host_ref/closed_form.hpp"
 #include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
@@ -324,25 +325,48 @@ TEST(Field, BallRestsAtItsStaticPenetrationInAStiffContact) {
   rest_in_stiff_contact<HuntCrossley, Fixed32>();
 }
 
-// If contacts are instants, the ball comes to rest on the face of the stop.
+// If contacts are instants, the ball comes to rest on the face of the stop at any phase of its last impacts, or up to
+// V tc/pi inside. V = (2/pi) (1 + m/M) a tc is the speed of the slowest impact whose energy lifts it out
+// (docs/impulsive.md).
 TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
-  Scene scene = narrow_and_damped();
-  scene.contact_stiffness = 3e9;
-  scene.restitution = 0.5;
-  scene.x1 = scene.x2 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
-  const Bounds bounds{0.05, 0.3};
-  using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity>;
-  const auto plan = Absorber::PlanType::make(scene, bounds, 1e-4);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Absorber absorber(plan);
-  for (int n = 0; n < 100000; ++n) absorber.step();
-  for (int n = 0; n < 100000; ++n) {
-    absorber.step();
-    const auto now = absorber.reading();
-    ASSERT_LT(std::abs(now.x2 - now.x1 - scene.clearance / 2), 1e-8) << n;
-    ASSERT_LT(std::abs(now.v2 - now.v1), 1e-5) << n;
+  const double pi = 3.141592653589793;
+  Random random;
+  int accepted = 0;
+  for (int i = 0; i < 40; ++i) {
+    Scene scene = narrow_and_damped();
+    scene.clearance = random.wide(1e-3, 1e-2);
+    scene.ball_mass = random.wide(0.1, 3);
+    scene.restitution = random.between(0.15, 0.6);
+    scene.contact_stiffness = random.wide(3e9, 1e11);
+    scene.gravity = random.wide(1, weight);
+    scene.x1 = scene.x2 = (scene.main_mass + scene.ball_mass) * scene.gravity / scene.main_stiffness;
+    host::Impact slowest{Law::hunt_crossley, scene.contact_stiffness, 0,
+                         1 / (1 / scene.main_mass + 1 / scene.ball_mass), 1e-3};
+    double time = 0;
+    for (int pass = 0; pass < 100; ++pass) {
+      slowest.contact_damping = host::contact_damping(slowest, scene.restitution).value();
+      time = host::contact_time(slowest).value();
+      slowest.speed = 2 / pi * (1 + scene.ball_mass / scene.main_mass) * scene.gravity * time;
+    }
+    const double depth = slowest.speed * time / pi;
+    using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity>;
+    const auto plan = Absorber::PlanType::make(scene, {0.1, 0.5}, 1e-4);
+    if (plan.status == PlanStatus::contact_time) continue;  // the field is not small during a contact
+    ASSERT_EQ(plan.status, PlanStatus::ok);
+    ++accepted;
+    Absorber absorber(plan);
+    for (int n = 0; n < 100000; ++n) absorber.step();
+    for (int n = 0; n < 1000; ++n) {
+      absorber.step();
+      const auto now = absorber.reading();
+      const double inside = now.x2 - now.x1 - scene.clearance / 2;
+      ASSERT_GT(inside, -1e-8) << i << ' ' << n;
+      ASSERT_LT(inside, depth + 1e-8) << i << ' ' << n;
+      ASSERT_LT(std::abs(now.v2 - now.v1), 1e-5) << i << ' ' << n;
+    }
+    EXPECT_EQ(absorber.fault(), Fault::none);
   }
-  EXPECT_EQ(absorber.fault(), Fault::none);
+  EXPECT_GE(accepted, 30);
 }
 
 // A main mass on spring and damper carries the ball on its stop up and down, until both stand in their equilibrium. The

@@ -41,7 +41,7 @@ struct Number : Stated {};
 namespace detail {
 template <class Real>
 struct RealNumber {
-  Real own;
+  Real own{};
   constexpr operator Real() const { return own; }
 };
 template <class Value>
@@ -113,8 +113,8 @@ using Force = In<Value, unit::Force>;
 template <class Value>
 using Sample = In<Value, unit::Sample>;
 
-template <class A, class B, class Unit, class Other>
-[[gnu::always_inline]] constexpr auto operator*(In<A, Unit> x, In<B, Other> y) {
+template <class First, class Second, class Unit, class Other>
+[[gnu::always_inline]] constexpr auto operator*(In<First, Unit> x, In<Second, Other> y) {
   return bare(x) * bare(y);
 }
 template <class Value, class Unit, class Number>
@@ -125,12 +125,12 @@ template <class Value, class Unit, class Number>
 [[gnu::always_inline]] constexpr auto operator*(Number x, In<Value, Unit> y) {
   return in<Unit>(x * bare(y));
 }
-template <class A, class B, class Unit>
-constexpr auto work(A x, In<B, Unit> y) {
+template <class First, class Second, class Unit>
+constexpr auto work(First x, In<Second, Unit> y) {
   return work(x, bare(y));
 }
-template <class A, class B, class Unit, class Other>
-constexpr auto work(In<A, Unit> x, In<B, Other> y) {
+template <class First, class Second, class Unit, class Other>
+constexpr auto work(In<First, Unit> x, In<Second, Other> y) {
   return work(bare(x), bare(y));
 }
 

@@ -19,7 +19,7 @@
 //
 // A stepper that the plan would reject is passed over. For Moment and SubsteppedMoment that is a step that is too long
 // for the main mass's vibration, or for stiffness or damping of the deepest contact. With sub-steps it is also a ball
-// that can cross the clearance within a step and a half. For Impulsive it is weight or a shaken base that is not small
+// that can cross the clearance within half a step. For Impulsive it is weight or a shaken base that is not small
 // during a contact. A Hooke-Newton contact may lose less energy than the step may create. Then SubsteppedMoment is
 // passed over, and EnergyConsistent is chosen in place of Moment. If no line holds the choice is EnergyConsistent, and
 // the plan rejects it.

@@ -28,11 +28,11 @@ namespace {
 // machine code, weighed with what Arm documents (longest_path_cycles of the project's budgets), on RISC-V two for each
 // of its instructions.
 #if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
-constexpr uint32_t fixed_budget = 1755, float_budget = 0;
+constexpr uint32_t fixed_budget = 1761, float_budget = 0;
 #elif defined(__ARM_FP)
 constexpr uint32_t fixed_budget = 618, float_budget = 531;
 #elif defined(__arm__)
-constexpr uint32_t fixed_budget = 769, float_budget = 0;
+constexpr uint32_t fixed_budget = 784, float_budget = 0;
 #else
 constexpr uint32_t fixed_budget = 1024, float_budget = 0;
 #endif

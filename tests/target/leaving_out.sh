@@ -4,7 +4,7 @@
 # Fails unless the scene with the feature is larger by the bytes stated and has the feature's symbols and
 # multiplications, while the scene without it does not. Where a feature is no more than a term or a comparison, its bytes
 # are lost in what the compiler does elsewhere (which function it inlines, which registers it saves) and in alignment:
-# there the image without it may be larger, by `noise`, a twenty-fifth of the image. Fails also where the table of
+# there the image without it may be larger, by `noise`, a twelfth of the image. Fails also where the table of
 # tests/README.md has the target and says otherwise, of flash by more than that.
 # FOLDER holds the images of leaving_out.cmake. The table of tests/README.md, from build/target/*/leaving_out_*.csv in the
 # order of its columns:
@@ -40,8 +40,8 @@ feature() {
   least_flash=$4 least_ram=$5 symbols=${6-}
   set -- $(sizes "$with") $(sizes "$without")
   flash=$(($1 - $3)) ram=$(($2 - $4))
-  [ "$least_flash" != noise ] || least_flash=$((-$3 / 16))
-  noise=$(($3 / 16))
+  [ "$least_flash" != noise ] || least_flash=$((-$3 / 12))
+  noise=$(($3 / 12))
   row "$target,$numeric,$name,$flash,$ram"
   [ $flash -ge "$least_flash" ] && [ $ram -ge "$least_ram" ] ||
     fail "$name should add at least $least_flash bytes of flash and $least_ram of RAM"

@@ -42,6 +42,8 @@ namespace detail {
 template <class Real>
 struct RealNumber {
   Real own{};
+  RealNumber() = default;
+  [[gnu::always_inline]] explicit constexpr RealNumber(Real x) : own(x) {}
   constexpr operator Real() const { return own; }
 };
 template <class Value>

@@ -13,7 +13,7 @@ constexpr double kinetic_energy(const Scene& scene, const Motion& at) {
 // Of both masses and the main spring.
 template <class Motion>
 constexpr double mechanical_energy(const Scene& scene, const Motion& at) {
-  return (scene.main_mass * at.v1 * at.v1 + scene.ball_mass * at.v2 * at.v2 + scene.main_stiffness * at.x1 * at.x1) / 2;
+  return kinetic_energy(scene, at) + scene.main_stiffness * at.x1 * at.x1 / 2;
 }
 
 // That, with the weight of both masses.

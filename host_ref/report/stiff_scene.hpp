@@ -30,20 +30,17 @@ struct SteelRig {
 };
 
 // run(method, numeric, microseconds of a step, steps of event-rk4 in a contact, model)
-template <class Stepper, class Format, class Run>
-void run_kernel(const char* method, const char* numeric, const Run& run) {
-  const auto at = [&](auto absorber, int microseconds) { run(method, numeric, microseconds, 0, absorber); };
-  at(Absorber<SteelRig<4000>, HuntCrossley, Stepper, Sine, Format>{}, 4000);
-  at(Absorber<SteelRig<2000>, HuntCrossley, Stepper, Sine, Format>{}, 2000);
-  at(Absorber<SteelRig<1000>, HuntCrossley, Stepper, Sine, Format>{}, 1000);
-  at(Absorber<SteelRig<500>, HuntCrossley, Stepper, Sine, Format>{}, 500);
-  at(Absorber<SteelRig<200>, HuntCrossley, Stepper, Sine, Format>{}, 200);
-  at(Absorber<SteelRig<100>, HuntCrossley, Stepper, Sine, Format>{}, 100);
+template <class Format, int... lengths, class Run>
+void run_steps_at_steel(const char* numeric, const Run& run) {
+  const auto at = [&](const char* method, auto absorber, int microseconds) {
+    run(method, numeric, microseconds, 0, absorber);
+  };
+  (at("impulsive", Absorber<SteelRig<lengths>, HuntCrossley, Impulsive, Sine, Format>{}, lengths), ...);
+  (at("moment-n", Absorber<SteelRig<lengths>, HuntCrossley, SubsteppedMoment<>, Sine, Format>{}, lengths), ...);
 }
 template <class Format, class Run>
 void run_at_steel(const char* numeric, const Run& run) {
-  run_kernel<Impulsive, Format>("impulsive", numeric, run);
-  run_kernel<SubsteppedMoment<>, Format>("moment-n", numeric, run);
+  run_steps_at_steel<Format, 4000, 2000, 1000, 500, 200, 100>(numeric, run);
 }
 // With more steps in a contact, the rounding of float adds more error than they remove.
 template <class Run>

@@ -101,7 +101,7 @@ template <class Value>
   return {mirrored(impulse.j0, left), mirrored(impulse.j1, left)};
 }
 
-// A step in contact as the features see it. The contact writes the first four, the step the others.
+// A step in contact as the features see it. The contact writes the first four and the last two.
 template <class Format>
 struct ContactStep {
   using Value = typename Format::Value;

@@ -175,8 +175,7 @@ struct SubsteppedMoment {
       plan.force = gain(1 / (terms.force_unit * terms.step * terms.step * mobility));
       plan.travel_bits = unit.penetration - unit.recoil;
       plan.crosses = terms.crosses();
-      plan.clearance =
-          Penetration(Format::sample(terms.crossing * terms.largest_rate * constant::power_of_two(-unit.penetration)));
+      plan.clearance = gain(terms.crossing * terms.largest_rate);
       return plan;
     }
 
@@ -186,7 +185,7 @@ struct SubsteppedMoment {
       return own;
     }();
 
-    Penetration step_rate;  // of penetration, at the end of the last step in contact
+    Penetration step_rate;  // at the end of the last step in contact
 
     constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& at) {
       Inner::start(plan.inner, units, of_a_part(plan, at));

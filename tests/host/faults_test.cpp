@@ -164,6 +164,67 @@ TYPED_TEST(Faults, ABallBeyondItsBounds) {
   EXPECT_EQ(struck.fault(), Fault::speed);
 }
 
+// What a force adds in one step is judged in that step, however much the forces' own bounds would add: the way of a
+// step is at most 1.5 times that of the bound, and so is the speed, which is the average of two ways but for what the
+// force changes by within a step.
+template <class Kernel, class Force>
+void expect_no_speed_beyond(const Scene& scene, double largest, Force force) {
+  const Bounds bounds{10, 2, 0, largest};
+  const auto plan = Kernel::PlanType::make(scene, bounds, 1e-3);
+  if (plan.status == PlanStatus::speed_bound) return;  // the first step would pass it
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Kernel absorber(plan);
+  double fastest = 0;
+  for (int n = 1; n < 10000 && absorber.fault() == Fault::none; ++n) {
+    EXPECT_LE(fastest, 1.6 * bounds.speed) << n << ": a fault too late";
+    if constexpr (Kernel::PlanType::DriveType::is_sampled)
+      absorber.step(absorber.sample_of(force(n)));
+    else
+      absorber.step();
+    const auto now = absorber.reading();
+    fastest = host::larger(std::abs(now.v1), std::abs(now.v2));
+  }
+  EXPECT_NE(absorber.fault(), Fault::none);
+}
+TYPED_TEST(Faults, ASpeedThatAForceAddsInAStep) {
+  for (const double force : {1e5, 1e7, 1e9})
+    for (const double pulsation : {1e-2, 1.0, 100.0}) {
+      SCOPED_TRACE(testing::Message() << force << " N, " << pulsation << " rad/s");
+      Scene scene;
+      scene.stops = Stops::none;
+      scene.main_stiffness = 10;
+      scene.drive_amplitude = force;
+      scene.drive_pulsation = pulsation;
+      const auto sine = [&](int n) { return force * std::sin(pulsation * 1e-3 * n); };
+      expect_no_speed_beyond<Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>>(scene, 0, sine);
+      expect_no_speed_beyond<Absorber<AtRunTime, HuntCrossley, AverageAcceleration, Sine, TypeParam>>(scene, 0, sine);
+      scene.drive_amplitude = scene.drive_pulsation = 0;
+      expect_no_speed_beyond<Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>>(scene, force, sine);
+      expect_no_speed_beyond<Absorber<AtRunTime, HuntCrossley, EnergyConsistent, Sampled, TypeParam>>(scene, force,
+                                                                                                      sine);
+    }
+}
+// A classical scheme multiplies the energy of a stiff contact; its force has a share in the way ahead.
+TYPED_TEST(Faults, ASpeedThatAClassicalSchemeMakes) {
+  for (const double stiffness : {1e6, 1e8, 1e10}) {
+    SCOPED_TRACE(stiffness);
+    Scene scene;
+    scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.contact_damping = 0;
+    scene.contact_stiffness = stiffness;
+    scene.v2 = 1.9;
+    for (int n = 0; n < 20; ++n) {
+      scene.x2 = 1e-4 * n;
+      auto absorber =
+          made<Absorber<AtRunTime, Hertz, AverageAcceleration, NoDrive, TypeParam>>(scene, {0.1, 2, 0, 0}, 1e-3);
+      for (int step = 0; step < 100 && absorber.fault() == Fault::none; ++step) {
+        const auto now = absorber.reading();
+        EXPECT_LE(std::abs(now.v2), 1.51 * 2) << n << ' ' << step;
+        absorber.step();
+      }
+    }
+  }
+}
+
 // Without stops the main mass moves as with stops that the ball does not reach. The ball passes the positions of the
 // stops.
 TYPED_TEST(Faults, NoStopIsMet) {
@@ -210,7 +271,7 @@ void expect_fault_at_depth() {
     for (int n = 0; n < 200; ++n) {
       free.step();
       const auto now = free.reading();
-      deepest = std::max(deepest, std::abs(now.x2 - now.x1) - 0.01);
+      deepest = host::larger(deepest, std::abs(now.x2 - now.x1) - 0.01);
       if (bound.fault() != Fault::none) continue;
       bound.step();
       if (bound.fault() != Fault::none)

@@ -70,9 +70,9 @@ struct Fixed32Units {
   int position_exponent, displacement_shift, damped_shift, increment_shift, push_shift, penetration_shift,
       penetration_exponent, force_bits;
   struct {
-    int32_t main, ball, way;  // of a state's upper word
-    int32_t penetration;      // of a Value
-  } limits;                   // StateLimits, rounded up
+    int32_t main, ball, way, speed;  // of a state's upper word
+    int32_t penetration;             // of a Value
+  } limits;                          // StateLimits, rounded up
 
   static constexpr Fixed32Units make(const UnitExponents& e, double gap, const StateLimits& limits, double, double) {
     const auto raw = [](double limit, int exponent) {
@@ -88,7 +88,7 @@ struct Fixed32Units {
             e.penetration,
             e.force,
             {raw(limits.main, e.position), raw(limits.ball, e.position), raw(limits.way, e.position),
-             raw(limits.penetration, e.penetration)}};
+             raw(limits.speed, e.position), raw(limits.penetration, e.penetration)}};
   }
 
   // Further than two positions in range are apart.

@@ -109,7 +109,7 @@ struct RealFormat {
     Long gap;                          // m
     Real per_second, step, of_forces;  // 1/s, s, N
     struct {
-      Real main, ball, way, penetration;
+      Real main, ball, way, speed, penetration;
     } limits;  // StateLimits
 
     static constexpr Units make(const UnitExponents&, double gap, const StateLimits& limits, double step,
@@ -119,7 +119,7 @@ struct RealFormat {
               static_cast<Real>(step),
               static_cast<Real>(force_unit),
               {static_cast<Real>(limits.main), static_cast<Real>(limits.ball), static_cast<Real>(limits.way),
-               static_cast<Real>(limits.penetration)}};
+               static_cast<Real>(limits.speed), static_cast<Real>(limits.penetration)}};
     }
     constexpr Value velocity(Displacement<Value> per_step) const { return per_step * per_second; }
     constexpr Value native_force(Force<Value> force) const { return force * of_forces; }

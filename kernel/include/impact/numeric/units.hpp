@@ -24,10 +24,10 @@ struct UnitExponents {
 // The quantity that is too large, compared with the others, for a fixed-point format.
 enum class Overflow { none, force, penetration, position };
 
-// The limits of a state, m; beyond them it is clamped with a fault: the main mass, the ball, a mass's displacement per
-// step, and the penetration at a step's end.
+// The limits of a state, m; beyond them it is clamped with a fault: the main mass, the ball, a mass's displacement
+// in the coming step, the same at the bound of its speed alone, and the penetration at a step's end.
 struct StateLimits {
-  double main, ball, way, penetration;
+  double main, ball, way, speed, penetration;
 };
 
 // The limit of a quantity with the bound `bound`. It is 0.1 to 0.9 % higher, so that a motion that just reaches the

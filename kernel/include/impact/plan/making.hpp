@@ -143,10 +143,11 @@ class PlanMaking {
     largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
     largest.position = bounds.displacement;
     largest.way = bounds.speed * h;
+    // With the half of friction's impulse that acts in the coming step.
+    double fastest = largest.way;
+    if constexpr (Friction::is_friction) fastest += basis.friction_way / 2;
     // The change of h v by spring, damper and drive in a step: half of a step's change.
-    largest.displacement = largest.way + h * h / 2 * terms.pressing;
-    // And the half of friction's impulse that acts in the coming step.
-    if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
+    largest.displacement = fastest + h * h / 2 * terms.pressing;
     // If the ball crosses the clearance in a step, a contact that begins in the next step finds it beyond the stop by
     // the ways of both masses.
     const double way = terms.largest_rate * h * (terms.crosses() && !Contact::traits.crosses_cavity ? 2 : 1);
@@ -166,6 +167,7 @@ class PlanMaking {
       const double in_field = h * h * Field::largest(scene, bounds);
       largest.way += in_field;
       largest.displacement += in_field;
+      fastest += in_field;
     }
     // A kept force has a share in the displacement of the coming step, at most half of its effect in a step.
     if constexpr (Contact::traits.keeps_force) {
@@ -177,6 +179,7 @@ class PlanMaking {
     const double offset = Field::is_sampled ? h * h * Field::largest(scene, bounds) / 6 : 0;
     largest.limits.main = limit_of(bounds.displacement + offset);
     largest.limits.way = limit_of(largest.displacement);
+    largest.limits.speed = limit_of(fastest);
     // Also for a displacement that has just passed its limit, since the check comes afterwards.
     const double spring = scene.main_stiffness * (largest.limits.main + 2 * largest.limits.way),
                  damper = scene.main_damping * 2 * largest.limits.way / h;
@@ -204,6 +207,14 @@ class PlanMaking {
       largest.limits.ball +=
           largest.gap + larger(limit_of(largest.penetration), largest.limits.penetration) + largest.limits.way;
     largest.apart = (is_between ? largest.limits.ball : 2 * largest.limits.main) + 2 * largest.limits.way;
+    // What is between a speed and the displacement of the coming step counts in the penetrations' unit, also for a
+    // state that has just passed its limits.
+    const LinearFlow& flow = basis.flow;
+    const double ahead =
+        constant::magnitude(1 / flow.e12 - 1) * largest.limits.way +
+        constant::magnitude(flow.e11 / flow.e12) * (largest.limits.main + largest.limits.way) +
+        h * h * (larger(scene.drive_amplitude, bounds.force) / scene.main_mass + Field::largest(scene, bounds));
+    largest.penetration = larger(largest.penetration, ahead);
     return largest;
   }
 
@@ -254,6 +265,7 @@ class PlanMaking {
     plan.left_stop = scene.stops == Stops::both || scene.stops == Stops::left;
     plan.right_stop = scene.stops != Stops::left;
     plan.crosses = terms.crosses() && Contact::traits.crosses_cavity;
+    plan.checks_speeds = largest.limits.way > 1.25 * largest.limits.speed;
     plan.x1 = units.state_at(scene.x1);
     const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
     const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);

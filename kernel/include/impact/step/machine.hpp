@@ -127,7 +127,21 @@ struct Machine : Source {
     const auto& limits = plan.units.limits;
     return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.way) &&
            ((plan.left_stop && plan.right_stop) || plan.units.is_within(state.x2, limits.ball)) &&
-           (!Field::is_field || plan.units.is_within(state.dx2, limits.way));
+           (!Field::is_field || plan.units.is_within(state.dx2, limits.way)) &&
+           (!plan.checks_speeds || speeds_are_in_range());
+  }
+  // The displacements of the coming step do not show a speed where the forces change it too much in a step.
+  [[gnu::noinline]] constexpr bool speeds_are_in_range() const {
+    Long main = state.dx1, ball = state.dx2;
+    plan.units.displace(main, rate_ahead());
+    plan.units.displace(ball, -Field::ball_rate(plan, state));
+    if constexpr (Contact::traits.keeps_force) {
+      const auto force = mirrored(state.contact.force, contact_is_left());
+      plan.units.displace(main, -(plan.contact.dx1_share * force));
+      plan.units.displace(ball, plan.contact.dx2_share * force);
+    }
+    const auto limit = plan.units.limits.speed;
+    return plan.units.is_within(main, limit) && plan.units.is_within(ball, limit);
   }
   // Clamps what contact changes.
   [[gnu::always_inline]] constexpr bool contact_is_in_range() const {
@@ -145,7 +159,8 @@ struct Machine : Source {
     const auto& limits = units.limits;
     const bool is_main_far = units.clamp(state.x1, limits.main), is_ball_far = units.clamp(state.x2, limits.ball),
                is_main_fast = units.clamp(state.dx1, limits.way), is_ball_fast = units.clamp(state.dx2, limits.way);
-    const bool is_far = is_main_far || is_ball_far, is_fast = is_main_fast || is_ball_fast;
+    const bool is_far = is_main_far || is_ball_far,
+               is_fast = is_main_fast || is_ball_fast || (plan.checks_speeds && !speeds_are_in_range());
     raise(is_far ? Fault::displacement : is_fast ? Fault::speed : Fault::penetration);
     if (is_far || is_fast) end_contact();
     return is_far || is_fast;

@@ -207,14 +207,14 @@ class PlanMaking {
       largest.limits.ball +=
           largest.gap + larger(limit_of(largest.penetration), largest.limits.penetration) + largest.limits.way;
     largest.apart = (is_between ? largest.limits.ball : 2 * largest.limits.main) + 2 * largest.limits.way;
-    // What is between a speed and the displacement of the coming step counts in the penetrations' unit, also for a
-    // state that has just passed its limits.
+    // A rate of penetration counts in the penetrations' unit, also of a state that has just passed its limits: the
+    // displacements of the coming step, and what is between those and the speeds.
     const LinearFlow& flow = basis.flow;
     const double ahead =
         constant::magnitude(1 / flow.e12 - 1) * largest.limits.way +
         constant::magnitude(flow.e11 / flow.e12) * (largest.limits.main + largest.limits.way) +
         h * h * (larger(scene.drive_amplitude, bounds.force) / scene.main_mass + Field::largest(scene, bounds));
-    largest.penetration = larger(largest.penetration, ahead);
+    largest.penetration = larger(largest.penetration, larger(ahead, 2 * largest.limits.way));
     return largest;
   }
 

@@ -158,7 +158,7 @@ class PlanMaking {
     largest.penetration = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
     // An impact changes the rate of sliding by at most twice the largest rate, and friction by at most that rate in a
     // step.
-    const double largest_change = Friction::is_friction && scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
+    const double largest_change = scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
     largest.penetration = larger(largest.penetration, largest_change);
     // A contact reads the rate of free flight at the step's end.
     if constexpr (Contact::traits.reads_rate)
@@ -236,8 +236,7 @@ class PlanMaking {
     if (largest.finest_penetration > 0 && !Units::resolves(largest.finest_penetration, exponents.penetration))
       return PlanStatus::contact_stiffness;
     // A friction below 64 LSBs of the rate is too coarse.
-    if (Friction::is_friction && scene.ball_friction > 0 &&
-        !Units::resolves(basis.friction_way / 64, exponents.penetration))
+    if (scene.ball_friction > 0 && !Units::resolves(basis.friction_way / 64, exponents.penetration))
       return PlanStatus::ball_friction;
     return PlanStatus::ok;
   }

@@ -187,13 +187,6 @@ struct Step {
     approach.before = Penetration{};
     return is_positive(approach.penetration);
   }
-  // True if the ball is inside the stop without having moved into it: by rounding, or by crossing a cavity that is
-  // shorter than the way of a step.
-  [[gnu::always_inline]] static constexpr bool begin_inside(Model& m, Approach<Value>& approach, bool left) {
-    if constexpr (traits.puts_back) return put_back(m, approach, left);
-    approach.before = Penetration{};
-    return true;
-  }
 
   // Writes the penetration at the step's end, with a fault if it is beyond its bound. Returns true if a contact is
   // under way or begins.
@@ -213,10 +206,16 @@ struct Step {
     auto& state = m.state;
     Contact& contact = state.contact;
     [[maybe_unused]] const bool begins = contact.phase == Phase::apart;
-    if (contact.phase == Phase::apart && is_positive(approach.before) && !begin_inside(m, approach, left)) {
-      reload_state<Model>(state);
-      clamp_unchecked(m);
-      return false;
+    // A ball may be inside the stop without having moved into it: by rounding, or by crossing a cavity that is shorter
+    // than the way of a step.
+    if (contact.phase == Phase::apart && is_positive(approach.before)) {
+      if constexpr (!traits.puts_back) {
+        approach.before = Penetration{};
+      } else if (!put_back(m, approach, left)) {
+        reload_state<Model>(state);
+        clamp_unchecked(m);
+        return false;
+      }
     }
     if constexpr (Field::is_field) {
       const auto ball = Field::ball_increment(plan, state);

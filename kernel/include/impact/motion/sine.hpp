@@ -117,8 +117,8 @@ struct Sine {
       oscillator.advance(plan.oscillator);
       return Increment<Value>(Format::moved_term(plan.increment, s));
     }
-    // The drive's share in the displacement of the coming step. It is inlined, because a function of its own would need
-    // the plan in memory.
+    // The drive's share in the displacement of the coming step. This and the force are inlined, because a function of
+    // its own would need the plan in memory.
     [[gnu::always_inline]] constexpr Penetration<Value> rate(const Plan<Format>& plan) const {
       return Penetration<Value>(plan.rate_by_value * Format::reading(oscillator.value_head()) +
                                 plan.rate_by_slope * Format::reading(oscillator.slope_head(plan.oscillator)));
@@ -134,7 +134,7 @@ struct Sine {
       return {{}, Format::value(quarter(next - last)), Format::value(half(now - last)), next - now - (now - last)};
     }
     // The force now, over twice the amplitude.
-    constexpr typename Format::Value force(const Plan<Format>& plan) const {
+    [[gnu::always_inline]] constexpr typename Format::Value force(const Plan<Format>& plan) const {
       return plan.force_by_value * Format::reading(oscillator.value_head()) +
              plan.force_by_slope * Format::reading(oscillator.slope_head(plan.oscillator));
     }

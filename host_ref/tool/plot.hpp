@@ -7,11 +7,11 @@
 
 namespace impact::host {
 
-// A curve of any length in a few thousand points. They are the lowest and the highest value of each group of steps, so
+// A curve of any length in about a thousand points, as many as the plot has pixels. They are the lowest and the highest value of each group of steps, so
 // that no peak is lost.
 class Curve {
  public:
-  explicit Curve(long steps) : steps_per_run_(steps / 2000 + 1) {}
+  explicit Curve(long steps) : steps_per_run_(steps / 500 + 1) {}
 
   void add(double t, double x) {
     const Point point{t, x};

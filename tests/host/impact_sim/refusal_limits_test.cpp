@@ -77,7 +77,7 @@ const std::string& folder() {
   static const std::string made = [] {
     std::string name = (std::filesystem::temp_directory_path() / "refusal_limits_test.XXXXXX").string();
     name = std::string(mkdtemp(name.data())) + "/";
-    for (const int lines : {3, 20, 1000}) {
+    for (const int lines : {0, 1, 3, 20, 1000}) {
       std::ofstream file(name + std::to_string(lines));
       for (int n = 0; n < lines; ++n) file << 0.1 * (n % 7 - 3) << "\n";
     }
@@ -119,7 +119,7 @@ Command random_command(Random& random) {
   if (random.one_in(4)) command["ball-friction"] = random.wide(1e-6, 1e3);
   const bool is_driven = random.one_in(4), is_shaken = random.one_in(6);
   if (!is_driven && !is_shaken) command["duration"] = short_text(20 * *number_from(command["step"]));
-  const std::string samples = random.one_of({"3", "20", "1000"});
+  const std::string samples = random.one_of({"0", "1", "3", "20", "1000"});
   if (is_driven) {
     for (const char* other : {"drive", "drive-amplitude", "drive-pulsation"}) command.erase(other);
     command[random.one_of({"drive-file", "base-file"})] = folder() + samples;

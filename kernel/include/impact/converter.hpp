@@ -17,8 +17,8 @@
 //
 // ToCounts returns the nearest count, clamped to the ends of the converter. The error of a FromCounts is at most 2^-29
 // of the unit in Fixed32, and 2^-22 of the value in floating point. In Fixed32 it clamps counts at 1 - 2^-28 of the
-// unit. Ends and counts must be less than 2^31 counts from zero. A `constexpr` FromCounts with an end beyond the bound
-// of its quantity does not compile.
+// unit, without a fault. To compare samples with their bound, convert them by sample_of(). Ends and counts must be less
+// than 2^31 counts from zero. A `constexpr` FromCounts with an end beyond the bound of its quantity does not compile.
 
 #include <stdint.h>
 

@@ -209,6 +209,8 @@ absorber 1 "this sample has another type than the format's values" 'Rig, HuntCro
 absorber 1 "this sample has another type than the format's values" 'Rig, HuntCrossley, Moment, Sampled, Float32' 'absorber.step(100);'
 absorber 1 'retune() requires a plan AtRunTime' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.retune(absorber.plan);'
 absorber 1 'contact_force() requires the feature ContactForce' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.contact_force();'
+absorber 1 'impact_speed() requires the feature ImpactLog' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.impact_speed();'
+absorber 1 'peak_force() requires the feature ImpactLog' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.peak_force();'
 absorber 1 'snapshot() requires the feature Snapshots' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.snapshot();'
 
 # A number in braces, another quantity, and a value where a converter reads its own.

@@ -372,14 +372,23 @@ class AbsorberOf
   // For a host, in double arithmetic, with the feature ImpactLog: the closing speed of the last impact, m/s, and the
   // largest contact_force() since the start, N.
   constexpr double impact_speed() const {
-    return plan.units.si_penetration(record_in<ImpactLog, PlanType>(Machine::state).impact_rate) / plan.step;
+    static_assert(has_log, "impact_speed() requires the feature ImpactLog: append it to the absorber's type");
+    if constexpr (has_log)
+      return plan.units.si_penetration(record_in<ImpactLog, PlanType>(Machine::state).impact_rate) / plan.step;
+    else
+      return 0;
   }
   constexpr double peak_force() const {
-    const Value peak = record_in<ImpactLog, PlanType>(Machine::state).peak;
-    if constexpr (Contact::traits.is_instantaneous)
-      return plan.units.fraction(plan.contact.force.at(plan.contact.rebound, peak).peak) * plan.force_unit();
-    else
-      return plan.units.fraction(peak) * plan.force_scale;
+    static_assert(has_log, "peak_force() requires the feature ImpactLog: append it to the absorber's type");
+    if constexpr (!has_log) {
+      return 0;
+    } else {
+      const Value peak = record_in<ImpactLog, PlanType>(Machine::state).peak;
+      if constexpr (Contact::traits.is_instantaneous)
+        return plan.units.fraction(plan.contact.force.at(plan.contact.rebound, peak).peak) * plan.force_unit();
+      else
+        return plan.units.fraction(peak) * plan.force_scale;
+    }
   }
 
   // For a host, in double arithmetic: the energy that dry friction has dissipated since the start, J. 0 without
@@ -418,6 +427,7 @@ class AbsorberOf
 
  private:
   static constexpr bool has_force = detail::is_one_of<ContactForce, Features...>;
+  static constexpr bool has_log = detail::is_one_of<ImpactLog, Features...>;
   constexpr auto impact_force() const {
     const auto& seen = record_in<ContactForce, PlanType>(Machine::state);
     return plan.contact.force.of(plan.contact.rebound, seen.force, seen.impact_rate);

@@ -5,6 +5,9 @@
 
 #include <impact/self_test.hpp>
 
+#ifndef IMPACT_C_RIG
+#error "state the header of your rig: -DIMPACT_C_RIG='\"rig.hpp\"'"
+#endif
 #include IMPACT_C_RIG
 
 namespace {

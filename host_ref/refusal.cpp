@@ -19,6 +19,27 @@ std::string bounds_text(const Settled& settled) {
   return text.empty() ? text : " with" + text;
 }
 
+// A stepper with sub-steps also limits the step by the time in which the ball crosses the clearance.
+template <class Stepper>
+std::string limit_of_crossing(const Resolution& contact, const Request& request) {
+  const double most = constant::smaller(Stepper::most / Stepper::fewest_parts_across, 1 / Stepper::fewest_steps_across);
+  if (request.step <= most * contact.crossing) return {};
+  return "the ball may cross the clearance in " + short_text(contact.crossing) + " s, and " +
+         std::string(name_of(request.stepper)) + " allows steps of at most " + short_text(most) + " times that";
+}
+std::string limit_of_crossing(const Request& request) {
+  switch (request.stepper) {
+    case Stepper::moment_4:
+      return limit_of_crossing<SubsteppedMoment<4>>(resolution(request), request);
+    case Stepper::moment_8:
+      return limit_of_crossing<SubsteppedMoment<8>>(resolution(request), request);
+    case Stepper::moment_n:
+      return limit_of_crossing<SubsteppedMoment<>>(resolution(request), request);
+    default:
+      return {};
+  }
+}
+
 // The reason why a step is too long: status.hpp, law/resolution.hpp.
 std::string limit_of_step(const Settled& settled) {
   const Request& request = settled.request;
@@ -29,6 +50,7 @@ std::string limit_of_step(const Settled& settled) {
              "at " +
              short_text(request.bounds->speed) + " m/s";
     case PlanStatus::steps_per_contact:
+      if (const std::string limit = limit_of_crossing(request); !limit.empty()) return limit;
       return "a contact lasts " + short_text(resolution(request).contact_time) + " s, and " +
              std::string(name_of(request.stepper)) +
              " requires more steps in it; auto takes a stepper that suits the step";

@@ -118,9 +118,9 @@ void settle(Settings& settings, const Given& given) {
   if (is_sampled_sine) request.drive = DriveKind::sine;
   const bool has_samples = has("drive-file") || has("base-file");
   refuse_unless(!has("drive-file"), "base-file", "only without --drive-file, because both are forces on the main mass");
-  refuse_unless(!has_samples, "drive", "only without --drive-file and --base-file");
+  refuse_unless(!has_samples, "drive", "only without --drive-file and --base-file, which drive the main mass");
   for (const char* name : {"drive-amplitude", "drive-pulsation"})
-    refuse_unless(!has_samples && request.drive == DriveKind::sine, name, "only with --drive sine");
+    refuse_unless(!has_samples && request.drive == DriveKind::sine, name, "only with --drive sine or sampled");
   refuse_unless(has("base-acceleration-file"), "bound-base-acceleration", "only with --base-acceleration-file");
   if (has("drive-file")) set_drive_samples(request, drive_samples, samples_from(drive_samples, settings.drive_file));
   if (has("base-file"))

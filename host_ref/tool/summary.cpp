@@ -74,9 +74,10 @@ std::vector<std::string> Summary::lines() const {
     machine += ", which vibrates at " + three_digits(w0 / (2 * std::acos(-1.0))) + " Hz with " +
                percent(scene.main_damping / (2 * scene.main_mass * w0)) + " of critical damping";
   lines.push_back(machine);
+  const bool is_still = largest_v1_ == 0 && largest_v2_ == 0;
   if (last_.impacts == 0 && scene.stops != Stops::none)
-    lines.push_back("NO IMPACT: the ball has not reached a stop. Each stop is " + three_digits(scene.clearance / 2) +
-                    " m from the middle (--clearance is the ball's whole free travel, in m)");
+    lines.push_back(is_still ? "NO IMPACT: nothing moves. State a drive or initial values, such as --v1 or --x1"
+                             : "NO IMPACT: the ball has not reached a stop");
   if (last_.impacts > 0) {
     const double e = restitution_at(made, fastest_impact_);
     lines.push_back(std::to_string(last_.impacts) + (last_.impacts == 1 ? " impact" : " impacts") +
@@ -119,6 +120,15 @@ std::vector<std::string> Summary::lines() const {
                                       : "a step on " + settings_.part + ": up to " + std::to_string(cost.free) +
                                             " instructions in flight, " + std::to_string(cost.contact) +
                                             " in contact (the paper's scene)");
+  }
+  if (scene.stops != Stops::none) {
+    const std::string side = three_digits(scene.clearance / 2) + " m to the ";
+    const std::string left = side + "left stop", right = side + "right stop";
+    lines.push_back("in the middle of its cavity the ball has a clearance of " +
+                    (scene.stops == Stops::left    ? left
+                     : scene.stops == Stops::right ? right
+                                                   : left + " and " + right) +
+                    " (--clearance is the whole free travel)");
   }
   return lines;
 }

@@ -134,6 +134,15 @@ TEST_F(ImpactSim, ARangeIsAcceptedAsItIsPrinted) {
   }
 }
 
+// Sub-steps limit a step by the stop's duration or by the ball's way from stop to stop.
+TEST_F(ImpactSim, ARefusalNamesTheLimitOfSubSteps) {
+  const std::string crossing = "moment-4 allows steps of at most 2 times that", contact = "a contact lasts ";
+  const std::string narrow = run("--newmark moment-4 --clearance 1e-3 --step 2e-3").err,
+                    stiff = run("--newmark moment-4 --step 1e-3 --contact-stiffness 1e9 --restitution 0.6").err;
+  EXPECT_THAT(narrow, AllOf(HasSubstr(crossing), Not(HasSubstr(contact))));
+  EXPECT_THAT(stiff, AllOf(HasSubstr(contact), Not(HasSubstr(crossing))));
+}
+
 // Nothing is run, and no sample read, to say what would do: three samples, of which a shorter step would have more.
 TEST_F(ImpactSim, ARefusalReadsNoSamples) {
   write(file("three.txt"), "1\n1\n1\n");

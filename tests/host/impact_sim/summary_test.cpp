@@ -50,9 +50,19 @@ TEST_F(ImpactSim, EndsWithWhatItsRowsSay) {
 
 TEST_F(ImpactSim, SaysLoudlyThatNothingWasHit) {
   const Result result = run("--newmark moment --duration 0.1 --drive-amplitude 0.01 --summary summary.json");
-  EXPECT_THAT(result.err, HasSubstr("NO IMPACT"));
+  EXPECT_THAT(result.err, HasSubstr("NO IMPACT: the ball has not reached a stop"));
   EXPECT_EQ(number_of(read(file("summary.json")), "impacts"), 0);
   EXPECT_THAT(run("--newmark moment --duration 0.1 --stops none").err, Not(HasSubstr("NO IMPACT")));
+  EXPECT_THAT(run("--newmark moment --duration 0.1 --drive none").err, HasSubstr("NO IMPACT: nothing moves"));
+}
+
+TEST_F(ImpactSim, SaysTheClearanceToEachStop) {
+  const std::string scene = "--newmark moment --duration 0.1 --clearance 0.03 --stops ";
+  EXPECT_THAT(run(scene + "both").err,
+              HasSubstr("clearance of 0.015 m to the left stop and 0.015 m to the right stop"));
+  EXPECT_THAT(run(scene + "left").err, HasSubstr("clearance of 0.015 m to the left stop (--clearance"));
+  EXPECT_THAT(run(scene + "right").err, HasSubstr("clearance of 0.015 m to the right stop (--clearance"));
+  EXPECT_THAT(run(scene + "none").err, Not(HasSubstr("clearance")));
 }
 
 TEST_F(ImpactSim, AdvisesOfWhatMayBeMeantOtherwise) {

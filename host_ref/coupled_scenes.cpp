@@ -219,7 +219,7 @@ std::string text_of(const Request& request) {
                          : what == Parameter::restitution   ? !is_constant
                          : what == Parameter::drive_amplitude || what == Parameter::drive_pulsation
                              ? request.drive == DriveKind::sine
-                             : !row.is_of_part || value < 0 || value > 0;
+                             : !is_of_part(row) || is_stated(value);
     if (is_read) say(option_of(row), shortest_text(value));
   }
   return text;

@@ -12,7 +12,7 @@ namespace {
 std::string bounds_text(const Settled& settled) {
   std::string text;
   for (const ParameterEntry& row : parameters) {
-    if (!row.in_bounds || row.is_of_part || !std::isnan(settled.stated.*row.in_bounds)) continue;
+    if (!row.in_bounds || is_of_part(row) || !std::isnan(settled.stated.*row.in_bounds)) continue;
     if (row.parameter == Parameter::force_bound && settled.request.drive != DriveKind::sampled) continue;
     text += " --" + option_of(row) + " " + shortest_text((*settled.request.bounds).*row.in_bounds);
   }

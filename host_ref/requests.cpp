@@ -1,4 +1,5 @@
 #include "host_ref/names.hpp"
+#include "host_ref/scene_values.hpp"
 
 namespace impact::host {
 
@@ -6,6 +7,12 @@ std::string_view name_of(Law law) { return in(laws, law).name; }
 std::string_view name_of(Damping damping) { return in(dampings, damping).name; }
 std::string_view name_of(Stepper stepper) { return in(steppers, stepper).name; }
 std::string_view name_of(Numeric numeric) { return in(numerics, numeric).name; }
+
+bool has_parts(const Request& request) {
+  for (const ParameterEntry& row : parameters)
+    if (row.in_scene && is_of_part(row) && is_stated(request.scene.*row.in_scene)) return true;
+  return request.is_shaken;
+}
 
 long Simulation::run(long steps, const double* forces, double* x1, const double* base) {
   for (long n = 0; n < steps; ++n) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <impact/explain.hpp>
 #include <string>
+#include <string_view>
 
 #include "host_ref/simulation.hpp"
 
@@ -15,6 +16,9 @@ inline std::string option_of(const ParameterEntry& row) {
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
 }
+
+inline bool is_of_part(const ParameterEntry& row) { return std::string_view(row.part) != "none"; }
+inline bool is_stated(double value) { return value < 0 || value > 0; }
 
 // Bounds that are not stated are open.
 inline double& value_in(Request& request, const ParameterEntry& row) {

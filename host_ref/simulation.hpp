@@ -67,10 +67,7 @@ long step_count(const Request& request);       // duration / step to the nearest
 
 // True if the request has gravity, friction or a base that accelerates. Moment, its sub-steps, EnergyConsistent and
 // Impulsive support these parts. The other steppers reject them, and the refusal names the part.
-inline bool has_parts(const Request& request) {
-  const Scene& scene = request.scene;
-  return scene.gravity < 0 || scene.gravity > 0 || scene.ball_friction > 0 || request.is_shaken;
-}
+bool has_parts(const Request& request);
 
 // One row of output, SI units.
 struct Sample {

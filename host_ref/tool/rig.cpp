@@ -27,14 +27,12 @@ std::string command(const std::vector<Argument>& arguments) {
   return text;
 }
 
-std::string parts(const Request& request) {
-  const Scene& scene = request.scene;
+// The parts whose values are stated. A base that accelerates has weight too.
+std::string parts(Request run) {
   std::string text;
-  if (request.is_shaken)
-    text += ", impact::BaseAcceleration";
-  else if (scene.gravity < 0 || scene.gravity > 0)
-    text += ", impact::Gravity";
-  if (scene.ball_friction > 0) text += ", impact::DryFriction";
+  for (const ParameterEntry& row : parameters)
+    if (is_of_part(row) && is_stated(value_in(run, row)) && !(run.is_shaken && row.parameter == Parameter::gravity))
+      text += std::string(", impact::") + row.part;
   return text;
 }
 
@@ -65,7 +63,7 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
       const double value = value_in(run, row);
       // A part's value requires the part.
       const bool is_read = row.parameter == Parameter::restitution ? made.damping != Damping::constant
-                                                                   : !row.is_of_part || value < 0 || value > 0;
+                                                                   : !is_of_part(row) || is_stated(value);
       if (is_read) text += line(whole + row.member, shortest_text(value), std::string(row.unit) + ": " + row.meaning);
     }
   };

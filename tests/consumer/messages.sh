@@ -93,6 +93,13 @@ scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2. In Fixed32 it is too large f
 scene 1 'Rig::scene.gravity: -1e6 to 1e6 m/s^2. In Fixed32 it is too large for these Bounds' 's.gravity = -1e6;' HuntCrossley 1e-3 '' Gravity
 scene 1 'Bounds::displacement: no less than main_mass * gravity / main_stiffness' 's.gravity = -9.81; s.main_stiffness = 90;' \
   HuntCrossley 1e-4 '' Gravity
+# A part's value without the part, and a part without its value.
+scene 1 "Rig::scene.gravity is stated: append Gravity to the absorber's type" 's.gravity = -9.81;'
+scene 1 "Rig::bounds.base_acceleration is stated: append BaseAcceleration to the absorber's type" '' HuntCrossley 1e-4 'b.base_acceleration = 3;'
+scene 1 "Rig::scene.ball_friction is stated: append DryFriction to the absorber's type" 's.ball_friction = 0.1;'
+scene 1 "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2" '' HuntCrossley 1e-4 '' Gravity
+scene 1 "BaseAcceleration is among the absorber's parts: state Rig::bounds.base_acceleration, m/s^2" '' HuntCrossley 1e-4 '' BaseAcceleration
+scene 1 "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N" '' HuntCrossley 1e-4 '' DryFriction
 # Another law's c1, and one that nobody stated beside a law or a stiffness that somebody did.
 scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' 's.contact_damping = 19560;' HookeNewton
 unstated='Rig::scene.contact_damping is not stated, and its default belongs to HuntCrossley with the default contact_stiffness. State c1'

@@ -47,19 +47,19 @@ struct ParameterEntry {
   Range range;  // in any scene
   PlanStatus status;
   const char *unit, *meaning;
-  bool is_of_part;
+  const char* part;  // the type that an absorber must name for it, or "none"
 };
 inline constexpr ParameterEntry parameters[] = {
-#define IMPACT_IN_SCENE(name, least, most, unit, status, meaning, is_of_part) \
-  {Parameter::name, #name, #name, &Scene::name, nullptr, {least, most}, PlanStatus::status, unit, meaning, is_of_part},
-#define IMPACT_IN_BOUNDS(name, least, most, unit, status, meaning, is_of_part) \
+#define IMPACT_IN_SCENE(name, least, most, unit, status, meaning, part) \
+  {Parameter::name, #name, #name, &Scene::name, nullptr, {least, most}, PlanStatus::status, unit, meaning, #part},
+#define IMPACT_IN_BOUNDS(name, least, most, unit, status, meaning, part)       \
   {Parameter::name##_bound, #name "_bound",     #name, nullptr, &Bounds::name, \
-   {least, most},           PlanStatus::status, unit,  meaning, is_of_part},
+   {least, most},           PlanStatus::status, unit,  meaning, #part},
     IMPACT_SCENE_VALUES(IMPACT_IN_SCENE) IMPACT_BOUND_VALUES(IMPACT_IN_BOUNDS)
 #undef IMPACT_IN_SCENE
 #undef IMPACT_IN_BOUNDS
         {Parameter::step, "step", "step", nullptr, nullptr, step_range, PlanStatus::step, "s", "length of a step",
-         false}};
+         "none"}};
 constexpr const ParameterEntry& entry(Parameter parameter) { return parameters[static_cast<int>(parameter)]; }
 
 constexpr const char* name_of(Parameter parameter) { return entry(parameter).name; }
@@ -116,12 +116,12 @@ constexpr Explanation explain(PlanStatus status, Values values) {
     case PlanStatus::speed_bound:
       said.allowed.least = larger(said.allowed.least, larger(magnitude(scene.v1), magnitude(scene.v2)));
       break;
-    case PlanStatus::gravity_not_named:
-      return {Parameter::gravity, scene.gravity, {0, 0}};
-    case PlanStatus::base_acceleration_not_named:
-      return {Parameter::base_acceleration_bound, values.bounds.base_acceleration, {0, 0}};
-    case PlanStatus::ball_friction_not_named:
-      return {Parameter::ball_friction, scene.ball_friction, {0, 0}};
+// The status of a part's value has the parameter's name.
+#define IMPACT_NOT_NAMED(object, name, least, most, unit, its_status, ...) \
+  case PlanStatus::name##_not_named:                                       \
+    return {Parameter::its_status, values.object.name, {0, 0}};
+      IMPACT_EACH_PART(IMPACT_NOT_NAMED)
+#undef IMPACT_NOT_NAMED
     default:
       break;
   }

@@ -36,10 +36,11 @@ enum class PlanStatus : uint8_t {
   gravity,
   base_acceleration_bound,
   ball_friction,
-  gravity_not_named,  // gravity is stated, but Gravity is not among the absorber's parts
-  base_acceleration_not_named,
-  ball_friction_not_named,
-  stop_out_of_reach,         // no ball within Bounds::displacement reaches a stop
+// gravity_not_named and so on: a part's value is stated, but the part is not among those of the absorber's type.
+#define IMPACT_NOT_NAMED(object, name, ...) name##_not_named,
+  IMPACT_EACH_PART(IMPACT_NOT_NAMED)
+#undef IMPACT_NOT_NAMED
+      stop_out_of_reach,     // no ball within Bounds::displacement reaches a stop
   contact_damping_unstated,  // required, because contact_stiffness or the law is not the default
 };
 

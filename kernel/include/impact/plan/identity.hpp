@@ -10,12 +10,12 @@
 
 namespace impact {
 
-#define IMPACT_OF_SCENE(name, ...) scene.name,
-#define IMPACT_OF_BOUNDS(name, ...) bounds.name,
+#define IMPACT_VALUE(name, ...) scene.name,
+#define IMPACT_BOUND(name, ...) bounds.name,
 constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, double step, double damping_ratio,
                                      double longest_phase) {
-  const double numbers[] = {IMPACT_MACHINE_VALUES(IMPACT_OF_SCENE) damping_ratio,
-                            IMPACT_MACHINE_BOUNDS(IMPACT_OF_BOUNDS) step, longest_phase};
+  const double numbers[] = {IMPACT_MACHINE_VALUES(IMPACT_VALUE) damping_ratio, IMPACT_MACHINE_BOUNDS(IMPACT_BOUND) step,
+                            longest_phase};
   Fingerprint fingerprint{};
   for (double number : numbers) fingerprint.add_number(number);
   fingerprint.add(static_cast<uint32_t>(scene.stops));
@@ -24,13 +24,14 @@ constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, d
 }
 // All values of a rig, including those that a plan does not read.
 constexpr uint32_t fingerprint_of_rig(const Scene& scene, const Bounds& bounds, double step) {
-  const double numbers[] = {IMPACT_PART_VALUES(IMPACT_OF_SCENE) IMPACT_PART_BOUNDS(IMPACT_OF_BOUNDS)};
+  const double numbers[] = {IMPACT_LAW_VALUES(IMPACT_VALUE) IMPACT_PART_VALUES(IMPACT_VALUE)
+                                IMPACT_PART_BOUNDS(IMPACT_BOUND)};
   Fingerprint fingerprint = fingerprint_of(scene, bounds, step, 0, 0);
   for (double number : numbers) fingerprint.add_number(number);
   return fingerprint.value;
 }
-#undef IMPACT_OF_SCENE
-#undef IMPACT_OF_BOUNDS
+#undef IMPACT_VALUE
+#undef IMPACT_BOUND
 // The units of a state. A base's samples are in units of their bound, and their immediate share in gravity's unit.
 template <class Field>
 constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bounds, double h,

@@ -16,6 +16,7 @@
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
 #include <impact/stepper/contact.hpp>
+#include <impact/values.hpp>
 
 namespace impact {
 
@@ -80,9 +81,10 @@ class PlanMaking {
   // A stated value needs its part among the absorber's parts.
   static constexpr PlanStatus status_of_parts(const Scene& scene, const Bounds& bounds) {
     const auto is_stated = [](double x) { return x < 0 || x > 0; };
-    if (!Field::is_field && is_stated(scene.gravity)) return PlanStatus::gravity_not_named;
-    if (!Field::is_sampled && is_stated(bounds.base_acceleration)) return PlanStatus::base_acceleration_not_named;
-    if (!Friction::is_friction && is_stated(scene.ball_friction)) return PlanStatus::ball_friction_not_named;
+#define IMPACT_CHECK(object, name, least, most, unit, its_status, meaning, part) \
+  if (!Plan::template has<part> && is_stated(object.name)) return PlanStatus::name##_not_named;
+    IMPACT_EACH_PART(IMPACT_CHECK)
+#undef IMPACT_CHECK
     return PlanStatus::ok;
   }
 

@@ -16,6 +16,7 @@
 #include <impact/quantity.hpp>
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
+#include <impact/values.hpp>
 
 namespace impact {
 
@@ -39,6 +40,12 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   using Gain = typename Format::Gain;
   using Long = typename Format::Long;
   using ContactType = typename Stepper::template Contact<Format, ContactLaw>;
+
+  // True if the absorber's type names the part, and if it has it: BaseAcceleration has weight too.
+  template <class Part>
+  static constexpr bool names = __is_base_of(Part, Field) || __is_base_of(Part, Friction);
+  template <class Part>
+  static constexpr bool has = names<Part> || (__is_base_of(Part, Gravity) && Field::is_sampled);
 
   PlanStatus status;  // unless ok, the rest is meaningless
   double step;        // h, s
@@ -125,9 +132,10 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     Fingerprint fingerprint =
         fingerprint_of(scene, bounds, h, damping_ratio<ContactLaw>(scene), Stepper::longest_phase);
     for (uint32_t kind : kinds) fingerprint.add(kind);
-    if constexpr (Field::is_field) fingerprint.add_number(scene.gravity);
-    if constexpr (Field::is_sampled) fingerprint.add_number(bounds.base_acceleration);
-    if constexpr (Friction::is_friction) fingerprint.add_number(scene.ball_friction);
+#define IMPACT_ADD(object, name, least, most, unit, its_status, meaning, part) \
+  if constexpr (has<part>) fingerprint.add_number(object.name);
+    IMPACT_EACH_PART(IMPACT_ADD)
+#undef IMPACT_ADD
     return fingerprint.value;
   }
 

@@ -6,9 +6,12 @@
 #include <stdint.h>
 
 #include <impact/law/resolution.hpp>
+#include <impact/motion/field.hpp>
+#include <impact/motion/friction.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
+#include <impact/values.hpp>
 
 namespace impact::refusal {
 
@@ -87,27 +90,19 @@ constexpr bool accepts() {
       together != PlanStatus::ball_friction,
       "Rig::scene.ball_friction: 0 to 1e9 N. In one step it may change the sliding speed by at most 2 Bounds::speed, "
       "and in Fixed32 it must change it by at least 64 LSBs");
-  static_assert(status != PlanStatus::gravity_not_named,
-                "Rig::scene.gravity is stated: append Gravity (or BaseAcceleration) to the absorber's type");
-  static_assert(status != PlanStatus::base_acceleration_not_named,
-                "Rig::bounds.base_acceleration is stated: append BaseAcceleration to the absorber's type");
-  static_assert(status != PlanStatus::ball_friction_not_named,
-                "Rig::scene.ball_friction is stated: append DryFriction to the absorber's type");
+#define IMPACT_SAY_PART(object, name, least, most, unit, its_status, meaning, part)                           \
+  static_assert(status != PlanStatus::name##_not_named,                                                       \
+                "Rig::" #object "." #name " is stated: append " #part " to the absorber's type");             \
+  static_assert(!PlanType::template names<part> || status == PlanStatus::its_status || Rig::object.name != 0, \
+                #part " is among the absorber's parts: state Rig::" #object "." #name ", " unit);
+  IMPACT_EACH_PART(IMPACT_SAY_PART)
+#undef IMPACT_SAY_PART
   static_assert(
       status != PlanStatus::ok || PlanType::LawType::is_damped_per_impact || !(Rig::scene.restitution < 1),
       "Rig::scene.restitution is stated, but this law does not read it. Take Exact, or state contact_damping, "
       "which impact-sim --restitution computes");
-  // A part whose value is not stated.
-  static_assert(!PlanType::FieldType::is_field || PlanType::FieldType::is_sampled || Rig::scene.gravity != 0,
-                "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2");
-  static_assert(!PlanType::FieldType::is_sampled || status == PlanStatus::base_acceleration_bound ||
-                    Rig::bounds.base_acceleration > 0,
-                "BaseAcceleration is among the absorber's parts: state Rig::bounds.base_acceleration, m/s^2");
   static_assert(!PlanType::DriveType::is_sampled || status == PlanStatus::force_bound || Rig::bounds.force > 0,
                 "the drive is Sampled: state Rig::bounds.force, N, the largest sample");
-  static_assert(
-      !PlanType::FrictionType::is_friction || status == PlanStatus::ball_friction || Rig::scene.ball_friction > 0,
-      "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N");
   // True if something else may carry the weight, or if there is no spring. Otherwise the main mass leaves its bounds
   // from any start when its weight stretches the spring beyond them.
   constexpr bool is_carried =

@@ -194,6 +194,9 @@ absorber short 'the second argument must be a law' 'Rig, NoTraits, Moment, Sine,
 absorber short 'the third argument must be a stepper' 'Rig, HuntCrossley, Sine, Moment, Fixed32'
 absorber short "the stepper's Contact<Format, Law> is not a contact" 'Rig, HuntCrossley, NoContact, Sine, Fixed32'
 absorber any 'arguments must be features' 'Rig, HuntCrossley, Moment, Sine, Fixed32, Float32'
+for twice in EnergyLedger Snapshots DryFriction; do
+  absorber any 'two features are of one kind: name each feature once' "Rig, HuntCrossley, Moment, Sine, Fixed32, $twice, $twice"
+done
 wrong any 'Chosen<> requires a rig' <<END
 #include <impact/absorber.hpp>
 using namespace impact;

@@ -92,14 +92,19 @@ constexpr uint32_t identity_of() {
     return fingerprint_of_rig(Rig::scene, Rig::bounds, Rig::step);
 }
 
+// Without features where two of them are of one kind, so that the compiler's message is the one below.
+template <class Source, class... Features>
+using MachineOf =
+    typename Either<contract::kinds_differ<Features...>, Machine<Source, Features...>, Machine<Source>>::Type;
+
 // impact::Absorber, with the rig's identity.
 template <uint32_t identity, class Rig, class Law_, class Stepper_, class Drive_, class Format_, class... Features>
 class AbsorberOf
-    : private Machine<CheckedSource<identity, Rig, Law_, Stepper_, Drive_, Format_, Features...>,
-                      contract::KeptFeature<Features>...>,
+    : private MachineOf<CheckedSource<identity, Rig, Law_, Stepper_, Drive_, Format_, Features...>,
+                        contract::KeptFeature<Features>...>,
       private SnapshotWindow<typename contract::KeptFormat<Format_>::Value, is_one_of<Snapshots, Features...>> {
   using Source = CheckedSource<identity, Rig, Law_, Stepper_, Drive_, Format_, Features...>;
-  using Machine = impact::Machine<Source, contract::KeptFeature<Features>...>;
+  using Machine = MachineOf<Source, contract::KeptFeature<Features>...>;
 
   // impact/contracts.hpp; one message for one mistake.
   static constexpr bool is_at_run_time = detail::is_one_of<Rig, AtRunTime>, has_scene = contract::has_scene<Rig>,
@@ -125,6 +130,8 @@ class AbsorberOf
                 "impact/contracts.hpp");
   static_assert((contract::is_feature<Features> && ...),
                 "the sixth and further arguments must be features, such as EnergyLedger: see impact/contracts.hpp");
+  static_assert(!(contract::is_feature<Features> && ...) || contract::kinds_differ<contract::KeptFeature<Features>...>,
+                "two features are of one kind: name each feature once, and give one of your own a kind of its own");
   static_assert(((!__is_base_of(DryFriction, Features) || detail::is_one_of<DryFriction, Features>)&&...),
                 "a class of your own cannot replace DryFriction: name DryFriction itself");
 
@@ -508,7 +515,7 @@ class AbsorberOf
     const auto& units = plan.units;
     bool is_sound = Machine::is_in_range(state) && units.is_sound(state.x1) && units.is_sound(state.x2) &&
                     units.is_sound(state.dx1) && units.is_sound(state.dx2) && state.contact.phase <= Phase::released &&
-                    state.at_left <= 1 && state.fault <= Fault::sample;
+                    state.at_left <= 1 && is_of_state(state.fault);
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (counts_slid_way) is_sound = is_sound && Format::is_sound(state.slid);

@@ -196,6 +196,13 @@ struct InPlaceOf : SilentFeature {
 template <class Type>
 using KeptFeature = typename detail::Either<is_feature<Type>, Type, InPlaceOf<Type>>::Type;
 
+// True if no two features are of one kind.
+template <class... Features>
+inline constexpr bool kinds_differ = true;
+template <class First, class... Others>
+inline constexpr bool kinds_differ<First, Others...> =
+    ((First::kind != Others::kind) && ...) && kinds_differ<Others...>;
+
 template <class Type, class = void>
 inline constexpr bool is_field = false;
 template <class Type>

@@ -21,5 +21,7 @@ enum class Fault : uint16_t {
   sample,        // a sample passed its bound
   plan,          // the plan is rejected, AtRunTime only: the absorber stands still
 };
+// True for a fault that a state can have, which is any before `plan`.
+constexpr bool is_of_state(Fault fault) { return fault < Fault::plan; }
 
 }  // namespace impact

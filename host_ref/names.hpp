@@ -12,11 +12,10 @@ struct Named {
   const char* type;  // in namespace impact
 };
 
-inline constexpr Named<Law> laws[] = {{Law::hooke_newton, "hooke-newton", "HookeNewton"},
-                                      {Law::hertz, "hertz", "Hertz"},
-                                      {Law::hunt_crossley, "hunt-crossley", "HuntCrossley"}};
+#define IMPACT_NAMED_LAW(value, name, Type) {Law::value, name, #Type},
 #define IMPACT_NAMED_STEPPER(value, name, Type) {Stepper::value, name, #Type},
 #define IMPACT_NAMED_FORMAT(value, name, Type) {Numeric::value, name, #Type},
+inline constexpr Named<Law> laws[] = {IMPACT_LAWS(IMPACT_NAMED_LAW)};
 inline constexpr Named<Stepper> steppers[] = {{Stepper::automatic, "auto", "Chosen<>"},
                                               IMPACT_STEPPERS(IMPACT_NAMED_STEPPER)};
 inline constexpr Named<Numeric> numerics[] = {IMPACT_FORMATS(IMPACT_NAMED_FORMAT)};

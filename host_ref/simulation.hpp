@@ -18,8 +18,12 @@
 
 namespace impact::host {
 
-// The steppers and the formats, each in one list: enumerator, the tool's name, the kernel's type. The classical
-// steppers, with pointwise contact, come first.
+// The laws, the steppers and the formats, each in one list: enumerator, the tool's name, the kernel's type. The
+// classical steppers, with pointwise contact, come first.
+#define IMPACT_LAWS(X)                         \
+  X(hooke_newton, "hooke-newton", HookeNewton) \
+  X(hertz, "hertz", Hertz)                     \
+  X(hunt_crossley, "hunt-crossley", HuntCrossley)
 #define IMPACT_STEPPERS(X)                     \
   X(average, "average", AverageAcceleration)   \
   X(linear, "linear", LinearAcceleration)      \

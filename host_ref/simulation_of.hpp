@@ -218,9 +218,15 @@ Planned plan_with_drive(Request request, Bounds bounds) {
 // each impact, because make_simulation first computes the restitution that the law leads to.
 template <class Found>
 auto by_law(const Request& request, const Found& found) {
-  if (request.law == Law::hooke_newton) return found(HookeNewton{});
-  if (request.law == Law::hertz) return found(Hertz{});
-  return request.damping == Damping::constant ? found(HuntCrossley{}) : found(Exact{});
+  if (request.law == Law::hunt_crossley && request.damping != Damping::constant) return found(Exact{});
+  switch (request.law) {
+#define IMPACT_FOUND(value, name, Type) \
+  case Law::value:                      \
+    return found(Type{});
+    IMPACT_LAWS(IMPACT_FOUND)
+#undef IMPACT_FOUND
+  }
+  std::abort();
 }
 
 template <class Format>

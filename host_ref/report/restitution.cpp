@@ -4,6 +4,7 @@
 // closed form.
 
 #include <host_ref/free_pair.hpp>
+#include <host_ref/names.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/progress.hpp>
@@ -17,14 +18,11 @@ using namespace host;
 void write_restitutions(const std::string& path) {
   Output output(path);
   output.write("damping,stated,restitution_min,restitution_max,restitution_exact\n");
-  constexpr Damping dampings[] = {Damping::hunt_crossley, Damping::herbert_mcwhannell,
-                                  Damping::lee_wang,      Damping::lankarani_nikravesh,
-                                  Damping::flores,        Damping::hu_guo,
-                                  Damping::exact};
   Progress progress("laws", std::size(dampings));
   long done = 0;
-  for (const Damping damping : dampings) {
+  for (const auto& [damping, name, type] : dampings) {
     progress.at(done++);
+    if (damping == Damping::constant || name != name_of(damping)) continue;  // per-impact is a second name
     for (int percent = 2; percent <= 100; percent += 2) {
       FreePair free;
       free.damping = damping;
@@ -32,8 +30,8 @@ void write_restitutions(const std::string& path) {
       const auto found = rebounds(free, Stepper::automatic, Numeric::fixed32,
                                   [](const Request& request) { return make_simulation(request).simulation; });
       if (!found || found->has_fault || !found->is_apart)
-        throw std::runtime_error(std::string(name_of(damping)) + " at " + std::to_string(free.restitution));
-      std::string row(name_of(damping));
+        throw std::runtime_error(std::string(name) + " at " + std::to_string(free.restitution));
+      std::string row(name);
       append_numbers(row, {free.restitution, found->least, found->largest, restitution(impact_of(free)).value()}, 6);
       output.write(row + "\n");
     }

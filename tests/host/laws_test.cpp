@@ -11,6 +11,7 @@
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
+#include "host_ref/names.hpp"
 
 namespace impact::host {
 namespace {
@@ -30,6 +31,16 @@ constexpr Stated laws[] = {{Damping::hunt_crossley, HuntCrossleyPerImpact::dampi
 
 double true_restitution(double damping_ratio) {
   return restitution({Law::hunt_crossley, 1, damping_ratio, 1, 1}).value();
+}
+
+TEST(Laws, AreThoseOfTheTool) {
+  size_t known = 0;
+  for (const auto& row : dampings)
+    if (row.value != Damping::constant && row.name == name_of(row.value)) {  // per-impact is a second name
+      ASSERT_LT(known, std::size(laws)) << row.name;
+      EXPECT_EQ(laws[known++].damping, row.value) << row.name;
+    }
+  EXPECT_EQ(known, std::size(laws));
 }
 
 TEST(Laws, AreTheirFormulas) {

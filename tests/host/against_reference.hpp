@@ -11,7 +11,7 @@
 
 namespace impact {
 
-// At every `ratio`-th step up to `duration`; `advance(n)` makes the absorber's n-th.
+// Compares every `ratio`-th step up to `duration`. advance(n) makes the absorber's n-th step.
 template <class Absorber, class Advance>
 double largest_difference(const host::Case& run, const Absorber& absorber, double step, int ratio, double duration,
                           const Advance& advance) {

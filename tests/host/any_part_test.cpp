@@ -12,14 +12,14 @@
 namespace impact::host {
 namespace {
 
-// Friction, so that drive and field are in every bit of the rate and of a way ahead; and by an impact at an instant,
-// which requires what they change by in a step.
+// Friction makes every bit of the rate and of the predicted displacement depend on drive and field. An impulsive
+// contact requires their changes in a step.
 template <class Format, class Stepper, class Drive, class Field>
 using Kernel = Absorber<AtRunTime, HuntCrossley, Stepper, Drive, Format, EnergyLedger, Field, DryFriction>;
 
 double sample_at(int n) { return 11 * std::sin(0.037 * n) * std::cos(0.011 * n); }
 
-// A sine looks at no sample of a drive, and weight at none of a base.
+// A sine ignores samples of the drive, and weight ignores samples of the base.
 template <class Kernel>
 void advance(Kernel& kernel, double force, double base) {
   using Plan = typename Kernel::PlanType;

@@ -1,5 +1,5 @@
-// The faults of the library for C are those of the kernel, which it casts to them. A fault that C lacks does not
-// compile here: no case handles it.
+// The C library casts the kernel's faults to its own, so their numbers agree. A fault that C lacks does not compile
+// here, because no case handles it.
 
 #include <gtest/gtest.h>
 

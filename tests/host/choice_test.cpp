@@ -1,6 +1,6 @@
-// The plan's rule (choice.hpp) at its edges, and the ranges of the steppers with the longest accepted step. Also the
-// promises of the rule about one impact of two free masses: no gain of energy, and a restitution within 1 % of the
-// law's and within the stepper's stated error.
+// The plan's rule (choice.hpp) at its limits, and the ranges of the steppers with the longest accepted step. In one
+// impact of two free masses, the rule's stepper gains no energy. Its restitution is within 1 % of the law's and within
+// the stepper's stated error.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@
 namespace impact::host {
 namespace {
 
-constexpr double speed = 0.8;               // m/s: of the impact, and the fastest that Bounds state
-constexpr Bounds bounds{0.5, 0.4, 0.4, 1};  // room for a contact of any restitution here
+constexpr double speed = 0.8;               // m/s, of the impact, and twice Bounds::speed
+constexpr Bounds bounds{0.5, 0.4, 0.4, 1};  // wide enough for a contact of any restitution here
 
 Request pair_of(Law law, double e, Tension tension = Tension::clamp) {
   Request request;
@@ -33,7 +33,7 @@ Request pair_of(Law law, double e, Tension tension = Tension::clamp) {
   impact.tension = tension;
   Scene& scene = request.scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
-  // Alike, so that neither leaves the bounds by its rebound; of the paper's reduced mass.
+  // Equal masses, so that neither leaves the bounds after its rebound, with the paper's reduced mass.
   scene.main_mass = scene.ball_mass = 0.6 / 1.3;
   scene.tension = tension;
   scene.stops = Stops::right;
@@ -72,7 +72,7 @@ std::string name_of(const Contact& contact) {
          (contact.tension == Tension::allow ? " tension" : "");
 }
 
-// Over 64 phases of the impact within the step.
+// The rebounds at 64 phases of the impact within the step.
 Rebounds rebounds(Request request) {
   request.scene.v1 = -speed / 2;
   request.scene.v2 = speed / 2;
@@ -85,10 +85,10 @@ Rebounds rebounds(Request request) {
   return *found;
 }
 
-// Just inside a range's end: the longest step there is, and the first that there is not.
+// Factors just inside and just outside a range: of the longest accepted step and of the shortest rejected one.
 constexpr double just_below = 1 - 1e-9, just_above = 1 + 1e-9;
 
-// Or from twenty on, where sub-steps are allowed.
+// If sub-steps are allowed, Moment is chosen from twenty steps on.
 TEST(Choice, IsMomentFromEightStepsOn) {
   for (const Contact& contact : contacts) {
     const Resolution r = resolution(pair_of(contact.law, contact.e, contact.tension));
@@ -101,7 +101,7 @@ TEST(Choice, IsMomentFromEightStepsOn) {
   }
 }
 
-// 20 sub-steps in a contact, as many as are allowed.
+// With sub-steps, a contact has 20 of them, up to the allowed number.
 TEST(Choice, IsSubSteppedBelowElseImpulsiveWhileTheMainMassHardlyMoves) {
   Resolution r = resolution(pair_of(Law::hunt_crossley, 0.7));
   r.main_phase = 0.05;
@@ -118,7 +118,7 @@ TEST(Choice, IsSubSteppedBelowElseImpulsiveWhileTheMainMassHardlyMoves) {
   EXPECT_EQ(choice_for(r, just_above * 0.8 * r.shortest_part, 1), Choice::energy);
 }
 
-// 2e-5 of the energy at 8 steps is what a restitution of 1 - 1e-5 loses.
+// At 8 steps Moment may gain 2e-5 of the energy, which a restitution of 1 - 1e-5 loses.
 TEST(Choice, IsEnergyWhereHookeNewtonLosesLessThanMomentMayGain) {
   Resolution r = resolution(pair_of(Law::hooke_newton, 0.7));
   r.restitution = 1 - 0.9e-5;
@@ -147,12 +147,12 @@ static_assert(std::is_same_v<Absorber<SlowRig, HuntCrossley, Chosen<>, Sine, Fix
 static_assert(std::is_same_v<Chosen<SlowestRig, HuntCrossley>::Type, EnergyConsistent>);
 static_assert(std::is_same_v<Absorber<SlowestRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, EnergyConsistent>);
 
-// An absorber AtRunTime, of the rig with the stiffest scene.
+// An absorber AtRunTime has the stepper of the rig with the stiffest scene.
 static_assert(std::is_same_v<Absorber<AtRunTime, HuntCrossley, Chosen<SlowRig, HuntCrossley>, Sine, Fixed32>::Stepper,
                              SubsteppedMoment<>>);
 
-// The refusal names a step; that one is accepted, and the next is not.
-TEST(Choice, ARefusedStepperNamesTheStepThatWouldDo) {
+// A rejected stepper names a longest step. That step is accepted, and a slightly longer one is not.
+TEST(Choice, ARejectedStepperNamesAnAcceptedStep) {
   for (const Contact& contact : contacts)
     for (const Stepper stepper : {Stepper::moment, Stepper::moment_4, Stepper::moment_8, Stepper::energy}) {
       Request request = pair_of(contact.law, contact.e, contact.tension);
@@ -177,7 +177,7 @@ TEST(Choice, ARefusedStepperNamesTheStepThatWouldDo) {
     }
 }
 
-// No step makes an impulse of a contact that lasts a quarter of a radian of the main mass's vibration.
+// Impulsive is rejected at any step if a contact lasts a quarter of a radian of the main oscillation.
 TEST(Choice, ImpulsiveIsRefusedForALongContact) {
   Request request = pair_of(Law::hertz, 1);
   request.stepper = Stepper::impulsive;
@@ -195,9 +195,8 @@ TEST(Choice, ImpulsiveIsRefusedForALongContact) {
   EXPECT_NE(make_simulation(request).simulation, nullptr);
 }
 
-// No energy gained, but by Hooke-Newton without damping, from the fewest steps on. From eight on within a hundredth of
-// the law's restitution, and everywhere within what the stepper states.
-// With sub-steps, at as many of them.
+// From the fewest accepted steps on, only Hooke-Newton without damping gains energy. From eight steps on the
+// restitution is within a hundredth of the law's, and always within what the stepper states. Sub-steps count as steps.
 TEST(Choice, MomentKeepsWhatItStates) {
   struct Parts {
     Stepper stepper;
@@ -211,7 +210,7 @@ TEST(Choice, MomentKeepsWhatItStates) {
         request.stepper = stepper;
         const Resolution r = resolution(request);
         request.step = just_below * parts * r.shortest_part / steps;
-        // Of a contact that is damped as hard as e = 0.05 and 0.1, fewer steps would not resolve the damping.
+        // With the damping for e = 0.05 and 0.1, fewer steps do not resolve the damping.
         if (!Moment::steps(r).holds(request.step / parts)) continue;
         ++accepted;
         const Rebounds found = rebounds(request);
@@ -229,10 +228,11 @@ TEST(Choice, MomentKeepsWhatItStates) {
   EXPECT_GE(accepted, 320);  // of 336
 }
 
-// The picture's scene, driven, at large steps: by the rule, and against the same scene at 0.01 ms, where the moment
-// step errs by less than 1e-10 m (accuracy_test.cpp). At 5 ms a cubic misses 40 mm of vibration at 40 rad/s by 40 mm
-// (40 rad/s 5 ms)^4 / 384 = 1.7e-7 m a contact; some six contacts make 1e-6 m, and the fourth power of the step.
-TEST(Choice, TheDrivenSceneHoldsAtLargeSteps) {
+// The picture's scene at large steps, compared with the same scene at 0.01 ms, where Moment has an error below 1e-10 m
+// (accuracy_test.cpp). A cubic approximates the main oscillation, 40 mm at 40 rad/s. Its error at 5 ms is 40 mm (40
+// rad/s 5 ms)^4/384 = 1.7e-7 m per contact. Some six contacts make 1e-6 m, which falls with the fourth power of the
+// step.
+TEST(Choice, TheDrivenSceneIsAccurateAtLargeSteps) {
   const auto displacements = [](double step, Stepper stepper) {
     Request request;
     request.step = step;
@@ -250,7 +250,7 @@ TEST(Choice, TheDrivenSceneHoldsAtLargeSteps) {
     return result;
   };
   const auto exact = displacements(1e-5, Stepper::moment);
-  for (const Stepper stepper : {Stepper::automatic, Stepper::moment_4, Stepper::moment_8}) {
+  for (const Stepper stepper : {Stepper::automatic, Stepper::moment_4, Stepper::moment_8})
     for (const double step : {5e-3, 2.5e-3, 1e-3}) {
       const auto found = displacements(step, stepper);
       ASSERT_EQ(found.size(), exact.size());
@@ -263,7 +263,6 @@ TEST(Choice, TheDrivenSceneHoldsAtLargeSteps) {
         EXPECT_LE(error, 1e-6) << step;
       }
     }
-  }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Single steps of a contact against their closed forms, in double. A run of many steps cannot show a wrong or missing
-// term that is smaller than the error of the method.
+// Single steps of a contact against their closed forms, in double. In a run of many steps, the error of the method
+// hides a wrong or missing small term.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace impact::host {
 namespace {
 
-// Of two free masses at a Hooke-Newton stop: d'' = -w^2 d - 2 z w d', z < 1.
+// The relative motion of two free masses at a Hooke-Newton stop: d'' = -w^2 d - 2 z w d', z < 1.
 struct Oscillation {
   double pulsation, ratio;  // w, z
 
@@ -38,12 +38,12 @@ Scene free_pair(const Oscillation& motion) {
 }
 
 constexpr double h = 1e-3;
-// About the longest steps that are taken: five a contact, and ten without damping.
+// Contacts near the longest accepted steps: five steps per contact, and ten without damping.
 const std::vector<Oscillation> oscillations = {{310, 0}, {580, 0.1}, {470, 0.5}, {400, 0.9}};
 
-// The plan's eight constants hold the whole series.
+// The plan's eight constants contain the whole series.
 TEST(ClosedFormSteps, HookeNewtonInsideAContactIsExact) {
-  for (const Oscillation& motion : oscillations) {
+  for (const Oscillation& motion : oscillations)
     for (const double v : {0.5, 0.1, 0.0}) {
       Scene scene = free_pair(motion);
       const Oscillation::State start{1e-3, v};
@@ -59,13 +59,12 @@ TEST(ClosedFormSteps, HookeNewtonInsideAContactIsExact) {
       EXPECT_NEAR(now.x2 - now.x1 - scene.clearance / 2, exact.d, 1e-14) << motion.ratio << " " << v;
       EXPECT_NEAR(now.v2 - now.v1, exact.v, 1e-11) << motion.ratio << " " << v;
     }
-  }
 }
 
-// A step in which the ball comes has the series up to its fifth term: what it misses is less than twice the sixth.
-TEST(ClosedFormSteps, HookeNewtonComesWithinTheSixthTermOfItsSeries) {
+// In the step in which the ball arrives, the series ends with its fifth term. The error is below twice the sixth.
+TEST(ClosedFormSteps, HookeNewtonArrivesWithinTheSixthTermOfItsSeries) {
   constexpr double speed = 0.5;
-  for (const Oscillation& motion : oscillations) {
+  for (const Oscillation& motion : oscillations)
     for (const double share : {0.25, 0.5, 0.75, 1.0}) {
       Scene scene = free_pair(motion);
       scene.x2 = scene.clearance / 2 - speed * h * (1 - share);
@@ -74,7 +73,7 @@ TEST(ClosedFormSteps, HookeNewtonComesWithinTheSixthTermOfItsSeries) {
       ASSERT_EQ(plan.status, PlanStatus::ok);
       Absorber<AtRunTime, HookeNewton, Moment, NoDrive, Float64> absorber(plan);
       absorber.step();
-      // The derivatives of the acceleration by the contact, a = w^2 d + 2 z w d'.
+      // The derivatives of the acceleration in contact, a = w^2 d + 2 z w d'.
       const double t = share * h, w = motion.pulsation, c = 2 * motion.ratio * w;
       double d[8] = {0, speed}, sixth = 0;
       for (int n = 0; n < 6; ++n) {
@@ -82,7 +81,7 @@ TEST(ClosedFormSteps, HookeNewtonComesWithinTheSixthTermOfItsSeries) {
         d[n + 2] = -a;
         sixth = std::abs(a);
       }
-      // Undamped, every other one is nil: the next bounds it.
+      // Without damping every other derivative is 0, and the next one bounds the error.
       const double bound = 2 * sixth * std::pow(t, 6) / 720 + 1e-13;
       const auto exact = motion.after(t, {0, speed});
       const auto now = absorber.reading();
@@ -90,14 +89,13 @@ TEST(ClosedFormSteps, HookeNewtonComesWithinTheSixthTermOfItsSeries) {
       EXPECT_NEAR(now.x2 - now.x1 - scene.clearance / 2, exact.d, bound * t)
           << w << " " << motion.ratio << " " << share;
     }
-  }
 }
 
-// An impact at an instant sets a main mass at rest swinging. What the step leaves out is (w0 t)^4/120 of the kick's
-// displacement and (w0 t)^4/24 of its velocity; the contact's own length of 5e-7 s counts as well.
+// An impulsive impact starts a main mass that was at rest. The step neglects (w0 t)^4/120 of the displacement, (w0
+// t)^4/24 of the velocity, and the contact time of 5e-7 s.
 TEST(ClosedFormSteps, ImpulsiveSetsAMassSwingingAsInClosedForm) {
   constexpr double step = 1e-2, speed = 1;
-  for (const double turn : {0.2, 0.5, 0.8}) {
+  for (const double turn : {0.2, 0.5, 0.8})
     for (const double share : {0.3, 0.6, 0.95}) {
       Scene scene;
       scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
@@ -118,14 +116,13 @@ TEST(ClosedFormSteps, ImpulsiveSetsAMassSwingingAsInClosedForm) {
       EXPECT_NEAR(now.v1, v1 * std::cos(w * t), v1 * (fourth / 24 + contact)) << turn << " " << share;
       EXPECT_NEAR(now.v2, speed - kick / scene.ball_mass, 1e-12) << turn << " " << share;
     }
-  }
 }
 
-// Moment's longest step on a contact that is pressed far deeper than an impact would go (0.9 rad of the contact's own
-// vibration, at the deepest that the bounds allow): a light main mass on its spring, deflected as far as it may be,
-// vibrates against a heavy ball by less than a hundredth of the penetration at rest. Six periods are right within 3 %
-// of the amplitude; at 2 rad, where the step creates no energy either, within a third of it. The reference is the
-// leap-frog step, 200 times as fine: (0.74/200)^2/24 of a radian in each.
+// Moment's longest step in a contact that is pressed far deeper than by an impact: 0.9 rad of the contact's own
+// oscillation. A light main mass, with its spring at the bound, oscillates against a heavy ball. The amplitude is below
+// a hundredth of the static penetration. Over six periods the error is below 3 % of the amplitude. At 2 rad, where the
+// step also creates no energy, it is a third. The reference is the leap-frog method with 200 times as many steps, which
+// has an error of (0.74/200)^2/24 rad in each.
 TEST(LongestStep, APressedContactVibratesAsItShouldAtTheLongestStep) {
   using Kernel = Absorber<AtRunTime, Hertz, Moment, NoDrive, Float64>;
   Scene scene;
@@ -139,7 +136,7 @@ TEST(LongestStep, APressedContactVibratesAsItShouldAtTheLongestStep) {
   const Bounds bounds{0.1, 1e-3, 0, 10};
   const double gap = scene.clearance / 2, k1 = scene.contact_stiffness;
   const double at_rest = std::pow(scene.main_stiffness * scene.x1 / k1, 2.0 / 3);
-  scene.x2 = scene.x1 + gap + 1.005 * at_rest;  // from where it vibrates
+  scene.x2 = scene.x1 + gap + 1.005 * at_rest;  // slightly off rest, so that it oscillates
   double step = 1e-6, refused = 1e-2;
   for (int i = 0; i < 50; ++i) {
     const double middle = (step + refused) / 2;

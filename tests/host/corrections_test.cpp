@@ -1,6 +1,6 @@
-// Random corrections of an observer, of any size within the bounds. They come in flight, into a stop, and in a contact
-// with a damping per impact that would be too large after the correction. The motion after them gains no energy. A
-// correction of 0 does not change the motion.
+// Random corrections of an observer, of any size within the bounds. They occur in flight, into a stop, and in a contact
+// whose damping per impact would be too large after the correction. The motion after them gains no energy. A correction
+// of 0 does not change the motion.
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <impact/absorber.hpp>
 #include <type_traits>
 
+#include "accepted.hpp"
 #include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "random.hpp"
@@ -31,7 +32,7 @@ struct Corrected {
 };
 // Scenes without a drive, with a weak main spring or none. The contact of the fastest impact has 4 to 400 steps. Most
 // impacts are far slower.
-Corrected at_random(Random& chance) {
+Corrected random_scene(Random& chance) {
   Corrected result;
   Scene& scene = result.scene;
   scene.main_mass = chance.wide(0.01, 100);
@@ -95,7 +96,7 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
   int accepted = 0, corrected = 0;
   double worst = 0;
   for (int index = 0; index < 400; ++index) {
-    const auto [scene, bounds, step] = at_random(chance);
+    const auto [scene, bounds, step] = random_scene(chance);
     Kernel kernel(Kernel::PlanType::make(scene, bounds, step));
     if (kernel.fault() == Fault::plan) continue;
     const double deepest = contact_terms<typename TypeParam::ContactLaw>(scene, bounds).deepest,
@@ -147,8 +148,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, CasesOf<Float32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, CasesOf<Float32Plain>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
 
-// Exact to an LSB of the state, some 2^-45 of it in Float32. In a very stiff contact the penetrations are below a
-// float's LSB of the clearance. An error of the position would then create energy.
+// The ball is on the stop within an LSB of the state, some 2^-45 of it in Float32. In a very stiff contact the
+// penetrations are below a float's LSB of the clearance. An error of the position would then create energy.
 TEST(Corrections, PutABallInAStopOntoIt) {
   Random chance(5);
   const auto expect_ball_moved_to_stop = [](auto format, const Scene& scene) {
@@ -173,19 +174,17 @@ TEST(Corrections, PutABallInAStopOntoIt) {
   }
 }
 
-// A correction moves the ball out of a contact, across the cavity and into the other stop. It is placed at that stop,
-// and gains nothing.
+// A correction moves the ball out of a contact, across the cavity and into the other stop. The ball is placed on that
+// stop, and gains nothing.
 template <class Kernel>
-void is_put_to_the_other_stop(double depth) {
+void expect_placement_at_the_other_stop(double depth) {
   using Format = typename Kernel::Format;
   Scene scene;
   scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = 0;
   scene.x2 = 0.01;
   scene.v2 = 0.5;
   Bounds bounds;
-  const auto plan = Kernel::PlanType::make(scene, bounds, 1e-4);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Kernel kernel(plan);
+  auto kernel = accepted<Kernel>(scene, bounds, 1e-4);
   const double gap = scene.clearance / 2;
   const auto energy = [&] {
     const auto now = kernel.reading();
@@ -206,19 +205,16 @@ void is_put_to_the_other_stop(double depth) {
 }
 TEST(Corrections, PutABallInContactOntoTheOtherStop) {
   for (const double depth : {1e-5, 1e-3, 0.02}) {
-    is_put_to_the_other_stop<Absorber<AtRunTime, Hertz, Moment, NoDrive, Float64>>(depth);
-    is_put_to_the_other_stop<Absorber<AtRunTime, Hertz, Moment, NoDrive, Float32>>(depth);
-    is_put_to_the_other_stop<Absorber<AtRunTime, Hertz, Moment, NoDrive, Fixed32>>(depth);
-    is_put_to_the_other_stop<Absorber<AtRunTime, Hertz, SubsteppedMoment<4>, NoDrive, Fixed32>>(depth);
-    is_put_to_the_other_stop<Absorber<AtRunTime, Hertz, EnergyConsistent, NoDrive, Fixed32>>(depth);
+    expect_placement_at_the_other_stop<Absorber<AtRunTime, Hertz, Moment, NoDrive, Float64>>(depth);
+    expect_placement_at_the_other_stop<Absorber<AtRunTime, Hertz, Moment, NoDrive, Float32>>(depth);
+    expect_placement_at_the_other_stop<Absorber<AtRunTime, Hertz, Moment, NoDrive, Fixed32>>(depth);
+    expect_placement_at_the_other_stop<Absorber<AtRunTime, Hertz, SubsteppedMoment<4>, NoDrive, Fixed32>>(depth);
+    expect_placement_at_the_other_stop<Absorber<AtRunTime, Hertz, EnergyConsistent, NoDrive, Fixed32>>(depth);
   }
 }
 
-// An observer that corrects by 0 in every step starts the contact again each time, at its penetration and rate. This
-// returns the largest change of x1 over the first impacts of the paper's scene, m. With Moment it is 0, and with
-// EnergyConsistent at most that stepper's own error, 1.8e-5 at 1 ms, with Exact 7.1e-5. A Hooke-Newton stop may have
-// released a ball that is still inside it and on its way out. If a correction put that ball deeper, the spring would
-// push it out with energy that no motion has stored.
+// Hooke-Newton may have released a ball that is still inside the stop and on its way out. If a correction put that ball
+// deeper, the spring would push it out with energy that no motion has stored.
 template <class Stepper, class Format>
 void expect_ball_not_deeper() {
   using Kernel = Absorber<AtRunTime, HookeNewton, Stepper, NoDrive, Format>;
@@ -229,8 +225,7 @@ void expect_ball_not_deeper() {
   scene.stops = Stops::right;
   scene.x2 = 0.0099;
   scene.v2 = 0.6;
-  Kernel absorber(Kernel::PlanType::make(scene, Bounds{}, 1e-4));
-  ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+  auto absorber = accepted<Kernel>(scene, Bounds{}, 1e-4);
   const auto inside = [&] {
     const auto now = absorber.reading();
     return now.x2 - now.x1 - scene.clearance / 2;
@@ -245,14 +240,17 @@ void expect_ball_not_deeper() {
   EXPECT_LT(inside(), 0);
   EXPECT_NEAR(kinetic(), before, 1e-6 * before);
 }
-TEST(Corrections, PutABallThatWasLetGoNoDeeper) {
+TEST(Corrections, PutAReleasedBallNoDeeper) {
   expect_ball_not_deeper<Moment, Float64>();
   expect_ball_not_deeper<Moment, Fixed32>();
   expect_ball_not_deeper<SubsteppedMoment<4>, Float64>();
 }
 
+// An observer that corrects by 0 in every step restarts the contact each time, at its penetration and rate. Returns the
+// largest change of x1 over the first impacts of the paper's scene, m. With Moment it is 0. With EnergyConsistent it is
+// at most that stepper's own error, 1.8e-5 at 1 ms, and 7.1e-5 with Exact.
 template <class ContactLaw, class Stepper>
-double energy_gain_of_zero_corrections(double step) {
+double change_by_zero_corrections(double step) {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Float64>;
   Scene scene;
   if (ContactLaw::is_linear) scene.contact_damping = 5;
@@ -271,20 +269,19 @@ double energy_gain_of_zero_corrections(double step) {
   EXPECT_GE(touching * step, 0.05);
   return largest;
 }
-TEST(Corrections, OfNothingLeaveTheMotion) {
-  EXPECT_LE((energy_gain_of_zero_corrections<HuntCrossley, Moment>(1e-3)), 1e-13);
-  EXPECT_LE((energy_gain_of_zero_corrections<Exact, Moment>(1e-3)), 1e-13);
-  EXPECT_LE((energy_gain_of_zero_corrections<HookeNewton, Moment>(1e-4)), 1e-13);
-  EXPECT_LE((energy_gain_of_zero_corrections<HuntCrossley, SubsteppedMoment<4>>(1e-3)), 1e-13);
-  const auto is_of_second_order = [](double coarse, double fine, double own) {
+TEST(Corrections, OfZeroLeaveTheMotion) {
+  EXPECT_LE((change_by_zero_corrections<HuntCrossley, Moment>(1e-3)), 1e-13);
+  EXPECT_LE((change_by_zero_corrections<Exact, Moment>(1e-3)), 1e-13);
+  EXPECT_LE((change_by_zero_corrections<HookeNewton, Moment>(1e-4)), 1e-13);
+  EXPECT_LE((change_by_zero_corrections<HuntCrossley, SubsteppedMoment<4>>(1e-3)), 1e-13);
+  const auto expect_second_order = [](double coarse, double fine, double own) {
     EXPECT_LE(coarse, own);
     EXPECT_LE(fine, coarse * std::pow(10, -1.5));
   };
   using E = EnergyConsistent;
-  is_of_second_order(energy_gain_of_zero_corrections<HuntCrossley, E>(1e-3),
-                     energy_gain_of_zero_corrections<HuntCrossley, E>(1e-4), 1.8e-5);
-  is_of_second_order(energy_gain_of_zero_corrections<Exact, E>(1e-3), energy_gain_of_zero_corrections<Exact, E>(1e-4),
-                     7.1e-5);
+  expect_second_order(change_by_zero_corrections<HuntCrossley, E>(1e-3),
+                      change_by_zero_corrections<HuntCrossley, E>(1e-4), 1.8e-5);
+  expect_second_order(change_by_zero_corrections<Exact, E>(1e-3), change_by_zero_corrections<Exact, E>(1e-4), 7.1e-5);
 }
 
 template <class Format>
@@ -294,7 +291,7 @@ TYPED_TEST_SUITE(CorrectionsInEveryFormat, AllFormats);
 
 // Far on the side without a stop, the difference of both positions minus the position of the stop exceeds 2^63 in
 // Fixed32.
-TYPED_TEST(CorrectionsInEveryFormat, OfNothingLeaveABallFarFromItsStop) {
+TYPED_TEST(CorrectionsInEveryFormat, OfZeroLeaveABallFarFromItsStop) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double side : {1.0, -1.0}) {
     Scene scene;
@@ -317,7 +314,7 @@ TYPED_TEST(CorrectionsInEveryFormat, OfNothingLeaveABallFarFromItsStop) {
   }
 }
 
-// A correction by the bound from the bound. If the bound is a power of two, the sum exceeds the unit of Fixed32.
+// A correction by the bound, at the bound. If the bound is a power of two, the sum exceeds the unit of Fixed32.
 TYPED_TEST(CorrectionsInEveryFormat, ToTwiceTheBoundEndAtIt) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double bound : {0.9, 1.0, 1.1})

@@ -43,10 +43,10 @@ inline double energy_rounded(const CoupledScene& found) {
   return 5 * std::sqrt(static_cast<double>(6 * found.steps) / 12) * std::sqrt(2 / found.energy) * lsbs / h;
 }
 
-// The largest gain, as a share of the scene's energy. Moment-fitted steppers create up to 1e-5 in each of some hundred
-// contacts. Named ones with fewer than the 8 steps per contact of the rule create up to 6e-5. The other steppers create
-// none, except for rounding. Named sub-steps beyond the phase or the number that the rule allows create more, and the
-// tool warns of them.
+// The largest accepted gain, as a share of the scene's energy. Moment-fitted steppers create up to 1e-5 in each of some
+// hundred contacts. Named ones with fewer than the 8 steps per contact of the rule create up to 6e-5. The other
+// steppers create none, except for rounding. Named sub-steps beyond the rule's limits of phase or number create more,
+// and the tool warns of them.
 inline double largest_energy_gain(const CoupledScene& found) {
   const Scene& scene = found.request.scene;
   const int parts = sub_steps(found.request);

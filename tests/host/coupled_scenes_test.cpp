@@ -1,7 +1,6 @@
-// The promises of a plan about the coupled machine, for all steppers that it accepts and for the rule's choice. With
-// true bounds no fault is raised, no energy is gained, and contacts dissipate what the law requires. Half of the scenes
-// have a drive; some have weight, a base that shakes and dry friction. IMPACT_COUPLED_SCENES=20000 runs the full number
-// per format.
+// Random coupled scenes with all steppers that a plan accepts, and with the rule's choice. With true bounds there is no
+// fault, no gain of energy, and contacts dissipate what the law requires. Half of the scenes have a drive. Some have
+// weight, a base that shakes and dry friction. IMPACT_COUPLED_SCENES=20000 runs the full number per format.
 
 #include "host_ref/coupled_scenes.hpp"
 
@@ -60,12 +59,12 @@ class CoupledScenes : public testing::TestWithParam<Suite> {
   struct Tally {
     unsigned made = 0, accepted = 0;
   };
-  // None that the stepper accepts gains energy or raises a fault; `see` looks at each as well.
+  // Runs every accepted scene: none gains energy or raises a fault. `see` makes further checks of each.
   template <class See>
   static Tally run_scenes(Stepper stepper, Parts parts, std::initializer_list<Edge> edges, unsigned of_each, See see) {
     Tally tally;
     double worst = 0, worst_rubbed = 0;
-    for (const Edge edge : edges) {
+    for (const Edge edge : edges)
       for (unsigned index = 0; index < of_each; ++index, ++tally.made) {
         CoupledScene found = scene(edge, index, parts);
         found.request.stepper = stepper;
@@ -78,7 +77,6 @@ class CoupledScenes : public testing::TestWithParam<Suite> {
         if (!(run.gain <= worst)) worst = run.gain;
         if (!(run.rubbed <= worst_rubbed)) worst_rubbed = run.rubbed;
       }
-    }
     std::printf("  %-10s %5u of %5u scenes accepted, largest gain %.2g, with friction's ledger %.2g\n",
                 std::string(name_of(stepper)).c_str(), tally.accepted, tally.made, worst, worst_rubbed);
     return tally;
@@ -88,7 +86,6 @@ class CoupledScenes : public testing::TestWithParam<Suite> {
 constexpr Stepper every_stepper[] = {Stepper::automatic, Stepper::moment, Stepper::moment_4, Stepper::moment_8,
                                      Stepper::moment_n,  Stepper::energy, Stepper::impulsive};
 
-// By the rule and by every stepper that the plan accepts.
 TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
   for (const Stepper stepper : every_stepper) {
     const Tally tally = run_scenes(stepper, Parts::none, {Edge::none, Edge::crossing, Edge::heavy_ball}, scenes(),
@@ -96,9 +93,9 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
                                      if (run.gain > 0.01 + energy_rounded(found)) {
                                        EXPECT_TRUE(run.is_warned) << text_of(found.request);
                                      }
-                                     // The energy step knows the work of its force within rounding. The ledgers of the
-                                     // others are of second order. In Fixed32 the LSB of its impulses is coarser than
-                                     // that of the energies of a hard stop.
+                                     // The energy-consistent step knows the work of its force within rounding. The
+                                     // ledgers of the others are of second order. In Fixed32 the LSB of its impulses is
+                                     // coarser than that of the energies of a hard stop.
                                      if (stepper == Stepper::energy && GetParam().numeric != Numeric::fixed32) {
                                        EXPECT_LE(run.returned, largest_energy_gain(found)) << text_of(found.request);
                                      }
@@ -120,8 +117,8 @@ TEST(CoupledSceneOfSubSteps, ThatGainsEnergyIsWarnedOf) {
   EXPECT_TRUE(run.is_warned);
 }
 
-// Stiff stops with strong damping, on a main mass that oscillates by 0.4 to 0.9 rad in a step. There the energy step
-// conserves the energy but not the damping of the law. A ball that is pressed on its stop then creeps into it.
+// Stiff stops with strong damping, on a main mass that oscillates by 0.4 to 0.9 rad per step. There EnergyConsistent
+// conserves the energy but not the law's damping. A ball that is pressed onto its stop then creeps into it.
 TEST(CoupledScenesOfTheEnergyStep, StayWithinTheirBoundsUnderStrongDamping) {
   std::mt19937_64 engine(1);
   constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::none, DriveKind::sampled};
@@ -139,7 +136,7 @@ TEST(CoupledScenesOfTheEnergyStep, StayWithinTheirBoundsUnderStrongDamping) {
   for (unsigned index = 0; index < 4000; ++index) {
     Place place;
     for (double& coordinate : place) coordinate = static_cast<double>(engine() >> 11) * 0x1p-53;
-    place[3] = 0.2 + 0.3 * place[3];    // the swing
+    place[3] = 0.2 + 0.3 * place[3];    // the main mass's phase per step
     place[4] = 0.45 + 0.55 * place[4];  // the stiffness
     place[10] *= 0.4;                   // the restitution
     holds(coupled_scene(Law::hunt_crossley, index % 2 ? Edge::heavy_ball : Edge::none, drives[index % 4], Parts::none,
@@ -161,7 +158,7 @@ TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
   }
 }
 
-// Far from the stops, so that what both masses have lost is what friction has taken.
+// The stops are far away, so both masses lose only what friction dissipates.
 TEST(CoupledSceneOfFriction, LosesWhatASampleSaysThatFrictionHasTaken) {
   for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32}) {
     Request request;
@@ -181,11 +178,10 @@ TEST(CoupledSceneOfFriction, LosesWhatASampleSaysThatFrictionHasTaken) {
   }
 }
 
-// The first contact of a scene by the rule, against the reference: what it dissipates, as a share of what the impact
-// brought. A moment-fitted contact is within 1e-3 (8 steps a contact); the impulsive one takes the main mass to stand
-// still for the 0.05 rad of its vibration that a contact lasts, and the energy step's force is constant over a step:
-// where the main mass swings by 0.7 rad in a step of a contact, 0.13. In Fixed32 the motion is rounded, and its ledger
-// as well.
+// The energy that the first contact dissipates by the rule's stepper, compared with the reference, as a share of the
+// impact's energy. A moment-fitted contact is within 1e-3, at 8 steps per contact. Impulsive assumes that the main mass
+// rests for the contact, which lasts up to 0.05 rad of its oscillation. EnergyConsistent assumes a constant force in
+// each step. At a phase of 0.7 rad per step the error is 0.13. In Fixed32 the motion and its ledger are also rounded.
 TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   if (GetParam().numeric == Numeric::float32 || GetParam().numeric == Numeric::float32_plain)
     GTEST_SKIP() << "float64 shows the method and fixed32 the format";
@@ -197,7 +193,7 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
     const Request& request = found.request;
     const Scene& physical = request.scene;
     if (request.drive == DriveKind::sampled) continue;
-    // Time for one contact to end before the other stop is reached.
+    // The clearance leaves time for one contact to end before the ball reaches the other stop.
     if (physical.clearance < 40 * request.bounds->speed * request.step) continue;
     const Outcome outcome = make_simulation(request);
     if (!outcome.simulation) continue;
@@ -242,14 +238,14 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   EXPECT_GE(compared, GetParam().is_damped_per_impact ? 10u : 20u);
 }
 
-// A failing test prints a command, which the tool accepts and which makes the same motion.
+// A failing test prints a command. The tool accepts it, and it makes the same motion.
 TEST_P(CoupledScenes, AreRunByTheCommandThatATestPrints) {
   const std::filesystem::path before = std::filesystem::current_path();
   std::string name = (std::filesystem::temp_directory_path() / "coupled_scenes_test.XXXXXX").string();
   const std::filesystem::path folder = mkdtemp(name.data());
   std::filesystem::current_path(folder);
   unsigned run = 0;
-  for (const Parts parts : {Parts::none, Parts::some}) {
+  for (const Parts parts : {Parts::none, Parts::some})
     for (unsigned index = 0; index < 24; ++index) {
       const CoupledScene found = scene(Edge::none, index, parts);
       const Request& request = found.request;
@@ -283,7 +279,6 @@ TEST_P(CoupledScenes, AreRunByTheCommandThatATestPrints) {
       EXPECT_EQ(made.simulation->sample().x1, again.simulation->sample().x1) << text_of(request);
       EXPECT_EQ(made.simulation->sample().x2, again.simulation->sample().x2) << text_of(request);
     }
-  }
   std::filesystem::current_path(before);
   std::filesystem::remove_all(folder);
   EXPECT_GE(run, 15u);

@@ -18,20 +18,20 @@ namespace {
 
 constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr unsigned scenes_an_edge = 600;
-// Between the ends of its steps a mass is a little faster than at any.
+// Between the ends of its steps a mass may be slightly faster than at these ends.
 constexpr double seen = 1.01;
 
 class DeepestPenetration : public testing::TestWithParam<Law> {};
 
-TEST_P(DeepestPenetration, HoldsEveryMotionWithinItsBounds) {
+TEST_P(DeepestPenetration, BoundsEveryMotionWithinItsBounds) {
   int contacts = 0;
   double closest = 0;
-  for (const Edge edge : edges) {
+  for (const Edge edge : edges)
     for (unsigned index = 0; index < scenes_an_edge; ++index) {
       CoupledScene found = coupled_scene(GetParam(), edge, index, index % 3 ? Parts::some : Parts::none);
       if (found.request.drive == DriveKind::sampled) continue;
       found.request.numeric = Numeric::float64;
-      found.request.stepper = Stepper::moment;  // which refuses contacts that are not resolved
+      found.request.stepper = Stepper::moment;  // which rejects unresolved contacts
       found.request.step /= 32;
       const auto simulation = make_simulation(found.request).simulation;
       if (!simulation) continue;
@@ -49,11 +49,10 @@ TEST_P(DeepestPenetration, HoldsEveryMotionWithinItsBounds) {
       EXPECT_LE(reached.penetration, bound) << text_of(found.request);
       closest = larger(closest, reached.penetration / bound);
     }
-  }
   EXPECT_GT(contacts, 200);
   std::printf("  %d scenes with a contact, the deepest at %.2f of its bound\n", contacts, closest);
 }
-// A ball that starts inside a stop has stored energy there already, and no impact has set its damping.
+// A ball that starts inside a stop already has stored energy there, and no impact has set its damping.
 template <class ContactLaw>
 void expect_start_inside_to_hold() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Moment, NoDrive, Fixed32>;

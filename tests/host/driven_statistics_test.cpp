@@ -1,6 +1,6 @@
-// The paper's scene with its sine for 20 s, with a stop as stiff as steel, at 1 kHz. Motions differ after a few
-// impacts. Therefore averages over many starts are compared with the reference: the root mean square of x1, the energy
-// dissipated, and the impacts per second. The law is Hunt-Crossley with c1 for e = 0.7 at 0.8 m/s.
+// The paper's scene with its sine for 20 s, with a stop as stiff as steel, at 1 kHz. Motions diverge after a few
+// impacts, so averages over many starts are compared with the reference. They are the root mean square of x1, the
+// energy dissipated, and the impacts per second. The law is Hunt-Crossley with c1 for e = 0.7 at 0.8 m/s.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,8 @@ Scene scene_at(double contact_stiffness, int start) {
   Scene scene;
   scene.contact_stiffness = contact_stiffness;
   scene.contact_damping = contact_damping(impact, 0.7).value();
-  // The ball anywhere in its cavity, the main mass at up to 0.2 m/s: multiples of two golden ratios' parts.
+  // The ball starts anywhere in its cavity, and the main mass at up to 0.2 m/s: multiples of two golden ratios, modulo
+  // 1.
   double whole = 0;
   scene.x2 = (std::modf(0.5 + start * 0.7548776662, &whole) - 0.5) * 0.9 * scene.clearance;
   scene.v1 = 0.4 * (std::modf(0.5 + start * 0.5698402910, &whole) - 0.5);
@@ -33,7 +34,7 @@ Scene scene_at(double contact_stiffness, int start) {
 constexpr const char* quantities[] = {"rms of x1", "energy dissipated", "impacts per second"};
 
 struct Means {
-  double mean[3], deviation[3];  // of the mean, over the mean
+  double mean[3], deviation[3];  // relative to the mean
 };
 
 struct Ran {
@@ -41,7 +42,7 @@ struct Ran {
   Sample last;
 };
 
-// `run_from(start)` makes a run.
+// The means over many starts of run_from(start).
 template <class Run>
 Means means_over(int starts, Run run_from) {
   double sum[3] = {}, squares[3] = {};
@@ -69,7 +70,7 @@ Means reference_means(double contact_stiffness, int starts) {
   return means_over(starts, [=](int start) {
     Case run;
     run.scene = scene_at(contact_stiffness, start);
-    Reference reference(run, 1e-8);  // after a few impacts no tolerance tells which motion it is
+    Reference reference(run, 1e-8);  // after a few impacts, no tolerance gives the true motion
     Ran result;
     for (int n = 1; n <= steps; ++n) {
       reference.advance(n * step);
@@ -105,13 +106,12 @@ Means kernel_means(double contact_stiffness, int starts, Stepper stepper, Numeri
 
 class Driven : public testing::TestWithParam<double> {};
 
-// One start's root mean square scatters by 4 %, its energy and its impacts by 2 %: over 96 starts of the reference and
-// 384 of the kernel the difference of the means has a standard deviation of 0.45 %, well below the 2 % that it is to be
-// within.
+// The root mean square of one start scatters by 4 %, energy and impacts by 2 %. The reference has 96 starts and the
+// kernel 384. The difference of the means then has a standard deviation of 0.45 %, well below the limit of 2 %.
 TEST_P(Driven, HasTheReferencesStatistics) {
   const double stiffness = GetParam();
   const Means exact = reference_means(stiffness, 96);
-  for (const Stepper stepper : {Stepper::automatic, Stepper::impulsive}) {
+  for (const Stepper stepper : {Stepper::automatic, Stepper::impulsive})
     for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32}) {
       const Means found = kernel_means(stiffness, 384, stepper, numeric);
       std::printf("  %s %s:", std::string(name_of(stepper)).c_str(), std::string(name_of(numeric)).c_str());
@@ -124,8 +124,7 @@ TEST_P(Driven, HasTheReferencesStatistics) {
       }
       std::printf("\n");
     }
-  }
-  // The paper's scheme gives energy where the stop takes it, and passes the bounds by that: a fault is seen.
+  // The paper's scheme creates energy where the stop dissipates it, and so passes the bounds, which raises a fault.
   int faults = 0;
   for (int start = 0; start < 16; ++start) {
     Outcome made = kernel_run(stiffness, start, Stepper::average, Numeric::float64);

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <impact/absorber.hpp>
 
+#include "accepted.hpp"
 #include "host_ref/closed_form.hpp"
 #include "paper_runs.hpp"
 
@@ -22,10 +23,10 @@ std::vector<double> sampled_sine(double step, double duration) {
 }
 
 // Left and right are exchanged. Floating point rounds alike on both sides, so not a bit differs. Fixed point rounds
-// down on both sides. It differs by at most twice what rounding_test.cpp allows, for two runs.
+// down on both sides. Two runs differ by at most twice what rounding_test.cpp allows.
 TEST(Edges, LeftIsTheMirrorImageOfRight) {
-  for (const Law law : laws) {
-    for (const Stepper stepper : steppers) {
+  for (const Law law : laws)
+    for (const Stepper stepper : steppers)
       for (const Numeric numeric : numerics) {
         SCOPED_TRACE(std::string(name_of(law)) + " " + std::string(name_of(stepper)) + " " +
                      std::string(name_of(numeric)));
@@ -60,15 +61,13 @@ TEST(Edges, LeftIsTheMirrorImageOfRight) {
           }
         }
       }
-    }
-  }
 }
 
-// The ball is always in one stop or the other. It leaves one and enters the other within one step, in which the kernel
-// resolves only one of them. The error is of second order for Hooke-Newton, whose force jumps there. Plain float has
+// The ball is always in one stop or the other. It leaves one and enters the other within one step, of which the kernel
+// resolves only one contact. Hooke-Newton's force jumps there, which leaves an error of second order. Float32Plain has
 // too few digits to show it.
 TEST(Edges, WithoutClearanceTheBallGoesFromStopToStop) {
-  for (const Law law : laws) {
+  for (const Law law : laws)
     for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32}) {
       const auto error = [&](double step) {
         Request request = paper_request(law, Stepper::moment, step);
@@ -82,23 +81,20 @@ TEST(Edges, WithoutClearanceTheBallGoesFromStopToStop) {
       EXPECT_LT(fine, std::max(coarse / 100 * 1.5, 1e-9)) << name_of(law) << " " << name_of(numeric);
       EXPECT_LT(coarse, 1e-6) << name_of(law) << " " << name_of(numeric);
     }
-  }
 }
 
 TEST(Edges, ABallMayStartInsideAStop) {
-  for (const Law law : laws) {
-    for (const Tension tension : {Tension::clamp, Tension::allow}) {
+  for (const Law law : laws)
+    for (const Tension tension : {Tension::clamp, Tension::allow})
       for (const double side : {1.0, -1.0}) {
         Request request = paper_request(law, Stepper::moment, 1e-4, tension);
         request.scene.x2 = side * (0.01 + 1e-3);
         request.scene.v2 = side * 0.3;
         const Samples kernel = kernel_samples(request, 1e-3, 0.05), reference = reference_samples(request, 1e-3, 0.05);
-        EXPECT_NEAR(kernel.front().contact_force, reference.front().contact_force, 1e-12);  // of 1 N and more
+        EXPECT_NEAR(kernel.front().contact_force, reference.front().contact_force, 1e-12);  // forces are 1 N and more
         // Over this first contact of 80 steps, an error of 1e-8 in the restitution moves x1 by some 1e-10 m.
         EXPECT_LT(largest_difference(kernel, reference), 1e-10) << name_of(law);
       }
-    }
-  }
 }
 
 struct Rig {
@@ -125,7 +121,7 @@ bool same(const Kernel& a, const Kernel& b) {
   return x.x1 == y.x1 && x.v1 == y.v1 && x.x2 == y.x2 && x.v2 == y.v2;
 }
 
-// Across impacts, from any instant of the first half second.
+// States of any instant of the first half second are restored, across impacts.
 TYPED_TEST(States, RestoreAndResetReproduceTheMotion) {
   TypeParam original;
   for (int n = 0; n < 500; ++n) {
@@ -149,7 +145,7 @@ TYPED_TEST(States, RestoreAndResetReproduceTheMotion) {
   }
 }
 
-// An impact at twice the bound of the speed. The fault is raised and stays, and the state stays within its format.
+// An impact at twice the bound of the speed raises a fault, which stays. The state stays within its format.
 template <class Law, class Stepper>
 void expect_fault_of_a_hard_hit() {
   Scene scene;
@@ -158,9 +154,7 @@ void expect_fault_of_a_hard_hit() {
   scene.contact_damping = 10;
   using Kernel = Absorber<AtRunTime, Law, Stepper, Sine, Fixed32>;
   const Bounds bounds{0.0625, 8, 0.0156, 10};
-  const auto plan = Kernel::PlanType::make(scene, bounds, 1e-3);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Kernel absorber(plan);
+  auto absorber = accepted<Kernel>(scene, bounds, 1e-3);
   for (int n = 0; n < 20; ++n) absorber.step();
   EXPECT_NE(absorber.fault(), Fault::none);
   const Fault first = absorber.fault();
@@ -179,15 +173,14 @@ void expect_fault_of_a_hard_hit() {
   EXPECT_EQ(absorber.reading().x1, 0);
 }
 
-TEST(Edges, AHitBeyondTheBoundsIsAFaultAndNothingWorse) {
+TEST(Edges, AHitBeyondTheBoundsRaisesAFaultAndIsClamped) {
   expect_fault_of_a_hard_hit<Hertz, Moment>();
   expect_fault_of_a_hard_hit<HuntCrossley, Moment>();
   expect_fault_of_a_hard_hit<Hertz, AverageAcceleration>();
   expect_fault_of_a_hard_hit<HuntCrossley, AverageAcceleration>();
 }
 
-// A sine that is linear between its samples is too small by (w h)^2/12 of its amplitude. So is the motion that it
-// drives.
+// A sine that is linear between its samples is too small by (w h)^2/12 of its amplitude, and so is the motion.
 TEST(Edges, ASampledSineApproachesTheSine) {
   for (const Law law : laws) {
     const auto difference = [law](double step) {
@@ -202,8 +195,8 @@ TEST(Edges, ASampledSineApproachesTheSine) {
   }
 }
 
-// (2.9) at each impact: a = c1 v0/k1 = 1.5 (1 - e) at any speed. Therefore the restitution is the same at any speed,
-// too.
+// Formula (2.9) at each impact: a = c1 v0/k1 = 1.5 (1 - e). It does not depend on the speed, so the restitution does
+// not either.
 TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
   constexpr double e = 0.68, reduced_mass = 0.3 / 1.3;
   for (const double speed : {0.05, 0.2, 0.8, 1.6}) {
@@ -211,7 +204,7 @@ TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
     const Impact impact{Law::hunt_crossley, 32600, damping, reduced_mass, speed};
     const double expected = restitution(impact).value();
     EXPECT_NEAR(expected, 0.7561486807, 1e-10);
-    for (const Stepper stepper : {Stepper::moment, Stepper::average}) {
+    for (const Stepper stepper : {Stepper::moment, Stepper::average})
       for (const Numeric numeric : numerics) {
         Request request = paper_request(Law::hunt_crossley, stepper, *contact_time(impact) / 20);
         request.numeric = numeric;
@@ -224,23 +217,21 @@ TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
         scene.x2 = 0.01 - 1.3 * speed * request.step;
         request.bounds = Bounds{0.25, 2, 0.0156, 10};
         const Samples samples = kernel_samples(request, request.step, 30 * request.step);
-        // The bounds of free_impact_test.cpp: 2.5e-5 and 1.25 (pi/20)^2/12 for the steppers. A classical one reads the
-        // speed a step too late.
+        // The bounds are those of free_impact_test.cpp: 2.5e-5, and 1.25 (pi/20)^2/12. A classical scheme reads the
+        // speed a step late.
         EXPECT_NEAR((samples.back().v1 - samples.back().v2) / speed, expected,
                     stepper == Stepper::moment ? 2.5e-5 : 3e-3)
             << name_of(stepper) << " " << name_of(numeric) << " " << speed;
       }
-    }
   }
 }
 
 // A sine near the fastest that a plan accepts, 3 rad per step. Its slope is nearly twice the sine.
-TEST(Edges, AFastSinesStateIsTakenBack) {
+TEST(Edges, AFastSinesStateIsRestored) {
   Scene scene;
   scene.drive_pulsation = 2.9e4;
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, Fixed32>;
-  Kernel absorber(Kernel::PlanType::make(scene, Bounds{}, 1e-4));
-  ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+  auto absorber = accepted<Kernel>(scene, Bounds{}, 1e-4);
   for (int n = 0; n < 2000; ++n) {
     absorber.step();
     ASSERT_TRUE(absorber.restore(absorber.save())) << n;
@@ -264,7 +255,7 @@ TEST(Edges, ASampleThatIsNoNumberIsRefused) {
   }
 }
 
-// Two features of a user's own have members of the same name, which the library's features and the state have as well.
+// Two features of a user have members of the same names, which the library's features and the state also have.
 template <uint32_t number>
 struct Counter : SilentFeature {
   static constexpr uint32_t kind = 1000 + number;

@@ -1,5 +1,5 @@
 // The energy ledger over half a second of the paper's scene. The energy that contact dissipates and the work of the
-// drive are compared with the reference, and their balance with the energies of the motion.
+// drive are compared with the reference. Their balance is compared with the energies of the motion.
 
 #include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
@@ -19,9 +19,9 @@ constexpr Variant variants[] = {{Law::hertz, Tension::clamp},
                                 {Law::hooke_newton, Tension::clamp},
                                 {Law::hooke_newton, Tension::allow}};
 
-// The largest errors over the run, J. The balance is taken at instants without contact. It has kinetic energies, main
-// spring, main damper (by the trapezoidal rule, since c is small) and the energy dissipated by contact, minus the work
-// of the drive.
+// The largest errors over the run, J. The balance is evaluated at instants without contact. It sums kinetic energies,
+// main spring, main damper and the energy dissipated by contact, minus the work of the drive. The trapezoidal rule
+// suffices for the damper, since c is small.
 struct Errors {
   double dissipated, drive_work, balance;
 };
@@ -64,19 +64,19 @@ TEST(EnergyLedger, IsOfSecondOrder) {
 // For average acceleration the same rules are its own balance, exactly. The remaining error is that of the test's sum
 // over the main damper, c h^2/12 of the change of d(v1^2)/dt: c h^2/12 * 0.5 s * (2 * 40/s)^2 * (1 m/s)^2.
 TEST(EnergyLedger, BalancesAverageAcceleration) {
-  for (const auto& [law, tension] : variants) {
+  for (const auto& [law, tension] : variants)
     for (const double step : {1e-3, 1e-4}) {
       EXPECT_LT(errors_of(paper_request(law, Stepper::average, step, tension)).balance,
                 0.01 * step * step / 12 * 0.5 * 6400)
           << name_of(law) << " " << step;
     }
-  }
 }
 
-// Against double. Fixed32 rounds the three factors of an entry, in 2^-31 of at most 2 J (an average force at its bound
-// times a penetration of 2^-6 m). Float32 rounds some 5 J to 24 bits, and its motion by 2e-7 m with 10 N.
+// The ledger in 32 bits against double. Fixed32 rounds the three factors of an entry to 2^-31 of at most 2 J: an
+// average force at its bound times a penetration of 2^-6 m. Float32 rounds some 5 J to 24 bits, and its motion by 2e-7
+// m with 10 N.
 TEST(EnergyLedger, In32BitsIsThatOfDouble) {
-  for (const auto& [law, tension] : variants) {
+  for (const auto& [law, tension] : variants)
     for (const double step : {1e-3, 1e-4, 1e-5}) {
       Request request = paper_request(law, Stepper::moment, step, tension);
       const Sample exact = kernel_samples(request, duration, duration).back();
@@ -90,7 +90,6 @@ TEST(EnergyLedger, In32BitsIsThatOfDouble) {
         EXPECT_NEAR(rounded.drive_work, exact.drive_work, bound) << name_of(law) << " " << step;
       }
     }
-  }
 }
 
 TEST(EnergyLedger, HertzDissipatesNothing) {

@@ -1,5 +1,5 @@
-// The energy-consistent step in one impact of two free masses, at 64 phases of the impact within the step. It has the
-// restitution of the law even with few steps per contact, and gains no energy.
+// Tests of EnergyConsistent in one impact of two free masses, at 64 phases of the impact within the step. It has the
+// law's restitution even with few steps per contact, and gains no energy.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double speed = 0.8;  // m/s
 
-// For the restitution e of the law, over 64 phases of the impact within the step.
+// The rebounds at 64 phases of the impact within the step, for the restitution e of the law.
 Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) {
   FreePair free;
   free.law = law;
@@ -27,7 +27,7 @@ Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) 
   free.clearance = 0.5;  // room for the rebound
   free.step = contact_time(impact_of(free)).value() / steps_per_contact;
   // The contact time of a power law falls with k1^(2/5), and its restitution depends only on c1/k1. The stiffness is
-  // that for steps of 1 ms.
+  // the one for steps of 1 ms.
   if (law != Law::hooke_newton) {
     free.contact_stiffness *= std::pow(free.step / 1e-3, 2.5);
     free.step = 1e-3;
@@ -42,12 +42,12 @@ Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) 
 }
 
 // The error that stepper/energy/power.hpp states for a resolved contact.
-double lost_in(double steps) { return steps < 20 ? 0 : 100 / std::pow(steps, 4); }
+double resolved_error(double steps) { return steps < 20 ? 0 : 100 / std::pow(steps, 4); }
 
 constexpr double steps_per_contact[] = {0.003, 0.1, 0.7, 1.3, 2.5, 5, 10, 40};
 
-// The step keeps Hunt-Crossley's first integral at any number of steps. The remaining error is that of the
-// approximation k, at most 6e-4 (stepper/energy/stiff.hpp).
+// The step conserves Hunt-Crossley's first integral at any number of steps. The approximation k has an error of at most
+// 6e-4 (stepper/energy/stiff.hpp).
 TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
   for (Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
     for (double e : {0.05, 0.1, 0.2, 0.5, 0.7, 0.95})
@@ -58,37 +58,36 @@ TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
       }
 }
 
-// In a resolved contact the force is evaluated once, at a predicted end, with the first term of the correction's
-// series.
+// A resolved contact evaluates the force once, at a predicted end, with the first term of the correction's series.
 TEST(EnergyConsistent, ResolvedContactIsOfFourthOrder) {
   for (double e : {0.2, 0.5, 0.7, 0.95, 1.0})
     for (double steps : {30, 60, 120, 240}) {
       const Law law = e < 1 ? Law::hunt_crossley : Law::hertz;
       const Rebounds found = rebounds(law, Numeric::float64, e, steps);
-      // With the damping for 0.2, only the longest contact is resolved.
-      const double error = lost_in(steps) + (e < 0.5 ? 4e-5 * e : 0);
+      // With the damping for e = 0.2, only the longest contact is resolved.
+      const double error = resolved_error(steps) + (e < 0.5 ? 4e-5 * e : 0);
       EXPECT_GT(found.least, e - error) << e << " at " << steps;
       EXPECT_LT(found.largest, e < 1 ? e + error : 1 + 1e-12) << e << " at " << steps;
     }
 }
 
-// The elastic work is the change of the stored energy, so the remaining error is rounding. Float32Plain rounds
-// positions to 2^-25 of half the clearance, which is 3e-6 of the peak penetration at 10 steps.
+// The elastic work equals the change of the stored energy, so only rounding remains. Float32Plain rounds positions to
+// 2^-25 of half the clearance, which is 3e-6 of the peak penetration at 10 steps.
 TEST(EnergyConsistent, HertzReboundsElasticallyAtAnyStiffness) {
   for (double steps : steps_per_contact) {
     const Rebounds found = rebounds(Law::hertz, Numeric::float64, 1, steps);
-    EXPECT_GT(found.least, 1 - 1e-12 - lost_in(steps)) << steps;
+    EXPECT_GT(found.least, 1 - 1e-12 - resolved_error(steps)) << steps;
     EXPECT_LT(found.largest, 1 + 1e-12) << steps;
     for (Numeric numeric : {Numeric::float32, Numeric::float32_plain, Numeric::fixed32}) {
       const Rebounds rounded = rebounds(Law::hertz, numeric, 1, steps);
-      EXPECT_GT(rounded.least, 1 - 5e-5 - lost_in(steps)) << name_of(numeric) << ' ' << steps;
+      EXPECT_GT(rounded.least, 1 - 5e-5 - resolved_error(steps)) << name_of(numeric) << ' ' << steps;
       EXPECT_LT(rounded.largest, 1 + (numeric == Numeric::float32_plain ? 5e-5 : 5e-6))
           << name_of(numeric) << ' ' << steps;
     }
   }
 }
 
-// Hooke-Newton is solved in closed form, from one step per contact on.
+// Hooke-Newton has a closed form from one step per contact on.
 TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
   for (double steps : {1.01, 2.5, 10.0}) {
     const Rebounds found = rebounds(Law::hooke_newton, Numeric::float64, 0.7, steps);
@@ -96,8 +95,8 @@ TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
   }
 }
 
-// Up to h c1/mu = 2, where the damper alone stops the ball in one step, at every phase. Above that the plan is
-// rejected. At 3.8 the error was up to 0.33, at some phases.
+// Plans are accepted up to h c1/mu = 2, where the damper alone stops the ball in one step. At 3.8 the error was up to
+// 0.33, at some phases.
 TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {
   FreePair free;
   free.law = Law::hooke_newton;
@@ -125,8 +124,8 @@ TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {
     }
 }
 
-// A stop with such strong damping (k1/c1 = 0.05 m/s) that a braking main mass leaves the ball behind inside it, without
-// a force. It comes back before the ball is out: 25 impacts in 3 s, of some hundred steps each.
+// Damping is so strong (k1/c1 = 0.05 m/s) that a braking main mass leaves the ball behind inside the stop, without a
+// force. The stop returns before the ball is out. There are 25 impacts in 3 s, of some hundred steps each.
 TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
   Request request;
   request.stepper = Stepper::energy;
@@ -141,7 +140,7 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
   Reference reference(run);
   reference.advance(3);
   const double exact = reference.sample().energy_dissipated;
-  for (const Numeric numeric : {Numeric::float64, Numeric::fixed32}) {
+  for (const Numeric numeric : {Numeric::float64, Numeric::fixed32})
     for (const double step : {1e-3, 5e-4, 1e-4}) {
       request.numeric = numeric;
       request.step = step;
@@ -149,16 +148,15 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
       ASSERT_NE(simulation, nullptr);
       for (long i = std::lround(3 / step); i > 0; --i) simulation->step(0);
       EXPECT_EQ(simulation->fault(), nullptr);
-      // A ball that grazes its stop may come to it a second time.
+      // A ball that grazes its stop may touch it a second time.
       EXPECT_NEAR(static_cast<double>(simulation->sample().impacts), static_cast<double>(reference.sample().impacts),
                   2);
       EXPECT_NEAR(simulation->sample().energy_dissipated, exact, 0.01 * exact) << step;
     }
-  }
 }
 
-// A contact that begins anywhere inside the stop, and one that starts again at each step: up to 8.4e-5 of the energy.
-// An LSB of the rates in Fixed32 is 2^-31 of less than four times the fastest approach.
+// A contact may begin anywhere inside the stop, and may restart in each step. It used to gain up to 8.4e-5 of the
+// energy. In Fixed32 an LSB of a rate is 2^-31 of less than four times the fastest approach.
 TEST(EnergyConsistent, AContactThatBeginsInsideItsStopGainsNothing) {
   constexpr double step = 1e-3, fastest = 0.8, mass = 1, reduced = mass / 2;
   const auto expect_no_gain = [&](auto format, double steps, double rounding, bool is_corrected) {
@@ -199,9 +197,9 @@ TEST(EnergyConsistent, AContactThatBeginsInsideItsStopGainsNothing) {
     }
 }
 
-// The step of a stiff contact alone, over all proportions of G, C, d0, D and a, with a = 0 in half of the cases. The
-// work that the force takes is never less than the stored energy. The loss is that of the law within the error of k,
-// 0.36 % of the loss (up to x = 0.98). Without a, Hunt-Crossley's first integral is kept.
+// A single step of a stiff contact, over all proportions of G, C, d0, D and a. Half of the cases have a = 0. The work
+// of the force is never less than the stored energy. Up to x = 0.98 the loss has the error of k, 0.36 % of the loss.
+// For a = 0 Hunt-Crossley's first integral is conserved.
 template <class Format, class ContactLaw>
 void expect_passive(uint32_t seed, double rounding, double lsb = 0) {
   using Contact = StiffContact<Format, ContactLaw>;
@@ -243,7 +241,7 @@ void expect_passive(uint32_t seed, double rounding, double lsb = 0) {
   EXPECT_GT(stays, 20000);
   EXPECT_GT(leaves, 20000);
 }
-// Fixed32: an LSB of 2^-30 in an energy of 2^-8 or more, and of 2^-31 in b and V1.
+// In Fixed32 energies of 2^-8 or more have LSBs of 2^-30, and b and V1 have LSBs of 2^-31.
 TEST(StiffContact, MakesNoEnergy) {
   expect_passive<Float64, Hertz>(1, 1e-15);
   expect_passive<Float64, HuntCrossley>(2, 1e-15);
@@ -253,8 +251,8 @@ TEST(StiffContact, MakesNoEnergy) {
   expect_passive<Fixed32, HuntCrossley>(6, 0x1p-22, 0x1p-30);
 }
 
-// A slow impact of half a step. In Fixed32 the correction wrapped at one phase in ten, and the error of the restitution
-// was up to 0.145. With a damping per impact the error is at most 1e-3, as with the constant one above.
+// A slow impact of half a step. In Fixed32 the correction used to wrap at one phase in ten, with errors of the
+// restitution of up to 0.145. A damping per impact has the error of a constant one, at most 1e-3.
 TEST(StiffContact, ReboundsAsTheLawWhereItsCorrectionIsLargest) {
   constexpr double step = 1e-3, steps = 0.514455085, fastest = 1, approach = 0.0906947003;  // s, m/s
   Scene scene;
@@ -279,7 +277,7 @@ TEST(StiffContact, ReboundsAsTheLawWhereItsCorrectionIsLargest) {
   expect_restitution(Float64{});
 }
 
-// The same in a narrow cavity without any drive: 4.85 times the energy in one step.
+// The same correction in a narrow cavity without a drive used to gain 4.85 times the energy in one step.
 TEST(StiffContact, GainsNothingInADampedContactOfAFewSteps) {
   Scene scene;
   scene.drive_amplitude = scene.main_damping = 0;
@@ -311,11 +309,12 @@ TEST(StiffContact, GainsNothingInADampedContactOfAFewSteps) {
   expect_no_gain(Float64{});
 }
 
-// How many steps later than in the law the ball separates from an elastic contact with this many steps, over 64 phases.
-double lateness_of(double steps_of_contact) {
+// The average delay of the ball's separation, over 64 phases, in steps: compared with the law's contact, which is
+// elastic and lasts `steps_of_contact`.
+double delay_of(double steps_of_contact) {
   using Contact = StiffContact<Float64, Hertz>;
-  constexpr double way = 1e-3;  // in a step
-  // The peak d and V = way/2 there.
+  constexpr double way = 1e-3;  // per step
+  // The peak penetration. V there is way/2.
   const double peak = steps_of_contact * way / 2.9432;
   const auto plan = Contact::Plan::make(2.5 * way * way / 4 / std::pow(peak, 2.5), 1, 0);
   double late = 0;
@@ -334,14 +333,14 @@ double lateness_of(double steps_of_contact) {
 }
 TEST(StiffContact, LastsAsLongAsTheLaws) {
   for (const double steps : {1e-3, 0.01, 0.1, 0.3, 1.0, 2.0, 3.0}) {
-    EXPECT_GT(lateness_of(steps), 0) << steps;
-    EXPECT_LT(lateness_of(steps), 1) << steps;
+    EXPECT_GT(delay_of(steps), 0) << steps;
+    EXPECT_LT(delay_of(steps), 1) << steps;
   }
-  for (const double steps : {5.0, 7.0, 10.0, 14.0, 20.0}) EXPECT_NEAR(lateness_of(steps), 0, 0.1) << steps;
+  for (const double steps : {5.0, 7.0, 10.0, 14.0, 20.0}) EXPECT_NEAR(delay_of(steps), 0, 0.1) << steps;
 }
 
-// A ball of a hundred main masses stores more energy in a stop than the impact of the reduced mass has, and moves the
-// main spring. Force and ledger have room for it. An LSB of the force is 2^-31 of 128 kN.
+// A ball of a hundred main masses stores more energy in a stop than an impact of the reduced mass has, and moves the
+// main spring. Force and ledger do not overflow. An LSB of the force is 2^-31 of 128 kN.
 TEST(StiffContact, HasRoomForAHeavyBallsForce) {
   Scene scene;
   scene.main_stiffness = 8.1e5;

@@ -11,7 +11,7 @@ namespace {
 
 using Fixed = Plan<Fixed32, HuntCrossley, Moment, Sine>;
 
-// Of the paper's scene and its bounds, with one value changed.
+// The explanation for the paper's scene and its bounds, with one value changed.
 template <class PlanType>
 constexpr Explanation changed(Parameter parameter, double value, double step = 1e-3) {
   Values values{Scene{}, Bounds{}, step};
@@ -27,18 +27,18 @@ constexpr bool accepts(Parameter parameter, double value, double step = 1e-3) {
 
 constexpr Explanation too_long = changed<Fixed>(Parameter::step, 20e-3);
 static_assert(too_long.parameter == Parameter::step && too_long.value == 20e-3);
-// h c/mu = 2.5 where 4 m/s, the spring and the drive press the ball 33.5 mm deep: 2.5 0.2308 kg / (19560 33.5e-3^1.5)
+// h c/mu = 2.5 at 33.5 mm, the deepest penetration by 4 m/s, spring and drive: h = 2.5 0.2308 kg/(19560 33.5e-3^1.5).
 static_assert(too_long.allowed.most > 4.7e-3 && too_long.allowed.most < 5e-3);
 static_assert(accepts<Fixed>(Parameter::step, too_long.allowed.least));
 static_assert(accepts<Fixed>(Parameter::step, too_long.allowed.most));
 static_assert(!accepts<Fixed>(Parameter::step, 1.00001 * too_long.allowed.most));
 
-// A value out of its own range has that range.
+// A value outside its own range has that range as the allowed one.
 constexpr Explanation negative = changed<Fixed>(Parameter::main_mass, -1);
 static_assert(negative.parameter == Parameter::main_mass && negative.value == -1);
 static_assert(negative.allowed.least == main_mass_range.least && negative.allowed.most == main_mass_range.most);
 
-// A c1 that nobody stated is the paper's with the paper's law and stiffness, and no other's.
+// A damping that is not stated means the paper's c1, with the paper's law and stiffness only.
 template <class Law>
 constexpr PlanStatus unstated_at(double stiffness) {
   Scene scene;
@@ -52,22 +52,22 @@ static_assert(unstated_at<Hertz>(1e5) == PlanStatus::ok && unstated_at<Exact>(1e
 constexpr Explanation nearly_elastic = changed<Fixed>(Parameter::contact_stiffness, 1e6, 1e-4);
 static_assert(nearly_elastic.parameter == Parameter::contact_damping && nearly_elastic.allowed.holds(0.7 * 19560));
 
-// A stop that no ball within the bound of 0.1 m meets: half of the clearance is more than 0.2 m.
+// With the bound of 0.1 m no ball reaches a stop if half of the clearance is above 0.2 m.
 constexpr Explanation in_millimetres = changed<Fixed>(Parameter::clearance, 12);
 static_assert(in_millimetres.parameter == Parameter::clearance && in_millimetres.allowed.most > 0.3999);
 static_assert(accepts<Fixed>(Parameter::clearance, 0.4) && !accepts<Fixed>(Parameter::clearance, 0.401));
 
-// A start beyond a bound: the bound that holds it.
+// A start beyond a bound names that bound.
 constexpr Explanation beyond = [] {
   Scene scene;
   scene.x1 = scene.x2 = -0.25;
   return explain<Plan<Float64, HuntCrossley, Moment, Sine>>(scene, Bounds{}, 1e-3);
 }();
 static_assert(beyond.parameter == Parameter::displacement_bound && beyond.value == 0.1);
-static_assert(beyond.allowed.least == 0.25 && beyond.allowed.most > 1);  // and no further: a spring of 1.6 m
+static_assert(beyond.allowed.least == 0.25 && beyond.allowed.most > 1);  // up to 1.6 m by the spring
 
-// A ball that starts deeper in a stop than any motion within the bounds would bring it: there a step may multiply the
-// energy, which floating point would not say. 26.2 mm at the bounds of the paper's scene.
+// A ball that starts deeper in a stop than any motion within the bounds, 26.2 mm in the paper's scene. There a step may
+// multiply the energy, and floating point would raise no fault.
 constexpr Explanation too_deep = changed<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, -0.1);
 static_assert(too_deep.parameter == Parameter::x2 && too_deep.value == -0.1);
 static_assert(too_deep.allowed.least < -0.036 && too_deep.allowed.least > -0.0363 && too_deep.allowed.most == 0);
@@ -75,7 +75,7 @@ static_assert(accepts<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, 
 static_assert(!accepts<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, 1.00001 * too_deep.allowed.least));
 static_assert(changed<Fixed>(Parameter::x1, 0.09).parameter == Parameter::x1);
 
-// A field of which a step is too much beside the bounds: the field, and not the bound that it leaves no room.
+// A field whose effect in a step is too large for the bounds. The field is named, not the bound.
 template <class Part>
 using InField = Plan<Fixed32, HuntCrossley, Moment, Sine, Part>;
 constexpr Scene in_gravity(double gravity) {
@@ -95,7 +95,8 @@ static_assert(InField<BaseAcceleration>::make(in_gravity(-9.81), shaken_by(shake
               PlanStatus::ok);
 static_assert(heavy.parameter == Parameter::gravity && heavy.allowed.least > -1e6 && heavy.allowed.most == 0);
 
-// No step makes room for a penetration of 10 km beside a vibration of 2 m/s: what is named instead does.
+// No step has room for a penetration of 10 km beside a vibration of 2 m/s. The explanation names another value, whose
+// limits are accepted.
 TEST(Explain, NamesABoundThatLeavesNoRoom) {
   Values values{Scene{}, Bounds{}, 1e-3};
   values.bounds.penetration = 1e4;
@@ -108,7 +109,8 @@ TEST(Explain, NamesABoundThatLeavesNoRoom) {
   }
 }
 
-// Nothing is a multiple of 0: no clearance in a field, where the ball must not cross it in a step.
+// A limit cannot be a multiple of a value of 0: here a clearance of 0 in a field, where the ball must not cross it in a
+// step.
 TEST(Explain, NamesAClearanceOfNothing) {
   Values values{Scene{}, Bounds{}, 1e-4};
   values.scene.clearance = 0;
@@ -129,7 +131,7 @@ TEST(Explain, NamesEveryValueAsItsMember) {
   EXPECT_STREQ(name_of(Parameter::step), "step");
 }
 
-// Each value far out of its range, below and above: it is the one that is named.
+// Each value far outside its range, below and above, is the one that is named.
 TEST(Explain, NamesTheValueThatIsOutOfItsRange) {
   for (int i = 0; i < static_cast<int>(Parameter::step); ++i) {
     const auto parameter = static_cast<Parameter>(i);

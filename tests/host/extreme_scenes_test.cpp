@@ -37,13 +37,13 @@ class ExtremeScene : public testing::TestWithParam<Kind> {
     request.scene.contact_damping = request.law == Law::hertz ? 0 : contact_damping(impact, 0.68).value();
     return request;
   }
-  // None if the plan refuses the scene. The runs are counted, so that the test cannot pass without any.
+  // The simulation, or none if the plan rejects the scene. The count of runs shows that the test ran any.
   std::unique_ptr<Simulation> made(const Request& request) {
     Outcome outcome = make_simulation(request);
     if (outcome.simulation) ++accepted_;
     return std::move(outcome.simulation);
   }
-  // The gain of one impact: 1e-5 in 32 bits, 1e-12 in double (stability_test.cpp).
+  // The accepted gain of one impact: 1e-5 in 32 bits, 1e-12 in double (stability_test.cpp).
   static double share() { return GetParam().numeric == Numeric::float64 ? 1e-12 : 1e-5; }
 
   int accepted_ = 0;
@@ -53,16 +53,16 @@ constexpr double reduced_mass = 0.3 / 1.3;
 
 double energy_of_relative_motion(const Sample& at) { return reduced_mass * (at.v2 - at.v1) * (at.v2 - at.v1) / 2; }
 
-// A step rounds the penetration to half an LSB of the position, which changes the stored energy by 5/2 of that over the
+// A step rounds the penetration to half an LSB of the position. This changes the stored energy by 5/2 of it over the
 // depth.
 TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
-  for (const double stiffness : {1e3, 1e8, 1e12}) {
-    for (const double depth : {1e-4, 1e-3, 1e-2}) {
+  for (const double stiffness : {1e3, 1e8, 1e12})
+    for (const double depth : {1e-4, 1e-3, 1e-2})
       for (const double step : {1e-5, 1e-3}) {
         const bool is_linear = GetParam().law == Law::hooke_newton;
         const double stored = is_linear ? stiffness * depth * depth / 2 : 0.4 * stiffness * std::pow(depth, 2.5);
         const double speed = std::sqrt(2 * stored / reduced_mass);
-        if (speed > 500) continue;  // initial states go to 1000 m/s
+        if (speed > 500) continue;  // the limit of initial states is 1000 m/s
         Request request = free_pair(stiffness, speed, step);
         const double time =
             contact_time({request.law, stiffness, request.scene.contact_damping, reduced_mass, speed}).value();
@@ -83,18 +83,16 @@ TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
         const Sample now = simulation->sample();
         EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << depth << " " << step;
         EXPECT_LE(energy_of_relative_motion(now), stored * (1 + allowed)) << stiffness << " " << depth << " " << step;
-        // An impulse requires an impact, so a ball at rest stays at rest.
+        // Only an impact makes an impulse, so a ball at rest stays at rest.
         EXPECT_LE(now.penetration, depth + 2 * lsb) << stiffness << " " << depth << " " << step;
       }
-    }
-  }
   EXPECT_GE(accepted_, 2);
 }
 
-// The ball could cross the cavity up to a thousand times within a step.
+// The ball's speed would let it cross the cavity up to a thousand times within a step.
 TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
   constexpr double speed = 1, step = 1e-3;
-  for (const double stiffness : {1e8, 1e12}) {
+  for (const double stiffness : {1e8, 1e12})
     for (const double clearance : {0.0, 1e-6, 1e-4, 5e-4}) {
       Request request = free_pair(stiffness, speed, step);
       request.scene.clearance = clearance;
@@ -110,18 +108,17 @@ TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
         largest = larger(largest, energy);
       }
       EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << clearance;
-      // One impact per step.
+      // There is one impact per step.
       EXPECT_LE(largest, first * (1 + 500 * share())) << stiffness << " " << clearance;
     }
-  }
-  // The energy step of Hooke-Newton is for contacts of at least one step.
+  // EnergyConsistent accepts Hooke-Newton from one step per contact on.
   if (GetParam().law != Law::hooke_newton || GetParam().stepper != Stepper::energy) {
     EXPECT_GE(accepted_, 2);
   }
 }
 
-// Left and right. Fixed32 rounds down, and therefore not alike on both sides. The difference is within its share of the
-// energy.
+// The left stop is the mirror image of the right one. Fixed32 rounds down on both sides, so the energies differ within
+// their share.
 TEST_P(ExtremeScene, LeftStopIsTheRightOnesMirror) {
   for (const double stiffness : {3e4, 1e8, 1e12}) {
     constexpr double speed = 0.8, step = 1e-4;
@@ -143,10 +140,10 @@ TEST_P(ExtremeScene, LeftStopIsTheRightOnesMirror) {
   EXPECT_GE(accepted_, 2);
 }
 
-// A drive at the main mass's own frequency without damping. With any contact, the power of the drive is at most F0
-// |v1|, so sqrt(E) grows by at most F0 t/sqrt(2 M). The energy without that of the contact's spring is a part of E.
+// The drive has the main mass's own frequency, without damping. With any contact, its power is at most F0 |v1|, so
+// sqrt(E) grows by at most F0 t/sqrt(2 M). The energy without that of the contact's spring is a part of E.
 TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
-  for (const double stiffness : {32600.0, 1e8, 1e12}) {
+  for (const double stiffness : {32600.0, 1e8, 1e12})
     for (const double step : {1e-4, 1e-3}) {
       Request request = free_pair(stiffness, 0.8, step);
       Scene& scene = request.scene;
@@ -165,10 +162,9 @@ TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
         largest = larger(largest, std::sqrt(mechanical_energy(scene, now)) / (growth * now.t));
       }
       EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << step;
-      // In the first step the drive is small. The limit is the share of a thousand impacts.
+      // The drive is small in the first step. The limit is the share of a thousand impacts.
       EXPECT_LE(largest, 1 + 1000 * share()) << stiffness << " " << step;
     }
-  }
   EXPECT_GE(accepted_, 1);
 }
 

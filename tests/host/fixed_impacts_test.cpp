@@ -1,6 +1,6 @@
 // The effect of 32 bits on an impact: random pairs of free masses in Fixed32 against double at the same step. Speeds go
 // down to 1 % of the largest, and contacts have up to 200 steps. The bounds are those of the README, which each stepper
-// nearly reaches. With Moment the losses have one sign, and they grow with the number of sub-steps.
+// nearly reaches. With Moment, the losses have one sign, and they grow with the number of sub-steps.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ constexpr int scenes = 10000, longest_contact = 200, most_steps = 1000;
 
 struct Kind {
   double shortest, longest;  // steps of a contact at twice Bounds::speed
-  double slowest;            // of Bounds::speed
-  double swing = 0;          // of the main mass on its spring in a step, rad: up to this and an eighth of it
+  double slowest;            // as a share of Bounds::speed
+  double swing = 0;          // the main mass's largest phase per step, rad; the smallest is an eighth of it
 };
 
 struct Pair {
@@ -57,8 +57,8 @@ double energy(const Scene& scene, double x1, double v1, double v2) {
   return (scene.main_mass * v1 * v1 + scene.main_stiffness * x1 * x1 + scene.ball_mass * v2 * v2) / 2;
 }
 
-// The share of the energy that is left. It is NaN if the masses touch for longer, and none if the pair cannot be
-// planned or raises a fault. For a free pair it is the share of the energy of approach.
+// The share of the energy that remains, for a free pair that of the approach. It is NaN if the contact lasts too long,
+// and none if the plan is rejected or a fault is raised.
 template <class Format, class Stepper, class Law = Exact>
 std::optional<double> energy_left(const Pair& pair, int longest) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, NoDrive, Format>;
@@ -109,15 +109,15 @@ TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
   expect_within<SubsteppedMoment<8>>(2.4e-3, kind, scenes / 2);
 }
 
-// In the coupled machine the spring's force is rounded to LSBs of a position, which follow from the bounds. There are
-// no losses, because damped contacts of many oscillations end at a light impact, or at the next one.
+// In the coupled machine the spring's force is rounded to LSBs of a position, which follow from the bounds. The law is
+// elastic, because damped contacts of many oscillations end at a light impact, or at the next one.
 template <class Stepper>
 void expect_energy_within(double bound) {
   double largest = 0;
   int compared = 0;
   for (unsigned seed = 0; seed < scenes; ++seed) {
     const Pair pair = random_pair(seed, {8, 60, 0.01, 0.159});
-    const bool is_wide = pair.bounds.displacement < 0.51 * pair.scene.clearance;  // beside the deepest penetration
+    const bool is_wide = pair.bounds.displacement < 0.51 * pair.scene.clearance;  // against the penetration
     if (is_wide) continue;
     const auto exact = energy_left<Float64, Stepper, Hertz>(pair, longest_contact),
                found = energy_left<Fixed32, Stepper, Hertz>(pair, longest_contact);
@@ -134,7 +134,7 @@ TEST(CoupledImpacts, Fixed32KeepsTheEnergy) {
   expect_energy_within<EnergyConsistent>(1e-3);
 }
 
-// Bounds far wider than any penetration. If a plan accepts them, the error is that of narrow ones.
+// Bounds far wider than any penetration. If a plan accepts them, the error is that of tight bounds.
 TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
   int refused = 0, compared = 0;
   for (unsigned seed = 0; seed < scenes; ++seed) {
@@ -154,8 +154,8 @@ TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
   EXPECT_GT(refused, scenes / 10);
 }
 
-// Few steps, for which a prediction has the largest error. Most of these have no plan, because their damping exceeds
-// the tolerance of the step.
+// With few steps a prediction has the largest error. Most of these pairs have no plan, because their damping exceeds
+// what the step tolerates.
 TEST(FreeImpacts, Fixed32TakesTheFastestInFewSteps) { expect_within<Moment>(5e-6, {2.5, 5, 0.5}, scenes / 50); }
 
 // Dampings from less than one LSB to the largest that the step tolerates.

@@ -1,8 +1,8 @@
-// The main mass in free flight by the exact flow of the moment-fitted step: resonance, no spring, overdamping and every
-// drive, in every format.
+// The main mass in free flight by the exact flow of Moment: resonance, no spring, overdamping and every drive, in every
+// format.
 //
-// In double the tolerance is 10^4 steps with one rounding each, 1e-16 of the amplitude. In 32 bits it is the floor of
-// rounding_test.cpp. That is for a scene bounded by 62.5 mm, and grows with the bound.
+// In double the tolerance is 10^4 steps with one rounding each, 1e-16 of the amplitude. In 32 bits it is the tolerance
+// of rounding_test.cpp for bounds of 62.5 mm, and grows with the bound.
 
 #include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double interval = 2e-3;
 
-// Stops half a metre away, and a ball that stays where it is.
+// Stops half a metre away, with a ball at rest.
 Request far_from_stops(double step) {
   Request request = paper_request(Law::hertz, Stepper::moment, step);
   request.scene.clearance = 1;
@@ -74,7 +74,7 @@ TEST_P(FreeFlight, PaperSceneAtItsOwnPulsation) {
   expect_reference(request);
 }
 
-// F0 sin(0 t) is no force.
+// A sine of frequency 0 has no force.
 TEST_P(FreeFlight, DriveOfNoPulsationIsNone) {
   Request request = far_from_stops(GetParam());
   request.scene.drive_pulsation = 0;
@@ -116,7 +116,7 @@ TEST_P(FreeFlight, Overdamped) {
   expect_reference(request);
 }
 
-// A sampled drive is linear between its samples, whatever they are.
+// A sampled drive is linear between its samples, for any samples.
 TEST_P(FreeFlight, SampledDriveIsLinearBetweenSamples) {
   Request request = far_from_stops(GetParam());
   request.drive = DriveKind::sampled;
@@ -126,10 +126,10 @@ TEST_P(FreeFlight, SampledDriveIsLinearBetweenSamples) {
 
 INSTANTIATE_TEST_SUITE_P(Steps, FreeFlight, testing::Values(2e-3, 1e-3, 1e-4));
 
-// Newmark's own flow is detuned by (w h)^2 |1/12 - beta|/2 <= (w h)^2/12: over a time t the resonant motion falls
-// behind by w t as much, at most.
+// Newmark's method changes the frequency by (w h)^2 |1/12 - beta|/2 <= (w h)^2/12, relatively. Over a time t the
+// resonant motion falls behind by at most w t times that.
 TEST(PointwiseFlight, GrowsAtResonanceToSecondOrder) {
-  for (const Stepper stepper : {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central}) {
+  for (const Stepper stepper : {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central})
     for (const double step : {1e-3, 1e-4}) {
       Request request = far_from_stops(step);
       request.stepper = stepper;
@@ -142,7 +142,6 @@ TEST(PointwiseFlight, GrowsAtResonanceToSecondOrder) {
             << name_of(stepper) << " " << sample.t;
       }
     }
-  }
 }
 
 }  // namespace

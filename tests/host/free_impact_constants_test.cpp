@@ -1,4 +1,4 @@
-// The numbers of one free impact that a plan uses, against independent closed forms.
+// The values of one free impact that a plan uses, against independent closed forms.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ void expect_closed_form(double stiffness, double damping, double speed, Tension 
   const FreeImpact found = free_impact<ContactLaw>(terms, speed);
   EXPECT_NEAR(found.restitution, restitution(impact).value(), 1e-12);
   EXPECT_NEAR(found.contact_time / contact_time(impact).value(), 1, tolerance) << stiffness << " " << damping;
-  // Let go at zero force, at the penetration e V c1/k1.
+  // The ball separates at zero force, at the penetration e V c1/k1.
   const double let_go = ContactLaw::is_linear && terms.clamped ? terms.damping_time : 0;
   EXPECT_NEAR(found.centroid, found.restitution * (found.contact_time + let_go) / (1 + found.restitution),
               1e-12 * found.contact_time);
@@ -65,7 +65,7 @@ TEST(FreeImpactConstants, HookeNewtonWithTensionNeverComesApartOverdamped) {
   EXPECT_GT(found.contact_time, 1e12);
 }
 
-// The quadrature's bound, see free_impact.hpp.
+// The tolerances are the quadrature's bounds (free_impact.hpp).
 TEST(FreeImpactConstants, HuntCrossley) {
   for (double stiffness : {1e2, 32600.0, 1e15})
     for (double speed : {1e-4, 0.8, 10.0})
@@ -73,8 +73,8 @@ TEST(FreeImpactConstants, HuntCrossley) {
         expect_closed_form<HuntCrossley>(stiffness, a * stiffness / speed, speed, Tension::clamp, a <= 3 ? 1e-5 : 2e-4);
 }
 
-// A damping so strong that nothing but its creep is left: out of the peak penetration, (5 mu/(2 k1 a))^(2/5) without
-// the logarithm, at the speed k1/c1.
+// With very strong damping only the creep out of the peak penetration remains. The peak is (5 mu/(2 k1 a))^(2/5)
+// without the logarithm, and the speed is k1/c1.
 TEST(FreeImpactConstants, HuntCrossleyCreeps) {
   ContactTerms terms;
   terms.stiffness = 1;
@@ -100,7 +100,7 @@ TEST(FreeImpactConstants, DampingPerImpactIsTheSameAtAnySpeed) {
   EXPECT_EQ(slow, fast);
 }
 
-// Made inside a constant expression.
+// Terms of a constant expression.
 constexpr ContactTerms paper_terms() {
   ContactTerms terms;
   terms.stiffness = 32600;
@@ -112,10 +112,10 @@ constexpr ContactTerms paper_terms() {
 static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).restitution - 0.7561486807) < 1e-10);
 static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).contact_time - 0.03035344861) < 3e-7);
 
-// A ball at rest on its stop, which the main spring then drives into it from its bound: a load at once, twice its
-// static penetration with a linear stop, (5/2)^(2/3) of it with a power law. What the approach brings is nothing beside
-// it, and the ball is so heavy that its momentum carries it.
-TEST(DeepestPenetration, HoldsABallThatIsPressed) {
+// The main spring, released from its bound, suddenly presses a ball at rest into its stop. The penetration is twice the
+// static one for a linear stop, and (5/2)^(2/3) of it for a power law. The closing speed is negligible, and the ball so
+// heavy that it hardly moves.
+TEST(DeepestPenetration, BoundsAPressedBall) {
   Scene scene;
   scene.main_mass = 10;
   scene.ball_mass = 1e9;

@@ -1,45 +1,20 @@
 // One impact of two free masses, 1 kg and 0.3 kg, against its closed form: restitution, energy loss in the ledger, peak
 // force and penetration, contact time. The error is the largest over 65 phases of the impact within the step, because a
-// whole number of steps per contact makes a scheme look better. Contacts have 10, 20, 40 and 80 steps, and the error
-// must fall with the order of the scheme.
-//
-// The expected values are those of closed_form_test.cpp, computed with 30 digits.
+// whole number of steps per contact hides errors. Contacts have 10, 20, 40 and 80 steps, and the error must fall with
+// the order of the scheme.
 
 #include <cstdio>
 #include <impact/absorber.hpp>
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
+#include "known_impacts.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {
 namespace {
 
 constexpr double reduced_mass = 0.3 / 1.3;
-
-struct Known {
-  const char* name;
-  Law law;
-  Tension tension;
-  double damping, speed;                                                 // c1, m/s
-  double restitution, peak_penetration, peak_force, contact_time, lost;  // -, m, N, s, J
-};
-
-constexpr Known tables[] = {
-    {"HookeNewtonAllowed21", Law::hooke_newton, Tension::allow, 21.13670350, 0.8, 0.68, 1.781709339e-3, 59.85204308,
-     8.421278563e-3, 0.03969969231},
-    {"HookeNewtonClamped21", Law::hooke_newton, Tension::clamp, 21.13670350, 0.8, 0.7007021277, 1.781709339e-3,
-     59.85204308, 7.766418997e-3, 0.03758891286},
-    {"HookeNewtonAllowed20", Law::hooke_newton, Tension::allow, 20.81, 0.8, 0.6841256470, 1.786276287e-3, 59.94974646,
-     8.419332801e-3, 0.03928409347},
-    {"HookeNewtonClamped20", Law::hooke_newton, Tension::clamp, 20.81, 0.8, 0.7042988667, 1.786276287e-3, 59.94974646,
-     7.774793620e-3, 0.03721573708},
-    {"Hertz", Law::hertz, Tension::clamp, 0, 0.8, 1, 7.965629743e-3, 23.17649584, 0.02930630044, 0},
-    {"HuntCrossleyTable2", Law::hunt_crossley, Tension::clamp, 19560, 0.8, 0.7561486807, 7.150708743e-3, 21.07151387,
-     0.03035344861, 0.03162381583},
-    {"HuntCrossleyStated", Law::hunt_crossley, Tension::clamp, 28345.99094, 0.8, 0.68, 6.877261349e-3, 20.93470711,
-     0.03087606500, 0.03969969231},
-};
 
 struct Outcomes {
   double restitution, lost, peak_penetration, peak_force, steps_in_contact;
@@ -78,8 +53,8 @@ Outcomes impact_at(const Known& known, Stepper stepper, Numeric numeric, int ste
 constexpr int phases = 65;
 constexpr double phase(int i) { return (i + 0.5) / phases; }
 
-// Largest errors over the phases: of the restitution, of the energy lost over that before the impact, of the peaks
-// relative to themselves, and of the contact time in steps.
+// The largest errors over the phases. The loss is relative to the energy before the impact, the peaks to themselves.
+// The contact time is in steps.
 Outcomes largest_errors(const Known& known, Stepper stepper, int steps_per_contact) {
   const double energy = reduced_mass * known.speed * known.speed / 2;
   Outcomes largest{};
@@ -103,11 +78,12 @@ void PrintTo(const Scheme& scheme, std::ostream* out) { *out << scheme.known.nam
 
 class FreeImpact : public testing::TestWithParam<Scheme> {};
 
-// The orders: the moment-fitted step's is 4, and its ledger's. For Hooke-Newton it sums its own series, with six terms,
-// and only the ends err: 5; there the ledger takes the rate as linear over the step in which the force jumps. Pointwise
-// it is 2, and 1 where the force jumps, because the scheme sees it up to a step late: an impulse of c1 v0 h at most, 2
-// zeta omega h of the restitution. The other classical schemes are the textbook's to rounding
-// (pointwise_textbook_test.cpp), whose orders textbook_newmark_test.cpp measures.
+// The orders of the error. Moment and its ledger have order 4. For Hooke-Newton, Moment sums its own series with six
+// terms, so only the ends of the contact have errors, of order 5. Its ledger assumes a linear rate over the step in
+// which the force jumps: order 2.
+// The classical schemes have order 2. Hooke-Newton's force jumps, and they see it up to a step late: order 1. That is
+// an impulse of at most c1 v0 h, or 2 zeta omega h of the restitution. The other classical schemes equal the textbook's
+// within rounding (pointwise_textbook_test.cpp), and textbook_newmark_test.cpp measures their orders.
 TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const auto& [known, stepper] = GetParam();
   const bool is_linear = known.law == Law::hooke_newton, is_moment = stepper == Stepper::moment;
@@ -115,42 +91,42 @@ TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const double order_of_ledger = is_moment && is_linear ? 2 : order;
   const Outcomes first = largest_errors(known, stepper, 10);
   const double lateness = known.damping / reduced_mass * known.contact_time / 10;
-  // 4.3e-4 is the prototype's of the moment-fitted step; Newmark's own error of a period is (omega h)^2/12.
+  // The prototype of Moment had 4.3e-4. Newmark's own error of a period is (omega h)^2/12.
   EXPECT_LE(first.restitution, is_moment ? 4.3e-4 : is_linear ? lateness : 1.25 * M_PI * M_PI / 100 / 12);
   EXPECT_LE(first.lost, is_moment ? 1e-3 : is_linear ? lateness : 2 * M_PI * M_PI / 100 / 12);
   for (const int steps : {10, 20, 40, 80}) {
     const Outcomes error = steps == 10 ? first : largest_errors(known, stepper, steps);
     std::printf("  %d steps: restitution %.1e, energy %.1e, peak force %.1e, peak penetration %.1e\n", steps,
                 error.restitution, error.lost, error.peak_force, error.peak_penetration);
-    // A quarter for the next order's share at 10 steps; the tables have ten digits.
+    // A quarter is added for the next order at 10 steps, and 5e-11 for the tables' ten digits.
     EXPECT_LE(error.restitution, 1.25 * first.restitution * std::pow(10.0 / steps, order) + 5e-11) << steps;
     EXPECT_LE(error.lost, 1.25 * first.lost * std::pow(10.0 / steps, order_of_ledger)) << steps;
     EXPECT_LE(error.steps_in_contact, 1) << steps;
-    // The samples straddle the peak by half a step: (h/2)^2/2 of the deceleration there, k1 d^p / mu. To this comes the
-    // error of the restitution's kind, and for the pointwise schemes one of the order's size.
+    // A sample is at most half a step from the peak, which lowers it by (h/2)^2/2 times the deceleration there, k1
+    // d^p/mu. The error of the scheme is added: as that of the restitution for Moment, of the scheme's order for the
+    // others.
     const double h = known.contact_time / steps, d = known.peak_penetration;
     const double deceleration = 32600 * (is_linear ? d : d * std::sqrt(d)) / reduced_mass;
     EXPECT_LE(error.peak_penetration, is_moment ? deceleration * h * h / 8 / d + 4.3e-4 * std::pow(10.0 / steps, 4)
                                                 : 1.25 * first.peak_penetration * std::pow(10.0 / steps, order))
         << steps;
-    // The largest mean force of a step: second order at best.
+    // The largest average force of a step is of second order at best.
     EXPECT_LE(error.peak_force, 1.25 * first.peak_force * std::pow(10.0 / steps, std::min(order, 2.0))) << steps;
   }
 }
 
 std::vector<Scheme> schemes() {
   std::vector<Scheme> result;
-  for (const Known& known : tables)
+  for (const Known& known : known_impacts)
     for (const Stepper stepper : {Stepper::moment, Stepper::average}) result.push_back({known, stepper});
   return result;
 }
 INSTANTIATE_TEST_SUITE_P(Tables, FreeImpact, testing::ValuesIn(schemes()));
 
-// At a constant value, c1 = 19560 loses the more the faster the impact.
+// With a constant c1 = 19560, faster impacts lose more.
 TEST(FreeImpact, RestitutionFallsWithSpeed) {
-  constexpr double expected[][2] = {{0.1, 0.9615327714}, {0.4, 0.8618063006}, {1.6, 0.6038307454}, {3.2, 0.4215916966}};
-  for (const auto& [speed, e] : expected) {
-    Known known = tables[5];
+  for (const auto& [speed, e] : restitutions_by_speed) {
+    Known known = known_impacts[5];
     known.speed = speed;
     known.restitution = e;
     known.contact_time = *contact_time({known.law, 32600, known.damping, reduced_mass, speed});
@@ -162,19 +138,19 @@ TEST(FreeImpact, RestitutionFallsWithSpeed) {
   }
 }
 
-// e = 0.68 for a ball that is let go at zero force.
-TEST(FreeImpact, HookeNewtonLetGoAtZeroForceNeedsMoreDamping) {
-  Known known = tables[1];
+// Hooke-Newton with e = 0.68 for a ball that separates at zero force.
+TEST(FreeImpact, HookeNewtonSeparatingAtZeroForceNeedsMoreDamping) {
+  Known known = known_impacts[1];
   known.damping = 23.06435307;
   known.restitution = 0.68;
   EXPECT_LE(largest_errors(known, Stepper::moment, 20).restitution, 2.5e-5);
 }
 
-// Against double at 20 steps a contact: eight constants of the contact, each to its last bit; in Fixed32 also the
-// rates, to an LSB of a penetration per step, over the steps of the contact.
+// Restitutions in 32 bits against double at 20 steps per contact. Eight constants of the contact round to their LSB. In
+// Fixed32 the rates also round, to an LSB of a penetration per step, over the steps of the contact.
 TEST(FreeImpact, In32BitsIsThatOfDouble) {
   constexpr int steps = 20;
-  for (const Known& known : tables) {
+  for (const Known& known : known_impacts)
     for (const Stepper stepper : {Stepper::moment, Stepper::average}) {
       const double lsb = 0x1p-31 * 2 * known.peak_penetration / (known.contact_time / steps) / known.speed;
       for (int i = 0; i < phases; ++i) {
@@ -186,12 +162,11 @@ TEST(FreeImpact, In32BitsIsThatOfDouble) {
             << known.name << " " << name_of(stepper) << " " << i;
       }
     }
-  }
 }
 
-// Samples that jump to and fro in each step of a contact of two steps: its sub-steps begin at the rate that the drive
-// has made until then. Against Moment at a 64th of the step under the same force, of which the sub-steps' own error
-// without a drive is 7e-5 of the rate.
+// Samples alternate in each step of a contact of two steps, and each sub-step starts at the rate that the drive has
+// reached. The result is compared with Moment at a 64th of the step under the same force. Without a drive, the
+// sub-steps have an error of 7e-5 of the rate.
 TEST(SubsteppedMoment, FollowsSamplesThatJump) {
   constexpr double h = 1e-3, speed = 1, push = 0.1 * speed / h;
   constexpr int finer = 64;

@@ -1,6 +1,6 @@
 // Fixed32 up to its bounds. Both masses meet at 0.55 to 0.97 of Bounds::speed, so that numbers use the whole range of
 // their units. No fault is raised that double would not raise in the same scene. Rounding may move the step in which a
-// contact ends, which changes the speed by a few per cent after a stiff impact of few steps. A number that wraps, or is
+// contact ends. After a stiff impact of few steps this changes the speed by a few per cent. A number that wraps, or is
 // clamped too early, changes it by 10 % or more.
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <impact/absorber.hpp>
 
+#include "accepted.hpp"
 #include "host_ref/extremes.hpp"
 #include "random.hpp"
 
@@ -15,7 +16,7 @@ namespace impact::host {
 namespace {
 
 template <class Law, class Stepper>
-void follows_double_to_the_bounds() {
+void expect_double_up_to_the_bounds() {
   constexpr double pi = 3.14159265358979323846;
   using Narrow = Absorber<AtRunTime, Law, Stepper, NoDrive, Fixed32>;
   using Wide = Absorber<AtRunTime, Law, Stepper, NoDrive, Float64>;
@@ -62,15 +63,15 @@ void follows_double_to_the_bounds() {
       if (has_met && !wide.is_touching() && !narrow.is_touching()) break;
       has_met = has_met || wide.is_touching();
       have_both_met = have_both_met || (wide.is_touching() && narrow.is_touching());
-      // A ball that all but leaves its stop and is pressed again begins another impact in one of both only, with a
-      // damping of its own.
+      // A ball that nearly leaves its stop and is pressed in again may begin another impact, with its own damping, in
+      // one format only.
       if (Law::is_damped_per_impact && have_both_met && wide.is_touching() != narrow.is_touching()) break;
       if (larger(std::abs(exact.v1), std::abs(exact.v2)) > bounds.speed) break;
       if (larger(std::abs(exact.x1), std::abs(exact.x2)) > bounds.displacement) break;
       if (exact.x2 - exact.x1 - scene.clearance / 2 > deepest) break;
       if (wide.is_touching() == narrow.is_touching())
         off = larger(off, larger(std::abs(found.v1 - exact.v1), std::abs(found.v2 - exact.v2)) / speed);
-      // An impact may come a step earlier than in double, which then raises the same fault.
+      // An impact may come a step earlier than in double, which then raises the same fault in its next step.
       if (narrow.fault() != Fault::none) wide.step();
       ASSERT_EQ(narrow.fault(), wide.fault()) << "scene " << i << " step " << n << ", " << steps << " a contact";
       if (narrow.fault() != Fault::none) break;
@@ -81,22 +82,22 @@ void follows_double_to_the_bounds() {
 }
 
 template <class Stepper>
-void follows_double_under_each_law() {
-  follows_double_to_the_bounds<HookeNewton, Stepper>();
-  follows_double_to_the_bounds<Hertz, Stepper>();
-  follows_double_to_the_bounds<HuntCrossley, Stepper>();
-  follows_double_to_the_bounds<Exact, Stepper>();
+void expect_double_under_each_law() {
+  expect_double_up_to_the_bounds<HookeNewton, Stepper>();
+  expect_double_up_to_the_bounds<Hertz, Stepper>();
+  expect_double_up_to_the_bounds<HuntCrossley, Stepper>();
+  expect_double_up_to_the_bounds<Exact, Stepper>();
 }
 
-TEST(FullRange, MomentFollowsDouble) { follows_double_under_each_law<Moment>(); }
-TEST(FullRange, SubstepsFollowDouble) { follows_double_under_each_law<SubsteppedMoment<4>>(); }
-TEST(FullRange, EnergyConsistentFollowsDouble) { follows_double_under_each_law<EnergyConsistent>(); }
-TEST(FullRange, ImpulsiveFollowsDouble) { follows_double_under_each_law<Impulsive>(); }
+TEST(FullRange, MomentFollowsDouble) { expect_double_under_each_law<Moment>(); }
+TEST(FullRange, SubstepsFollowDouble) { expect_double_under_each_law<SubsteppedMoment<4>>(); }
+TEST(FullRange, EnergyConsistentFollowsDouble) { expect_double_under_each_law<EnergyConsistent>(); }
+TEST(FullRange, ImpulsiveFollowsDouble) { expect_double_under_each_law<Impulsive>(); }
 
-// Bounds of a displacement that is never reached leave room for what would press there, and an impact's own numbers
-// small in their units: V is within 1e-3 of double's after it, at every phase of the main mass.
+// A wide bound of displacement reserves room that the motion never uses, so the impact's numbers are small in their
+// units. After the impact V is within 1e-3 of double's, at every phase of the main mass.
 template <class Law>
-void follows_double_under_wide_bounds(double speed, double stiffness, double restitution) {
+void expect_double_under_wide_bounds(double speed, double stiffness, double restitution) {
   using Narrow = Absorber<AtRunTime, Law, Impulsive, NoDrive, Fixed32>;
   using Wide = Absorber<AtRunTime, Law, Impulsive, NoDrive, Float64>;
   const double h = 1e-3;
@@ -125,14 +126,15 @@ void follows_double_under_wide_bounds(double speed, double stiffness, double res
 }
 TEST(FullRange, ImpulsiveFollowsDoubleUnderWideBounds) {
   for (const double speed : {2.0, 0.2}) {
-    follows_double_under_wide_bounds<HuntCrossley>(speed, 1000, 1);
-    follows_double_under_wide_bounds<Exact>(speed, 1e5, 0.6);
+    expect_double_under_wide_bounds<HuntCrossley>(speed, 1000, 1);
+    expect_double_under_wide_bounds<Exact>(speed, 1e5, 0.6);
   }
 }
 
-// Masses times 2^a, lengths times 4^b (whose roots are powers of two), times times 2^c: the units take it all.
+// Masses are multiplied by 2^a, lengths by 4^b (whose roots are powers of two), and times by 2^c. The units absorb all
+// of that.
 template <class Law, class Stepper, class Drive>
-void keeps_its_bits_in_other_units(double stiffer) {
+void expect_same_bits_in_other_units(double stiffer) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, Drive, Fixed32>;
   Scene scene;
   scene.contact_stiffness = Law::is_linear ? 3260 * stiffer : 32600 * stiffer;
@@ -159,7 +161,7 @@ void keeps_its_bits_in_other_units(double stiffer) {
         other.drive_amplitude *= force, other.drive_pulsation /= time;
         const auto other_plan = Kernel::PlanType::make(
             other, {bounds.displacement * length, bounds.speed * length / time, 0, bounds.force * force}, h * time);
-        if (other_plan.status != PlanStatus::ok) continue;  // a value beyond its range
+        if (other_plan.status != PlanStatus::ok) continue;  // a value outside its range
         ++compared;
         Kernel one(plan), two(other_plan);
         for (int n = 0; n < 2000; ++n) {
@@ -172,20 +174,20 @@ void keeps_its_bits_in_other_units(double stiffer) {
   EXPECT_GE(compared, 9);
 }
 TEST(FullRange, OtherUnitsAreTheSameBits) {
-  keeps_its_bits_in_other_units<HuntCrossley, Moment, Sine>(1);
-  keeps_its_bits_in_other_units<HookeNewton, Moment, Sine>(1);
-  keeps_its_bits_in_other_units<Exact, Moment, NoDrive>(1);
-  keeps_its_bits_in_other_units<Hertz, SubsteppedMoment<4>, Sine>(1);
-  keeps_its_bits_in_other_units<HuntCrossley, EnergyConsistent, Sine>(1);
-  keeps_its_bits_in_other_units<HookeNewton, EnergyConsistent, Sine>(1);
-  keeps_its_bits_in_other_units<Exact, EnergyConsistent, Sine>(1e4);
-  keeps_its_bits_in_other_units<HuntCrossley, EnergyConsistent, Sine>(1e6);
-  keeps_its_bits_in_other_units<HuntCrossley, Impulsive, Sine>(1e6);
-  keeps_its_bits_in_other_units<Exact, Impulsive, NoDrive>(1e6);
-  keeps_its_bits_in_other_units<HookeNewton, AverageAcceleration, Sine>(1);
+  expect_same_bits_in_other_units<HuntCrossley, Moment, Sine>(1);
+  expect_same_bits_in_other_units<HookeNewton, Moment, Sine>(1);
+  expect_same_bits_in_other_units<Exact, Moment, NoDrive>(1);
+  expect_same_bits_in_other_units<Hertz, SubsteppedMoment<4>, Sine>(1);
+  expect_same_bits_in_other_units<HuntCrossley, EnergyConsistent, Sine>(1);
+  expect_same_bits_in_other_units<HookeNewton, EnergyConsistent, Sine>(1);
+  expect_same_bits_in_other_units<Exact, EnergyConsistent, Sine>(1e4);
+  expect_same_bits_in_other_units<HuntCrossley, EnergyConsistent, Sine>(1e6);
+  expect_same_bits_in_other_units<HuntCrossley, Impulsive, Sine>(1e6);
+  expect_same_bits_in_other_units<Exact, Impulsive, NoDrive>(1e6);
+  expect_same_bits_in_other_units<HookeNewton, AverageAcceleration, Sine>(1);
 }
 
-// The paper's scene at its default bounds, both masses at 0.9 of the speed that they allow, at any step.
+// The paper's scene at its default bounds, with both masses at 0.9 of the largest speed, at any step.
 TEST(FullRange, ThePapersSceneAtItsBounds) {
   Scene scene;
   scene.drive_amplitude = 0;
@@ -194,9 +196,7 @@ TEST(FullRange, ThePapersSceneAtItsBounds) {
   for (int i = 0; i < 500; ++i) {
     const double h = 1e-4 * std::pow(40, i / 500.0);
     using Narrow = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Fixed32>;
-    const auto plan = Narrow::PlanType::make(scene, Bounds{}, h);
-    ASSERT_EQ(plan.status, PlanStatus::ok) << h;
-    Narrow absorber(plan);
+    auto absorber = accepted<Narrow>(scene, Bounds{}, h);
     for (int n = 0; n < static_cast<int>(0.06 / h); ++n) absorber.step();
     const auto now = absorber.reading();
     EXPECT_EQ(absorber.fault(), Fault::none) << h;
@@ -204,10 +204,10 @@ TEST(FullRange, ThePapersSceneAtItsBounds) {
   }
 }
 
-// A main spring that turns by 0.1 rad in a step, and room for the ball of up to ten thousand times what the spring
-// gives way: its increments, and with them impulses, count up to some thousand times coarser than penetrations.
+// The main mass turns by 0.1 rad in a step, and the clearance is up to ten thousand times the spring's deflection. LSBs
+// of increments and impulses are then up to some thousand times as large as those of penetrations.
 template <class Stepper>
-void follows_double_with_wide_displacements(double step, double most_off) {
+void expect_double_with_wide_displacements(double step, double most_off) {
   Scene scene;
   scene.main_mass = 10;
   scene.ball_mass = 1.5;
@@ -238,14 +238,14 @@ void follows_double_with_wide_displacements(double step, double most_off) {
     }
     const auto found = narrow.reading(), exact = wide.reading();
     EXPECT_EQ(narrow.fault(), Fault::none);
-    EXPECT_LT(exact.v2, -0.1);  // it has rebounded
+    EXPECT_LT(exact.v2, -0.1);  // after the rebound
     EXPECT_NEAR(found.v1, exact.v1, most_off) << width;
     EXPECT_NEAR(found.v2, exact.v2, most_off) << width;
   }
 }
 TEST(FullRange, ImpulsesMayCountCoarserThanPenetrations) {
-  follows_double_with_wide_displacements<Moment>(2.5e-6, 1e-4);
-  follows_double_with_wide_displacements<SubsteppedMoment<4>>(1e-5, 1e-4);
+  expect_double_with_wide_displacements<Moment>(2.5e-6, 1e-4);
+  expect_double_with_wide_displacements<SubsteppedMoment<4>>(1e-5, 1e-4);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Every public header compiles alone, with each compiler and with each standard, though not with every pair of them; all of
-# them compile in either order, in two translation units that link together.
+# Compiles every public header alone, with each compiler and each standard, though not with every combination. Compiles
+# all of them in either order, in two translation units that are linked together.
+#
 #   headers.sh PROJECT COMPILER STANDARD
 set -eu
 project=$(cd "$1" && pwd) compiler=$2 standard=$3
@@ -18,10 +19,10 @@ headers=$(find . -name '*.h' -o -name '*.hpp' | sed 's|^\./||' | LC_ALL=C sort)
 failures=0
 alone="" && case $compiler,$standard in g++,c++17 | clang++,c++20) alone=$headers ;; esac
 for header in $alone; do
-  echo "#include <$header>" | compile -x c++ -fsyntax-only - || { echo "$header does not compile alone" && failures=1; }
+  echo "#include <$header>" | compile -x c++ -fsyntax-only - || { echo "$header does not compile alone with $compiler -std=$standard" && failures=1; }
 done
 
-# Both units use the same absorber, so that its functions and tables are in both and must be the same.
+# Both units use the same absorber. Its functions and tables are then in both and must be the same.
 unit() {  # NAME
   sed 's|.*|#include <&>|'
   cat <<END

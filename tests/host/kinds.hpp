@@ -1,6 +1,5 @@
 #pragma once
-// All laws and formats with every stepper that promises passive contact, and Hunt-Crossley with a damping per impact as
-// well.
+// All laws and formats with every stepper whose contacts create no energy. Hunt-Crossley also has a damping per impact.
 
 #include <ostream>
 #include <vector>

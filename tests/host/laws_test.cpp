@@ -1,5 +1,5 @@
 // Every law with a damping per impact: its formula, and its restitution in the kernel at any speed, against the closed
-// form for the formula's damping ratio. Also the range of e that each law accepts, and laws of a user's own.
+// form for its damping ratio. Also the range of e that each law accepts, and laws of a user's own.
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "accepted.hpp"
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
@@ -19,7 +20,7 @@ namespace {
 struct Stated {
   Damping damping;
   double (*damping_ratio)(double);
-  double least;  // restitution that a plan takes
+  double least;  // smallest restitution that a plan accepts
 };
 constexpr Stated laws[] = {{Damping::hunt_crossley, HuntCrossleyPerImpact::damping_ratio, 0.01},
                            {Damping::herbert_mcwhannell, HerbertMcWhannell::damping_ratio, 0.01},
@@ -52,13 +53,13 @@ TEST(Laws, AreTheirFormulas) {
   EXPECT_EQ(Exact::damping_ratio(1), 0);
 }
 
-// 1e-15 of a number around 1, through the cancellation of the rates' logarithms at small losses.
+// The tolerance is 1e-15 of a number near 1, magnified by the cancellation of the rates' logarithms at small losses.
 TEST(Laws, ExactHasTheRestitutionThatIsStated) {
   for (double e = 0.01; e < 1; e += 1e-3) EXPECT_NEAR(true_restitution(Exact::damping_ratio(e)), e, 1e-12);
   static_assert(constant::magnitude(Exact::damping_ratio(0.68) - 0.6956071395) < 1e-10);
 }
 
-// The table at the head of law/per_impact.hpp.
+// The values are those of the table in law/per_impact.hpp.
 TEST(Laws, FormulasOfSmallLossesAreNotExact) {
   const double known[][3] = {{0.516, 0.663, 0.909}, {0.491, 0.594, 0.901}, {0.687, 0.799, 0.952}, {0.665, 0.725, 0.913},
                              {0.069, 0.470, 0.894}, {0.074, 0.488, 0.900}, {0.100, 0.500, 0.900}};
@@ -69,9 +70,10 @@ TEST(Laws, FormulasOfSmallLossesAreNotExact) {
   }
 }
 
-// By stepper: 20 steps per resolved part of the contact, a step of four, two or a half of a contact, and a contact of a
-// hundredth of a step; and what the stepper promises there, README "Choosing" (at 80 steps the energy step of a
-// strongly damped contact is the stiff one, of which stiff.hpp promises 6e-4). 32 bits add 2e-5 at e = 0.1 and above.
+// Moment has 20 steps per resolved part of a contact. EnergyConsistent has contacts of 80, 4 and 0.5 steps, and
+// Impulsive contacts of a hundredth of a step. The tolerances are what the README's "Choosing" and the headers promise,
+// plus 2e-5 for 32 bits at e = 0.1 and above. At 80 steps a strongly damped contact of EnergyConsistent is the stiff
+// one, with 6e-4 (stepper/energy/stiff.hpp).
 struct Cell {
   Stepper stepper;
   double steps_per_contact, tolerance;
@@ -93,7 +95,7 @@ TEST(Laws, ReboundAsTheirFormulasSayAtAnySpeed) {
             free.restitution = e;
             free.speed = speed;
             const double expected = true_restitution(law.damping_ratio(e));
-            // The ball is stopped in about 4 e/(1 + e) of a contact.
+            // The damping stops the ball in about 4 e/(1 + e) of a contact.
             const double detail = cell.stepper == Stepper::moment ? std::min(1.0, 4 * expected / (1 + expected)) : 1;
             free.step = contact_time(impact_of(free)).value() * detail / cell.steps_per_contact;
             if (free.step > 0.1) continue;
@@ -110,7 +112,7 @@ TEST(Laws, ReboundAsTheirFormulasSayAtAnySpeed) {
           }
 }
 
-// The kernel's own types. One free pair, 1 kg and 0.3 kg, at any share of the largest speed of one plan.
+// The kernel's own types with one free pair, 1 kg and 0.3 kg, at several shares of the largest speed of one plan.
 Scene free_scene(double e) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
@@ -127,9 +129,7 @@ using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, NoDrive, Format>;
 template <class ContactLaw, class Stepper, class Format>
 double rebound(const Scene& scene, double step) {
   using Tested = Kernel<ContactLaw, Stepper, Format>;
-  const auto plan = Tested::PlanType::make(scene, bounds, step);
-  EXPECT_EQ(plan.status, PlanStatus::ok);
-  Tested absorber(plan);
+  auto absorber = accepted<Tested>(scene, bounds, step);
   bool has_touched = false;
   for (int n = 0; n < 100000; ++n) {
     const double v2_before = absorber.reading().v2;
@@ -160,7 +160,7 @@ using NamedLaws =
     testing::Types<HuntCrossleyPerImpact, HerbertMcWhannell, LeeWang, LankaraniNikravesh, Flores, HuGuo, Exact>;
 TYPED_TEST_SUITE(NamedLaw, NamedLaws);
 
-// In 3 us the ball, which damping slows down to v0/a, comes by 600 LSBs of Fixed32 at least.
+// Damping slows the ball down to v0/a. In 3 us it then moves by at least 600 LSBs of Fixed32.
 TYPED_TEST(NamedLaw, HasOneRestitutionAtAnySpeed) {
   expect_one_restitution<TypeParam, Moment, Float64>(3e-6, 1e-8);
   expect_one_restitution<TypeParam, Moment, Fixed32>(3e-6, 1e-3);
@@ -170,8 +170,8 @@ TYPED_TEST(NamedLaw, HasOneRestitutionAtAnySpeed) {
   expect_one_restitution<TypeParam, Impulsive, Fixed32>(1e-3, 1e-5);
 }
 
-// A light impact that nothing presses keeps its own damping, at 14 steps a contact and within bounds that would let the
-// main spring press 30 times as hard as this impact does: it rebounds as at a hundredth of the step.
+// A light impact with no other force keeps its own damping, at 14 steps per contact. The bounds would let the main
+// spring press 30 times as hard. It rebounds as at a hundredth of the step.
 template <class Stepper>
 void expect_light_impacts_damped(double tolerance) {
   for (const double speed : {0.1, 0.02, 0.004}) {
@@ -191,13 +191,13 @@ void expect_light_impacts_damped(double tolerance) {
     EXPECT_NEAR(ratio(1e-3), ratio(1e-5), tolerance) << speed;
   }
 }
-TEST(Laws, DampLightImpactsAsTheirOwn) {
+TEST(Laws, DampLightImpactsByTheirOwnSpeed) {
   expect_light_impacts_damped<Moment>(1e-3);
   expect_light_impacts_damped<SubsteppedMoment<4>>(1e-3);
   expect_light_impacts_damped<EnergyConsistent>(1e-2);
 }
 
-TEST(Laws, TakeTheRestitutionsOfTheirRangeAndRefuseOthersByName) {
+TEST(Laws, AcceptTheRestitutionsOfTheirRangeOnly) {
   for (const Stated& law : laws) {
     FreePair free;
     free.damping = law.damping;
@@ -267,8 +267,8 @@ TEST(Laws, OfYourOwn) {
   expect_the_same<Linear, HookeNewton, Impulsive>(1e-3);
 }
 
-// Plans of laws that differ in their damping ratio alone are not one another's.
-TEST(Laws, AreToldApartInASavedState) {
+// A saved state is not restored with a law that has another damping ratio.
+TEST(Laws, AreDistinguishedInASavedState) {
   const auto identity_of = [](auto law) {
     return Kernel<decltype(law), Impulsive, Fixed32>::PlanType::make(free_scene(0.5), bounds, 1e-3).identity;
   };

@@ -14,7 +14,7 @@
 namespace impact::host {
 namespace {
 
-// The factor that a gain is.
+// The factor of a gain.
 double factor_of(double gain) { return gain; }
 double factor_of(Fixed32::Gain gain) { return std::ldexp(gain.mantissa, -32 - gain.shift); }
 
@@ -24,19 +24,20 @@ constexpr double rounded_by_sum = std::is_same_v<Format, Fixed32>        ? 0
                                   : std::is_same_v<Format, Float32Plain> ? 0x1p-24
                                                                          : 0x1p-47;  // in two floats
 
-// By how much the ledger of EnergyConsistent may fall, in its own unit: what a step rounds. G is the change of
-// penetration by a force, f the force, w the way, D = w + G f the way without it, p what spring and drive do to it, s
-// the energy stored.
+// By how much the ledger of EnergyConsistent may fall through the rounding of a step, in its own unit. The symbols: G
+// is the change of penetration by a unit of force, f the force, w the displacement. D = w + G f is the displacement
+// without the force, p that of spring and drive, s the stored energy. Four allowances are added:
 //
-//     relative    of the energies in the step, (|D| + |p|)^2/G and s at both ends. In Fixed32 four numbers are rounded
-//                 down to 2^-31 in a unit of which the largest of lengths is an eighth: 4 * 64 * 2^-31. In floating
-//                 point sixteen operations
-//     sum         of what is dissipated, by the addition itself: none in Fixed32
-//     left over   f times what a resolved contact's equation leaves over, way - (d1 - d0), as far as
-//                 its sum has fallen: over a whole contact it is a loss (kernel/docs/energy.md)
-//     lsb         of a length, 2^-31, or of what a force does to one, where that counts coarser: what the force is
-//                 computed from and what it does, four of them; Hooke-Newton's own equation is out by three of them,
-//                 (1 + G (1/2 + C)) f = .. (stepper/energy/linear.hpp)
+// Relative: a share of (|D| + |p|)^2/G and of s at both ends. In Fixed32 four numbers round down by 2^-31 in a unit
+// that is eight times the largest length: 4 * 64 * 2^-31. In floating point there are sixteen operations.
+//
+// Sum: the addition to the dissipated energy, which rounds only in floating point.
+//
+// Left over: f times the residual w - (d1 - d0) of a resolved contact's equation, as far as its sum has fallen. Over a
+// whole contact it is a loss (kernel/docs/energy.md).
+//
+// LSB: four LSBs of a length, or of a response to a force if that is coarser. Hooke-Newton's own equation (1 + G (1/2 +
+// C)) f = ... adds three (stepper/energy/linear.hpp).
 struct Allowance : SilentFeature {
   static constexpr uint32_t kind = 99;
   static constexpr bool is_bound = true;
@@ -74,14 +75,14 @@ struct Allowance : SilentFeature {
   }
 };
 
-// Over the random scenes of coupled_scenes.hpp that are not driven by samples.
+// All random scenes of coupled_scenes.hpp, except those that samples drive.
 constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr unsigned scenes_an_edge = 300;
 
 template <class Kernel, class Use>
 int each_scene(const Use& use, Tension tension = Tension::clamp) {
   int accepted = 0;
-  for (const Edge edge : edges) {
+  for (const Edge edge : edges)
     for (unsigned index = 0; index < scenes_an_edge; ++index) {
       CoupledScene found = coupled_scene(Kernel::ContactLaw::law, edge, index);
       if (found.request.drive == DriveKind::sampled) continue;
@@ -92,7 +93,6 @@ int each_scene(const Use& use, Tension tension = Tension::clamp) {
       ++accepted;
       use(found, plan);
     }
-  }
   return accepted;
 }
 
@@ -132,7 +132,7 @@ void expect_no_fall_with_energy_consistent(Tension tension = Tension::clamp) {
 }
 TYPED_TEST(EnergyLedgerIn, EnergyConsistentNeverFalls) {
   expect_no_fall_with_energy_consistent<TypeParam, HookeNewton>();
-  // Where a stop may pull, its force is the difference of two large ones: of 24 bits little is left.
+  // If a stop may pull, its force is the difference of two large ones. Of 24 bits few remain.
   if constexpr (std::is_same_v<TypeParam, Float64>)
     expect_no_fall_with_energy_consistent<TypeParam, HookeNewton>(Tension::allow);
   expect_no_fall_with_energy_consistent<TypeParam, Hertz>();
@@ -140,7 +140,7 @@ TYPED_TEST(EnergyLedgerIn, EnergyConsistentNeverFalls) {
   expect_no_fall_with_energy_consistent<TypeParam, Exact>();
 }
 
-// A sum in one number never falls either where its terms do not.
+// A sum in one number never falls if its terms are not negative.
 template <class Format, class ContactLaw>
 void expect_no_fall_with_impulsive() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, Sine, Format, EnergyLedger>;
@@ -163,7 +163,7 @@ TYPED_TEST(EnergyLedgerIn, ImpulsiveNeverFalls) {
   expect_no_fall_with_impulsive<TypeParam, Exact>();
 }
 
-// In Fixed32 the sum of what the features see, in double, by any stepper.
+// The sum of what the features see, in double. In Fixed32 it equals the ledger with any stepper.
 struct InDouble : SilentFeature {
   static constexpr uint32_t kind = 98;
   static constexpr bool is_bound = true;
@@ -178,7 +178,7 @@ struct InDouble : SilentFeature {
     const auto number = [&plan](auto x) { return plan.units.fraction(x); };
     const double force = number(step.force.j0), rate = number(step.rate), stored = number(step.stored),
                  before = step.begins ? number(step.rate_at_start) : state.rate_before;
-    const double work = Plan::ContactType::traits.starts_from_rate ? number(step.work)  // of its contacts
+    const double work = Plan::ContactType::traits.starts_from_rate ? number(step.work)  // of the step's contacts
                         : step.knows_way                           ? force * number(step.way)
                                          : force * rate - (rate - before) * number(step.force.j1);
     state.sum += work - (stored - state.stored_before);
@@ -209,8 +209,8 @@ TEST(EnergyLedger, RoundsNothingInFixed32) {
   expect_nothing_rounded<AverageAcceleration, HookeNewton>();
 }
 
-// A ball that starts inside its stop, whose law loses nothing: what the stop holds then comes out again, but for what a
-// ledger of the second order sees early or late in 300 steps of contact.
+// A ball starts inside its stop, and the law loses nothing. The stored energy at the start is released again. The error
+// is that of a ledger of second order over 300 steps of contact.
 template <class Stepper, class Format>
 void expect_stored_start_counted(double tolerance) {
   Scene scene;
@@ -233,7 +233,7 @@ TEST(EnergyLedger, CountsAStartInsideAStopAsStored) {
   expect_stored_start_counted<AverageAcceleration, Float64>(1e-2);
 }
 
-// And what a correction takes out of a stop as dissipated, at once.
+// The energy that a correction takes out of a stop counts as dissipated at once.
 template <class Stepper, class Format>
 void expect_correction_counted() {
   Scene scene;

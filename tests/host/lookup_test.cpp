@@ -75,8 +75,8 @@ void expect_normalised(uint32_t x) {
   EXPECT_GE(by_instruction, UINT32_C(1) << (32 - step)) << x;
 }
 
-// What every step adds up: gain * x, down where the gain shifts right, and to the nearest of the product's LSBs
-// within a sixth of one where it shifts left.
+// The terms that a step adds up, gain * x. They round down if the gain shifts right. If it shifts left, they are within
+// 2/3 of an LSB of the product.
 TEST(Lookup, TermsRoundAsTheySay) {
   std::mt19937 random(1);
   for (int k = -32; k <= 0; ++k)
@@ -108,7 +108,7 @@ TEST(Lookup, LeadingZerosAgreeInBothForms) {
   }
 }
 
-// |x| > limit, without a branch that the processor would have to guess.
+// Whether |x| > limit, without a branch, so that the processor predicts nothing.
 int beyond(int64_t x, int64_t limit) {
   return static_cast<uint64_t>(x) + static_cast<uint64_t>(limit) > 2 * static_cast<uint64_t>(limit);
 }
@@ -116,11 +116,12 @@ int beyond(int64_t x, int64_t limit) {
 static_assert(sizeof square_root_table == 768, "the table's size as its header states it");
 static_assert(sizeof reciprocal_table == 128, "the table's size as its header states it");
 
-// All numbers in four parts, so that as many processors share them; a part begins with what the number before it gives.
+// All numbers in four parts, so that several processors share them. Each part also compares its first number with the
+// one before.
 class LookupOfAQuarter : public testing::TestWithParam<uint32_t> {};
 INSTANTIATE_TEST_SUITE_P(Quarters, LookupOfAQuarter, testing::Range(0u, 4u));
 
-// Judged on squares, so that the test takes no root itself: with T = sqrt(y 2^32), |root - T| <= 2^-27 T + 1/2 is
+// The test compares squares, so it takes no root itself. With T = sqrt(y 2^32), |root - T| <= 2^-27 T + 1/2 becomes
 // |root^2 - T^2| <= 2^-26 T^2 + root = 64 y + root.
 TEST_P(LookupOfAQuarter, OfEveryUint32) {
   int64_t failures = 0;
@@ -205,7 +206,8 @@ TEST(Lookup, TheLargerAndTheSmallerKeepANaN) {
     }
 }
 
-// By digits, against the processor's: any double, squares and their neighbours, and both ends of each power of two.
+// Roots by digits are compared with the processor's: any double, squares and their neighbours, and both ends of each
+// power of two.
 TEST(Lookup, RootsOfDoublesAreCorrect) {
   std::mt19937_64 random(1);
   const auto check = [](double y) {
@@ -225,7 +227,7 @@ TEST(Lookup, RootsOfDoublesAreCorrect) {
   check(-0.0);
 }
 
-// A root near a known one, against the parabola that the header states, and against the true root.
+// A root near a known one is compared with the parabola that the header states, and with the true root.
 void expect_root_beside(int32_t y, int32_t z) {
   const double unit = 2147483648.0, s = std::sqrt(y / unit) * unit, e = (static_cast<double>(z) - y) / y;
   const double clamped = std::fmin(e, 1), lsbs = 4 + s * 0x1p-27;
@@ -244,7 +246,7 @@ TEST(Lookup, RootsBesideAKnownOne) {
   for (int i = 0; i < 3000000 && !HasFatalFailure(); ++i) {
     const auto y = static_cast<int32_t>(static_cast<uint32_t>(random()) >> (1 + i % 31) | 1);
     ASSERT_EQ(KnownSquareRoot::of(y).root_beside(y), square_root_q31(static_cast<uint32_t>(y) << 1));
-    // Near, at twice, far above and below.
+    // Near y, at twice y, and far above and below.
     const double near = y * (1 + std::ldexp(static_cast<double>(random()) / 2147483648.0 - 1, -(i % 13)));
     for (const double z : {near, 2.0 * y, 2.0 * y + 1, 1.0, 2147483647.0, y - 1.0, y + 1.0})
       if (z >= 1 && z <= 2147483647.0) expect_root_beside(y, static_cast<int32_t>(z));
@@ -262,13 +264,14 @@ TEST(Lookup, ReciprocalOfEveryNormalisedDivisor) {
   EXPECT_EQ(reciprocal_q31(0x80000000u), 0xffffffffu);
 }
 
-// With r > 2^63/d - 2 the product n r / 2^31 lacks less than 2^-30 of the quotient, and its floor less than 1 more.
+// Since r > 2^63/d - 2, the product n r/2^31 is less than 2^-30 of the quotient too small. Rounding down takes less
+// than 1 more.
 void expect_quotient(uint32_t numerator, uint32_t denominator) {
   const uint64_t n = numerator, d = denominator;
   const uint64_t fine = quotient_q32(numerator, denominator);
   ASSERT_LE(fine * d, n * two_32) << n << " / " << d;
   ASSERT_LT(n * two_32 - fine * d, d + 4 * n) << n << " / " << d;
-  // The table's 17 bits, two of them rounded off, and the LSB.
+  // The table's 17 bits, of which two are rounded off, and an LSB.
   const double rough = rough_quotient_q31(numerator, denominator),
                exact = static_cast<double>(n) / static_cast<double>(d) * 2147483648.0;
   ASSERT_LE(rough, exact * (1 + 1.0 / 65536) + 1) << n << " / " << d;
@@ -291,7 +294,7 @@ TEST(Lookup, Quotients) {
     const auto d = static_cast<uint32_t>(random()) >> (i % 32) | 1;
     expect_quotient(static_cast<uint32_t>(static_cast<uint64_t>(random()) * (uint64_t{d} + 1) / two_32), d);
   }
-  // Every divisor of the brief one.
+  // Every divisor that the 16-bit quotient distinguishes.
   for (uint64_t d = two_32 / 2; d < two_32 && !HasFatalFailure(); d += 65536)
     for (uint64_t n : {uint64_t{1}, d / 3, d - 65536, d})
       expect_quotient(static_cast<uint32_t>(n), static_cast<uint32_t>(d));
@@ -302,8 +305,8 @@ TEST(Lookup, Quotients) {
     }
 }
 
-// In both forms the same; short by what is stated, and by the product's own LSB. The composed form's correction
-// is at its most where the estimate's three roundings meet.
+// Both forms have the same bits. They fall short by the stated amount and by an LSB of the product. The composed form's
+// correction is largest where the estimate's three roundings coincide.
 void expect_square_over_five(int32_t z, uint32_t p) {
   const int32_t result = instruction::square_over_five(z, p);
   ASSERT_EQ(composed::square_over_five(z, p), result) << z << " " << p;
@@ -328,8 +331,8 @@ TEST(Lookup, SquareOverFive) {
   }
 }
 
-// Shares are the quotients' bits. A ratio loses less than an LSB of 2^29 in its product and less than another in the
-// halved reciprocal; it is clamped at 1.
+// Shares have the quotients' bits. A ratio falls short by less than an LSB of 2^29 in its product, and less than
+// another in the halved reciprocal. It is clamped at 1.
 TEST(Lookup, Divisors) {
   std::mt19937 random(3);
   std::vector<uint32_t> numbers = edges();

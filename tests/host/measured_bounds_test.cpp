@@ -53,7 +53,7 @@ Request random_request(unsigned seed) {
   if (random.one_in(2)) scene.v1 = random.between(-1, 1) * speed;
   const double y = random.between(-0.49, 0.49) * scene.clearance;
   scene.x2 = y;
-  // Of a contact that takes a part of a step to a thousand of them, as Hertz has it; Hooke-Newton's is of this order.
+  // Contacts of a part of a step up to a thousand steps, by Hertz's formula. Hooke-Newton's are of the same order.
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), time = request.step * random.wide(0.3, 1e3);
   const double depth = speed * time / 2.9;
   scene.contact_stiffness = mu * speed * speed / (depth * depth);
@@ -74,7 +74,7 @@ Request random_request(unsigned seed) {
   return request;
 }
 
-TEST(MeasuredBounds, HoldAndGainNothing) {
+TEST(MeasuredBounds, AreKeptWithoutAGain) {
   const char* const asked = std::getenv("IMPACT_MEASURED_SCENES");
   const unsigned scenes = asked ? static_cast<unsigned>(std::atol(asked)) : 300;
   unsigned runs = 0;
@@ -96,7 +96,7 @@ TEST(MeasuredBounds, HoldAndGainNothing) {
       if (request.drive == DriveKind::none) {
         EXPECT_LE(largest - first, 0.01 * std::abs(first)) << context;
       }
-    } catch (const BadInput&) {  // refused
+    } catch (const BadInput&) {  // rejected
     }
   }
   RecordProperty("runs", static_cast<int>(runs));

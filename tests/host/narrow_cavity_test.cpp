@@ -1,6 +1,6 @@
-// A ball that is hardly ever free. It crosses its cavity in a small part of a step, so most impacts begin in the step
-// in which the last one ends, while the main mass's spring acts. Nothing dissipates. The terms that the step omits
-// create energy: at w0 h = 0.16 up to 0.02 % in 2000 steps, which falls with the fourth power of w0 h. In Hooke-Newton
+// A ball that is hardly ever free. It crosses its cavity in a small part of a step. Most impacts begin in the step in
+// which the last one ends, while the main spring acts. Nothing dissipates. The terms that the step neglects create
+// energy. At w0 h = 0.16 it is up to 0.02 % in 2000 steps, which falls with the fourth power of w0 h. In Hooke-Newton
 // contacts it is 0.3 % and falls with the second power (kernel/docs/moment.md).
 
 #include <gtest/gtest.h>
@@ -34,11 +34,12 @@ Cavity random_cavity(unsigned seed, double phase) {
   scene.main_damping = scene.contact_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
   cavity.bounds.speed = 1;
   cavity.bounds.force = 1e-9;
-  // An undamped linear impact gains by itself 1e-5 of its energy at 8 steps, with the sixth power: here 4e-8.
+  // An undamped linear impact alone gains 1e-5 of its energy at 8 steps. This falls with the sixth power, here to 4e-8.
   const double fewest = Law::is_linear ? 20 : 8;
   const double deepest = set_contact_time(scene, Law::is_linear, random.wide(fewest, 2.5 * fewest) * step, 2);
   scene.clearance = deepest * random.wide(1e-3, 0.1);
-  // Half of them begin in the ball, half in the main mass. With all of it the main mass is within Bounds::speed.
+  // Half of the scenes start with the energy in the ball, half in the main mass. The main mass stays within
+  // Bounds::speed if it gets all of it.
   const double fast = random.wide(0.1, 0.99);
   if (seed % 2 == 0)
     scene.v2 = fast / larger(1.0, std::sqrt(scene.ball_mass / scene.main_mass));
@@ -56,7 +57,7 @@ double energy(const Scene& scene, const Reading& at) {
   return mechanical_energy(scene, at) + stored;
 }
 
-// Of the energy, on average over the last steps; not a number where the plan refuses.
+// The average gain of energy over the last steps, as a share. NaN if the plan is rejected.
 template <class Law, class Format>
 double gained(const Cavity& cavity) {
   using Kernel = Absorber<AtRunTime, Law, Moment, NoDrive, Format>;
@@ -91,7 +92,7 @@ TEST(NarrowCavity, GivesLittleEnergy) {
   for (const double phase : {0.159, 0.08, 0.04}) {
     const double share = phase / Moment::longest_phase, square = share * share;
     expect_gain_within<Hertz, Float64>(2e-4 * square * square, phase);
-    expect_gain_within<Hertz, Fixed32>(2e-4 * square * square + 1e-5, phase);  // and what 2000 steps round
+    expect_gain_within<Hertz, Fixed32>(2e-4 * square * square + 1e-5, phase);  // plus the rounding of 2000 steps
     expect_gain_within<HookeNewton, Float64>(0.003 * square, phase);
     expect_gain_within<HookeNewton, Fixed32>(0.003 * square, phase);
   }

@@ -30,7 +30,7 @@ typename Format::Value native(double x, double unit) {
   else
     return {static_cast<int32_t>(std::lround(x / unit * 0x1p31))};
 }
-// Of a number as large as `size`, whose unit is known.
+// An LSB of a number of this size. In Fixed32 it depends only on the unit.
 template <class Format>
 double lsb_of(double size, double unit) {
   if constexpr (std::is_same_v<Format, Fixed32>)
@@ -39,7 +39,7 @@ double lsb_of(double size, double unit) {
     return size * static_cast<double>(std::numeric_limits<typename Format::Value>::epsilon());
 }
 
-// A law's own stop, so that one scene serves for all of them; a hard one where an impact is an instant.
+// A scene for any law, with a stiff stop for Impulsive.
 template <class ContactLaw, class Stepper>
 constexpr Scene scene_of() {
   Scene scene;
@@ -78,8 +78,8 @@ template <class Case>
 struct Outputs : testing::Test {};
 TYPED_TEST_SUITE_P(Outputs);
 
-// reading() is in double from the whole state; a native number is within some LSBs of its own.
-TYPED_TEST_P(Outputs, AreTheReadingInTheirUnits) {
+// reading() converts the whole state to double. A native number is within some LSBs of it.
+TYPED_TEST_P(Outputs, EqualTheReadingInTheirUnits) {
   using Format = typename TypeParam::Format;
   auto kernel = TypeParam::made();
   if constexpr (!TypeParam::Drive::is_sine && !TypeParam::Drive::is_sampled)
@@ -91,7 +91,7 @@ TYPED_TEST_P(Outputs, AreTheReadingInTheirUnits) {
     const double lsb = lsb_of<Format>(0.1, kernel.displacement_unit());
     ASSERT_NEAR(si(kernel.displacement(), kernel.displacement_unit()), now.x1, lsb) << n;
     ASSERT_NEAR(si(kernel.ball_displacement(), kernel.displacement_unit()), now.x2, lsb) << n;
-    // Rates count in the unit of penetrations within a step: 2^-5 m here.
+    // The unit of rates within a step is that of penetrations, here 2^-5 m.
     const double rate_lsb = lsb_of<Format>(2, 0x1p-5 / h);
     ASSERT_NEAR(si(kernel.velocity(), kernel.velocity_unit()), now.v1, 3 * rate_lsb) << n;
     ASSERT_NEAR(si(kernel.ball_velocity(), kernel.velocity_unit()), now.v2, 3 * rate_lsb) << n;
@@ -110,7 +110,7 @@ TYPED_TEST_P(Outputs, AreTheReadingInTheirUnits) {
   EXPECT_EQ(kernel.fault(), Fault::none);
 }
 
-// The ball feels nothing else: what it has of momentum, the force has given it.
+// Only the contact force acts on the ball, so it accounts for the ball's momentum.
 TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
   using Format = typename TypeParam::Format;
   auto kernel = TypeParam::made();
@@ -121,7 +121,7 @@ TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
   int touched = 0;
   for (int n = 0; n < 20000; ++n) {
     TypeParam::step(kernel, n);
-    // Of an impact at an instant the impulse, over the step.
+    // For Impulsive this is the impulse divided by the step.
     const double force = kernel.plan.units.fraction(kernel.state().force) * kernel.plan.force_scale;
     if constexpr (!TypeParam::Kernel::Contact::traits.is_instantaneous) {
       ASSERT_NEAR(si(kernel.contact_force(), kernel.force_unit()), force, std::abs(force) * 0x1p-22);
@@ -130,14 +130,14 @@ TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
     largest = host::larger(largest, std::abs(force));
     touched += force != 0;
     if (kernel.is_touching() || force != 0) continue;
-    // Each step in contact rounds its force, and the ball's velocity, to some of their LSBs.
+    // Each step in contact rounds its force and the ball's velocity to some LSBs.
     const double lsb = lsb_of<Format>(largest, kernel.force_unit()) * h, rate_lsb = lsb_of<Format>(2, 0x1p-5 / h) * m;
     ASSERT_NEAR(kernel.reading().v2 * m, momentum, 4 * (lsb + rate_lsb) * std::sqrt(1.0 + touched)) << n;
   }
   EXPECT_GT(largest, 1);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(Outputs, AreTheReadingInTheirUnits, ContactForceIsTheBallsChangeOfMomentum);
+REGISTER_TYPED_TEST_SUITE_P(Outputs, EqualTheReadingInTheirUnits, ContactForceIsTheBallsChangeOfMomentum);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFixed32, Outputs, CasesOf<Fixed32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Outputs, CasesOf<Float32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Outputs, CasesOf<Float32Plain>);
@@ -148,7 +148,7 @@ struct Formats : testing::Test {};
 using EveryFormat = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(Formats, EveryFormat);
 
-// A correction moves the state by what it says, and the motion that follows is that of a state set so from the start.
+// A correction adds to the state. The motion that follows is that of a scene which starts in the corrected state.
 TYPED_TEST(Formats, ACorrectionAddsToDisplacementAndVelocity) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>;
   Scene there;
@@ -167,12 +167,12 @@ TYPED_TEST(Formats, ACorrectionAddsToDisplacementAndVelocity) {
   EXPECT_EQ(kernel.fault(), Fault::none);
 }
 
-// An observer of the bare displacement keeps the model with a plant that began elsewhere.
+// An observer that reads only the displacement makes the model follow a plant that starts elsewhere.
 TYPED_TEST(Formats, CorrectionsPullTheModelToItsPlant) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, EnergyLedger>;
   Scene elsewhere;
   elsewhere.x1 = 0.002;
-  elsewhere.clearance = 0.2;  // no impacts, which would make it chaotic
+  elsewhere.clearance = 0.2;  // without impacts, since they would make the motion chaotic
   Scene scene = elsewhere;
   scene.x1 = 0;
   Kernel model(Kernel::PlanType::make(scene, {0.1, 2, 0.03, 10}, h)),
@@ -184,12 +184,12 @@ TYPED_TEST(Formats, CorrectionsPullTheModelToItsPlant) {
     model.step();
     plant.step();
   }
-  // In Fixed32 a hundredth of the error ends below half an LSB.
+  // In Fixed32 a hundredth of the error rounds to 0 in the end.
   EXPECT_NEAR(model.reading().x1, plant.reading().x1, lsb_of<TypeParam>(0.1, xu) * 60);
   EXPECT_EQ(model.fault(), Fault::none);
 }
 
-TYPED_TEST(Formats, ACorrectionOutOfRangeIsHeldAndFaulted) {
+TYPED_TEST(Formats, ACorrectionOutOfRangeIsClampedWithAFault) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>;
   using Value = typename TypeParam::Value;
   const Kernel fresh(Kernel::PlanType::make(Scene{}, Bounds{}, h));
@@ -218,7 +218,7 @@ TYPED_TEST(Formats, ACorrectionOutOfRangeIsHeldAndFaulted) {
   }
 }
 
-// Corrections in mid-contact, small and large, either way: no fault within the bounds, and the contact ends.
+// Corrections during contacts, of several sizes and both signs, raise no fault within the bounds, and the contact ends.
 TYPED_TEST(Formats, ACorrectionInContactLeavesAContact) {
   const auto run = [](auto fresh) {
     for (const double dx : {-1e-4, -1e-5, 1e-7, 1e-5, 1e-4}) {
@@ -244,7 +244,8 @@ TYPED_TEST(Formats, ACorrectionInContactLeavesAContact) {
   run(Pointwise(Pointwise::PlanType::make(Scene{}, Bounds{}, h)));
 }
 
-// As constants, whose first snapshot the compiler makes; a stop that would pull lets go at once.
+// The plan is a constant, so that the compiler makes the first snapshot. The ball leaves so fast that the stop would
+// have to pull: contact ends at once.
 template <class Law_>
 struct SentAway {
   static constexpr Scene scene = [] {
@@ -277,7 +278,7 @@ TYPED_TEST(Formats, TheFirstSnapshotIsTheStart) {
                          LinearAcceleration, FoxGoodwin, CentralDifference>();
 }
 
-TYPED_TEST(Formats, AnAbsorberFromARefusedPlanHoldsStill) {
+TYPED_TEST(Formats, AnAbsorberFromARejectedPlanStaysAtRest) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, ContactForce, Snapshots, EnergyLedger>;
   Scene scene;
   scene.main_mass = -1;
@@ -300,8 +301,6 @@ TYPED_TEST(Formats, AnAbsorberFromARefusedPlanHoldsStill) {
   EXPECT_FALSE(kernel.restore(kernel.save()));
   EXPECT_FALSE(kernel.retune(Kernel::PlanType::make(Scene{}, Bounds{}, h)));
 }
-
-// Counts and samples.
 
 TYPED_TEST(Formats, CountsOutAreTheNearestAndClampedAtTheEnds) {
   constexpr double unit = std::is_same_v<TypeParam, Fixed32> ? 0.25 : 1;
@@ -329,7 +328,7 @@ TYPED_TEST(Formats, CountsInAreSamples) {
       for (int32_t n = 0; n <= 4096; ++n) {
         const auto counts = static_cast<int32_t>(static_cast<int64_t>(n) * (2 * zero - 1) / 4096);
         double exact = (counts - zero) * full_scale / zero;
-        // Clamped at the last whole count below the unit.
+        // Values are clamped at the last whole count below the unit.
         const double most = (std::ceil(unit * zero / std::abs(full_scale)) - 1) * std::abs(full_scale) / zero;
         if (std::is_same_v<TypeParam, Fixed32>) exact = std::min(std::max(exact, -most), most);
         const double lsb = std::is_same_v<TypeParam, Fixed32> ? 10 * 0x1p-29 : std::abs(exact) * 0x1p-22;
@@ -340,16 +339,15 @@ TYPED_TEST(Formats, CountsInAreSamples) {
     }
 }
 
-// A full scale that is hardly more than whole counts: the last of them is hardly less than the unit, and what its
-// product rounds must not turn it around.
+// The full scale is slightly above a whole count, so that count is slightly below the unit. Rounding its product must
+// not change the sign.
 TEST(FromCountsInFixed32, KeepTheSignAtTheUnit) {
-  for (const double per_unit : {2199.0000011817065, 98525.00006975689, 336723.00039717258, 557301916.26383638}) {
+  for (const double per_unit : {2199.0000011817065, 98525.00006975689, 336723.00039717258, 557301916.26383638})
     for (const double direction : {1.0, -1.0}) {
       const detail::CountsIn<Fixed32> from_counts({0, direction * per_unit, 0, 0}, 1);
       EXPECT_GT(direction * from_counts.of(INT32_MAX).raw, 0.999 * 0x1p31) << per_unit;
       EXPECT_LT(direction * from_counts.of(-INT32_MAX).raw, -0.999 * 0x1p31) << per_unit;
     }
-  }
 }
 
 TYPED_TEST(Formats, SamplesFromNewtons) {
@@ -362,8 +360,6 @@ TYPED_TEST(Formats, SamplesFromNewtons) {
     EXPECT_NEAR(si(kernel.sample_of(static_cast<float>(newtons)), kernel.sample_unit()), newtons, 12 * 0x1p-22);
   }
 }
-
-// What another absorber saved.
 
 template <class From, class To>
 bool takes_over(const From& from, To to) {
@@ -405,7 +401,7 @@ TEST(Restoring, RefusesAnotherBeta) {
   EXPECT_FALSE(takes_over(average, run<Saver<Fixed32, Pointwise<1, 3>>>()));
 }
 
-// At every step of a run with corrections, and not with a contact whose numbers are not each other's.
+// Every state of a run with corrections is restored. A contact whose numbers contradict each other is rejected.
 template <class Kernel>
 void restore_at_every_step() {
   Scene scene;
@@ -429,7 +425,7 @@ void restore_at_every_step() {
   }
   EXPECT_GT(contacts, 500);
 }
-TYPED_TEST(Formats, RestoresEveryStateAndNoContactThatDoesNotFitTogether) {
+TYPED_TEST(Formats, RestoresEveryStateButNoInconsistentContact) {
   restore_at_every_step<Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, DryFriction, EnergyLedger>>();
   restore_at_every_step<Absorber<AtRunTime, Hertz, SubsteppedMoment<4>, Sine, TypeParam, DryFriction>>();
   restore_at_every_step<Absorber<AtRunTime, HuntCrossley, EnergyConsistent, Sine, TypeParam, DryFriction>>();

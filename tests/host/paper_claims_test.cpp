@@ -1,12 +1,12 @@
 // The paper's claims about its figures, tested with numbers of the kernel, and the conventions that they depend on.
 //
-// The paper does not state the drive's pulsation, nor what its clearance measures. Its amplitudes come out with 40
-// rad/s (the main mass alone has 31.62), stops at +-d/2, both masses at rest in the middle, and 5 s of motion. At 31.62
-// rad/s the main mass alone grows without bound.
+// The paper states neither the drive's frequency nor what its clearance measures. Its amplitudes follow with 40 rad/s,
+// stops at +-d/2, a start at rest in the middle, and 5 s of motion. The main mass alone has 31.62 rad/s. At 31.62 rad/s
+// the main mass alone grows without bound.
 //
-// It does not state either how c1 follows from a restitution e that varies (figure 8). Possible are its own (2.3) and
-// (2.9) at one speed, here 0.8 m/s; (2.9) at each impact; or the c1 for which the law has that e at that speed. Nor
-// does it state whether Hooke-Newton may pull.
+// Nor does it state how c1 follows from a restitution e that varies (figure 8). It may follow from (2.3) and (2.9) at
+// one speed, here 0.8 m/s, or from (2.9) at each impact. Or it may be the c1 for which the law has that e at that
+// speed. Nor does the paper state whether Hooke-Newton may pull.
 //
 // After some 3 s the motion of Hertz and Hooke-Newton depends on rounding. Claims about them are tested on the median
 // over 33 starts of the ball within 0.16 mm of the middle, or by counting these starts.
@@ -41,18 +41,18 @@ Starts starts(Request request, double duration = 5) {
     const Samples samples = kernel_samples(request, interval, duration);
     result.maxima.push_back(maximum(samples));
     result.dissipated.push_back(samples.back().energy_dissipated);
-    EXPECT_TRUE(std::isfinite(result.maxima.back() + result.dissipated.back())) << i;  // a NaN has no place in an order
+    EXPECT_TRUE(std::isfinite(result.maxima.back() + result.dissipated.back())) << i;  // a NaN cannot be sorted
   }
   std::sort(result.maxima.begin(), result.maxima.end());
   std::sort(result.dissipated.begin(), result.dissipated.end());
   return result;
 }
 
-// How c1 follows from a restitution.
+// The ways in which c1 may follow from a restitution.
 enum class From { paper, law, each_impact };
 
 Request request_with(Law law, Tension tension, double e, From from) {
-  // Hooke-Newton without damping requires ten steps a contact.
+  // Hooke-Newton without damping requires ten steps per contact.
   Request request = paper_request(law, Stepper::moment, law == Law::hooke_newton && e == 1 ? 5e-4 : 1e-3, tension);
   if (law == Law::hertz) return request;
   const Impact impact{law, 32600, 0, 0.3 / 1.3, 0.8, tension};
@@ -76,7 +76,7 @@ TEST(PaperClaims, HuntCrossleyAttenuatesTo17Point6Millimetres) {
   for (const Stepper stepper :
        {Stepper::moment, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central}) {
     const Samples samples = kernel_samples(paper_request(Law::hunt_crossley, stepper, 1e-4), interval, 5);
-    // This scene forgets its errors: point by point they are below what any figure can show.
+    // This scene damps its errors, so that no figure can show them.
     EXPECT_LT(largest_difference(samples, reference), 1e-5) << name_of(stepper);
   }
 }
@@ -89,9 +89,9 @@ TEST(PaperClaims, HookeNewtonAttenuatesToTheSame) {
   }
 }
 
-// Hertz can carry the main mass beyond the bare system's 37.55 mm, as the paper's figure 4 shows. In 5 s it does so
-// from a few starts (3 of 33; from the exact middle: 38.1 mm by the reference), in 20 s from half of them. It is not
-// the rule, and the root mean square is below the bare system's; but no start has it attenuate as the others do.
+// Hertz can move the main mass beyond the 37.55 mm of the system without absorber, as the paper's figure 4 shows. In 5
+// s 3 of 33 starts do so (the exact middle: 38.1 mm by the reference), in 20 s half of them. Its root mean square is
+// below that of the system without absorber. No start attenuates as with the other laws.
 TEST(PaperClaims, HertzCanAmplify) {
   const double bare = maximum(kernel_samples(bare_request(), interval, 5));
   const Request hertz = paper_request(Law::hertz, Stepper::moment, 1e-3);
@@ -106,35 +106,34 @@ TEST(PaperClaims, HertzCanAmplify) {
     EXPECT_GT(in_5_seconds.maxima.front(), starts(paper_request(law, Stepper::moment, 1e-3)).median_maximum());
 }
 
-// Figure 8 at e = 1, where nothing damps: Hunt-Crossley is Hertz, and Hooke-Newton stays below both.
+// Figure 8 at e = 1, where nothing dissipates: Hunt-Crossley equals Hertz, and Hooke-Newton stays below both.
 TEST(PaperClaims, WithoutDampingHookeNewtonIsLowest) {
   const Request hertz = paper_request(Law::hertz, Stepper::moment, 1e-3);
   const Request hunt_crossley = request_with(Law::hunt_crossley, Tension::clamp, 1, From::law);
   EXPECT_EQ(hunt_crossley.scene.contact_damping, 0);
-  // The same formulas but for terms that are zero: nothing but rounding, grown as in accuracy_test.cpp.
+  // Both use the same formulas, with terms of zero in one. Only rounding differs, amplified as in accuracy_test.cpp.
   EXPECT_LT(largest_difference(kernel_samples(hertz, interval, 1), kernel_samples(hunt_crossley, interval, 1)), 1e-12);
   EXPECT_LT(starts(request_with(Law::hooke_newton, Tension::clamp, 1, From::law)).median_maximum(),
             starts(hertz).median_maximum());
 }
 
-// Figure 8 at e = 0.68: Hunt-Crossley has the lowest maximum in 5 s, for a constant c1, by the paper's formula or the
-// law's own, and tension or none. With c1 from each impact's speed it has not: slow impacts then lose less. Nor has it
-// with the paper's c1 over 20 s, where the motion becomes another one, of 26 mm.
+// Figure 8 at e = 0.68: Hunt-Crossley has the lowest maximum in 5 s for a constant c1, by either formula, with tension
+// or without. With c1 from each impact's speed it has not, since slow impacts then lose less. Over 20 s with the
+// paper's c1 it has not either: the motion changes to another one, of 26 mm.
 TEST(PaperClaims, AtTheStatedRestitutionHuntCrossleyIsLowest) {
-  for (const Tension tension : {Tension::clamp, Tension::allow}) {
+  for (const Tension tension : {Tension::clamp, Tension::allow})
     for (const From from : {From::paper, From::law}) {
       const auto maximum_of = [&](Law law) { return starts(request_with(law, tension, 0.68, from)).median_maximum(); };
       const double hooke_newton = maximum_of(Law::hooke_newton), hertz = maximum_of(Law::hertz);
       EXPECT_LT(maximum_of(Law::hunt_crossley), hooke_newton);
       EXPECT_LT(hooke_newton, hertz);
     }
-  }
   EXPECT_GT(starts(request_with(Law::hunt_crossley, Tension::clamp, 0.68, From::each_impact)).median_maximum(), 18e-3);
   EXPECT_GT(starts(request_with(Law::hunt_crossley, Tension::clamp, 0.68, From::paper), 20).median_maximum(), 18e-3);
 }
 
-// Figure 8: over restitutions from 0.3 to 1, Hunt-Crossley's maximum varies more than Hooke-Newton's, however c1 is
-// had.
+// Figure 8: over restitutions from 0.3 to 1, Hunt-Crossley's maximum varies more than Hooke-Newton's, with each way to
+// determine c1.
 TEST(PaperClaims, HuntCrossleyIsMoreSensitiveToRestitution) {
   for (const From from : {From::paper, From::law, From::each_impact}) {
     const auto spread = [from](Law law) {
@@ -150,9 +149,9 @@ TEST(PaperClaims, HuntCrossleyIsMoreSensitiveToRestitution) {
   }
 }
 
-// Figure 10, energy dissipated in 5 s: Hunt-Crossley more than Hooke-Newton more than Hertz, which dissipates none. At
-// e = 0.68 this holds with any convention; over all restitutions, if c1 gives the law that restitution. By the paper's
-// formulas, which lose less than e says, Hooke-Newton overtakes below e = 0.5 (e = 0.6 with tension).
+// Figure 10, energy dissipated in 5 s: Hunt-Crossley's is above Hooke-Newton's, and Hertz dissipates none. At e = 0.68
+// this is true with each convention. It is true over all restitutions if c1 gives the law that restitution. The paper's
+// formulas lose less than e says, and with them Hooke-Newton overtakes below e = 0.5 (e = 0.6 with tension).
 TEST(PaperClaims, HuntCrossleyDissipatesMost) {
   const auto dissipated = [](Law law, Tension tension, double e, From from) {
     return starts(request_with(law, tension, e, from)).median_dissipated();
@@ -170,7 +169,7 @@ TEST(PaperClaims, HuntCrossleyDissipatesMost) {
     EXPECT_GT(dissipated(Law::hooke_newton, tension, 0.3, From::paper),
               dissipated(Law::hunt_crossley, tension, 0.3, From::paper));
   }
-  // The ledger's own error: see energy_ledger_test.cpp.
+  // The tolerance is the ledger's own error (energy_ledger_test.cpp).
   EXPECT_NEAR(dissipated(Law::hertz, Tension::clamp, 1, From::law), 0, 1e-4);
 }
 

@@ -23,11 +23,10 @@ inline Request paper_request(Law law, Stepper stepper, double step, Tension tens
   return request;
 }
 
-// Samples at multiples of `interval`, which is one of the step; drive samples are one a step, from the first step's end
-// on.
+// Samples at multiples of `interval`, which is a multiple of the step. There is one drive sample per step, for its end.
 inline Samples kernel_samples(const Request& request, double interval, double duration) {
   Request asked = request;
-  asked.duration = duration;  // over which bounds are found
+  asked.duration = duration;  // the duration in which bounds are found
   const Outcome outcome = make_simulation(asked);
   EXPECT_TRUE(outcome.simulation) << outcome.refusal.field << " " << outcome.refusal.value
                                   << ", allowed: " << outcome.refusal.allowed;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::pair<Stepper, double> betas[] = {
     {Stepper::average, 1.0 / 4}, {Stepper::linear, 1.0 / 6}, {Stepper::fox_goodwin, 1.0 / 12}, {Stepper::central, 0.0}};
 
-// `tolerance` is of x1 and x2, m. Rates and forces follow from them in contact, at some 1e3 per second and 1e5 N/m.
+// `tolerance` is for x1 and x2, m. In contact, rates and forces follow from them with some 1e3 per second and 1e5 N/m.
 void expect_textbook(const Request& request, double beta, double tolerance) {
   SCOPED_TRACE(std::string(name_of(request.law)) + " " + std::string(name_of(request.stepper)) + " " +
                std::to_string(request.step));
@@ -36,15 +36,15 @@ void expect_textbook(const Request& request, double beta, double tolerance) {
   EXPECT_EQ(outcome.simulation->sample().impacts, textbook.sample().impacts);
 }
 
-// 10^4 steps of a rounding of 30 mm, 3e-18 m, each, which the scene amplifies ten times or less.
+// 10^4 steps round 30 mm by 3e-18 m each, which the scene amplifies at most ten times.
 TEST(Pointwise, IsTheTextbooksNewmark) {
   for (const Law law : {Law::hertz, Law::hunt_crossley})
     for (const auto& [stepper, beta] : betas)
       for (const double step : {2e-3, 1e-3, 1e-4}) expect_textbook(paper_request(law, stepper, step), beta, 1e-12);
 }
 
-// Hooke-Newton's force jumps at the step that first sees the contact. At 2 ms that amplifies a change of a velocity 6e5
-// times within the second (rounding_test.cpp measures it), here 3e-18 m in a step.
+// Hooke-Newton's force jumps at the step that first sees the contact. At 2 ms this amplifies a change of velocity 6e5
+// times within the second (measured by rounding_test.cpp), here 3e-18 m per step.
 TEST(Pointwise, IsTheTextbooksNewmarkForHookeNewton) {
   for (const Tension tension : {Tension::clamp, Tension::allow})
     for (const auto& [stepper, beta] : betas)
@@ -52,13 +52,13 @@ TEST(Pointwise, IsTheTextbooksNewmarkForHookeNewton) {
         expect_textbook(paper_request(Law::hooke_newton, stepper, step, tension), beta, step > 1e-3 ? 1e-7 : 1e-9);
 }
 
-// Below two steps a contact the law's slope over the force passes 1. A free pair, until a scheme that multiplies the
-// energy leaves the bounds. Fixed32's unit of penetrations has room for all that a step within the bounds reaches,
-// nine ways of a step (newmark.hpp): four bits more than the way itself, with which 1e-4 m/s would be reached.
+// Below two steps per contact the law's slope over the force exceeds 1. A free pair runs until a scheme that multiplies
+// the energy leaves the bounds. Fixed32's unit of penetrations has room for nine displacements of a step (newmark.hpp).
+// That is four bits more than one displacement.
 template <class ContactLaw, class Scheme>
 void follows_double_in_a_stiff_contact() {
   constexpr double h = 1e-4, speed = 1;
-  for (const double steps : {3.0, 1.6, 1.2, 1.0, 0.6, 0.4}) {
+  for (const double steps : {3.0, 1.6, 1.2, 1.0, 0.6, 0.4})
     for (int phase = 0; phase < 16; ++phase) {
       Scene scene;
       scene.ball_mass = scene.main_mass;
@@ -83,7 +83,6 @@ void follows_double_in_a_stiff_contact() {
         ASSERT_NEAR(fixed.reading().v2, exact.reading().v2, 1.6e-3) << steps << " steps, phase " << phase;
       }
     }
-  }
 }
 TEST(Pointwise, FollowsDoubleInAStiffContact) {
   follows_double_in_a_stiff_contact<Hertz, AverageAcceleration>();

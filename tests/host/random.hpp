@@ -1,5 +1,5 @@
 #pragma once
-// Random scenes: numbers that are the same on every machine, and a stop from the length of a contact.
+// Random numbers for scenes, the same on every machine, and the stiffness of a stop for a given contact time.
 
 #include <cmath>
 #include <impact/scene.hpp>
@@ -12,7 +12,7 @@ class Random {
   explicit Random(unsigned long seed = 1) : bits_(seed) {}
   double share() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }  // from 0 to 1
   double between(double least, double most) { return least + (most - least) * share(); }
-  double wide(double least, double most) { return least * std::pow(most / least, share()); }  // even in its logarithm
+  double wide(double least, double most) { return least * std::pow(most / least, share()); }  // log-uniform
   bool is(double chance) { return share() < chance; }
   template <class Value, size_t size>
   Value one_of(const Value (&values)[size]) {
@@ -23,7 +23,7 @@ class Random {
   std::mt19937_64 bits_;
 };
 
-// Gives the stop the stiffness at which an undamped impact at `speed` takes `contact_time`: how deep it goes, m.
+// Sets the stiffness at which an undamped impact at `speed` takes `contact_time`. Returns the penetration, m.
 inline double set_contact_time(Scene& scene, bool is_linear, double contact_time, double speed) {
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), pi = 3.141592653589793;
   scene.contact_stiffness = is_linear ? mu * pi * pi / (contact_time * contact_time)

@@ -33,7 +33,8 @@ Case paper_case(const Variant& variant) {
   return run;
 }
 
-// No spring, damper or drive; the ball flies at 0.8 m/s towards the only stop, at `side`, 10 mm away.
+// A pair without spring, damper or drive. The ball starts 10 mm from its only stop, at `side`, and approaches it at 0.8
+// m/s.
 Case free_pair(const Variant& variant, int side) {
   Case run = paper_case(variant);
   run.drive = DriveKind::none;
@@ -50,7 +51,7 @@ Sample sample_at(const Case& run, double t) {
   return reference.sample();
 }
 
-// Every millisecond, without the second run that estimates the error.
+// Samples at every millisecond, without the second run that estimates the error.
 Samples samples_of(const Case& run, int seconds) {
   Reference reference(run);
   Samples samples;
@@ -61,14 +62,14 @@ Samples samples_of(const Case& run, int seconds) {
   return samples;
 }
 
-// x1 of a main mass without a ball in reach.
+// x1 of a main mass whose ball never touches.
 double lone_x1(Case run, double t) {
   run.scene.clearance = 1e6;
   return sample_at(run, t).x1;
 }
 
 TEST(ReferenceFlight, DampedVibration) {
-  for (const double c : {0.0, 0.01, 20.0, 2 * std::sqrt(1000.0), 200.0}) {  // to overdamped, through critical
+  for (const double c : {0.0, 0.01, 20.0, 2 * std::sqrt(1000.0), 200.0}) {  // undamped to overdamped
     Case run;
     run.drive = DriveKind::none;
     run.scene.main_damping = c;
@@ -79,7 +80,7 @@ TEST(ReferenceFlight, DampedVibration) {
     const bool critical = std::abs(square) < 1e-9;
     const double cosine = critical ? 1 : square > 0 ? std::cos(w * t) : std::cosh(w * t);
     const double sine = critical ? t : (square > 0 ? std::sin(w * t) : std::sinh(w * t)) / w;
-    // 1e-15: rounding of the closed form, whose terms are below 0.02 m and whose argument is below 32.
+    // The closed form rounds by 1e-15: its terms are below 0.02 m and its argument is below 32.
     EXPECT_NEAR(lone_x1(run, t), std::exp(-decay * t) * (run.scene.x1 * cosine + slope * sine), 1e-15) << c;
   }
 }
@@ -88,7 +89,7 @@ TEST(ReferenceFlight, ResonanceWithoutDamping) {
   Case run;
   run.scene.main_damping = 0;
   const double w = run.scene.drive_pulsation = std::sqrt(1000.0), t = 3;
-  // x1'' + w^2 x1 = (F0 / M) sin w t from rest; the pulsation's own rounding moves the phase of 95 rad by 1e-14.
+  // The equation is x1'' + w^2 x1 = (F0/M) sin w t, from rest. The rounding of w moves the phase of 95 rad by 1e-14.
   EXPECT_NEAR(lone_x1(run, t), 10 / (2 * w * w) * (std::sin(w * t) - w * t * std::cos(w * t)), 1e-14);
 }
 
@@ -114,7 +115,7 @@ TEST(ReferenceFlight, SampledDriveIsLinearBetweenSamples) {
   run.scene.main_damping = 0;
   run.scene.main_mass = 2;
   EXPECT_NEAR(lone_x1(run, 0.5), 0.125, 1e-16);     // (1/M) 12 t^3 / 6
-  EXPECT_NEAR(lone_x1(run, 1), 0.75, 1e-15);        // then 0.75 m/s and a force that falls from 6 N
+  EXPECT_NEAR(lone_x1(run, 1), 0.75, 1e-15);        // then 0.75 m/s, and a force that falls from 6 N
   EXPECT_NEAR(lone_x1(run, 4), 0.75 + 4.5, 1e-14);  // then 1.5 m/s
   EXPECT_DOUBLE_EQ(drive_force(run, 0.75), 3);
   EXPECT_DOUBLE_EQ(drive_force(run, 9), 0);
@@ -125,7 +126,7 @@ TEST(ReferenceFlight, PaperAmplitudeWithoutBall) {
   run.scene.clearance = 1e6;
   const auto samples = reference_trajectory(run, 1e-4, 5).samples;
   double largest = 0, t = 0;
-  // F0 / (k - M w^2) (sin w t - (w/w0) exp(-c t/2) sin w0 t), but for c/(2 M w0) = 2e-4 of its 37.7 mm.
+  // x1 = F0/(k - M w^2) (sin w t - (w/w0) exp(-c t/2) sin w0 t). It neglects c/(2 M w0) = 2e-4 of 37.7 mm.
   for (const Sample& s : samples) {
     largest = larger(largest, std::abs(s.x1));
     if (largest == std::abs(s.x1)) t = s.t;
@@ -152,9 +153,9 @@ void expect_single_impact(const Case& run, int side) {
   EXPECT_NEAR(after.peak_force / *peak_force(impact), 1, tolerance);
   EXPECT_EQ(after.impacts, 1);
   EXPECT_EQ(after.contact_force, 0);
-  EXPECT_NEAR(after.v1 + 0.3 * after.v2, 0.3 * 0.8 * side, 1e-15);  // momentum
+  EXPECT_NEAR(after.v1 + 0.3 * after.v2, 0.3 * 0.8 * side, 1e-15);  // momentum is conserved
 
-  // When a property of the state that holds at the start of the contact ceases.
+  // The instant until which a property holds that holds when the contact starts.
   const auto end_of = [&](auto property) {
     double before = start, behind = start + 2 * duration;
     while (behind - before > 1e-12 * duration) {
@@ -167,20 +168,19 @@ void expect_single_impact(const Case& run, int side) {
   const double deepest = end_of([&](const Sample& s) { return s.t <= start || side * (s.v2 - s.v1) > 0; });
   EXPECT_NEAR(sample_at(run, deepest).penetration / *peak_penetration(impact), 1, tolerance);
   const double separation = end_of([&](const Sample& s) { return s.t <= start || s.contact_force != 0; });
-  EXPECT_NEAR((separation - start) / duration, 1, tolerance + 4e-18 / duration);  // a double's resolution of t
+  EXPECT_NEAR((separation - start) / duration, 1, tolerance + 4e-18 / duration);  // the resolution of t in double
 }
 
 TEST(ReferenceImpact, AgreesWithClosedForms) {
-  for (const Variant& variant : variants) {
+  for (const Variant& variant : variants)
     for (const int side : {-1, 1}) {
       SCOPED_TRACE(testing::Message() << variant.name << ", side " << side);
       expect_single_impact(free_pair(variant, side), side);
     }
-  }
 }
 
 TEST(ReferenceImpact, AgreesWithClosedFormsInStiffContact) {
-  for (const Variant& variant : variants) {
+  for (const Variant& variant : variants)
     for (const double stiffness : {1e8, 1e10, 1e12}) {
       SCOPED_TRACE(testing::Message() << variant.name << ", k1 " << stiffness);
       Case run = free_pair(variant, 1);
@@ -192,10 +192,9 @@ TEST(ReferenceImpact, AgreesWithClosedFormsInStiffContact) {
       run.scene.contact_damping = contact_damping(impact, 0.7).value_or(0);
       expect_single_impact(run, 1);
     }
-  }
 }
 
-TEST(ReferenceImpact, OverdampedContactLetsGoAtZeroForce) {
+TEST(ReferenceImpact, OverdampedContactSeparatesAtZeroForce) {
   Case run = free_pair(variants[0], 1);
   run.scene.contact_damping = 1000;  // zeta = 5.8
   expect_single_impact(run, 1);
@@ -208,7 +207,7 @@ TEST(ReferenceImpact, DampingPerImpactKeepsTheRestitution) {
     run.scene.contact_damping = 0;
     run.scene.v2 = speed;
     const Sample after = sample_at(run, 1);
-    EXPECT_NEAR((after.v1 - after.v2) / speed, 0.7561486807, 5e-11) << speed;  // to ten digits
+    EXPECT_NEAR((after.v1 - after.v2) / speed, 0.7561486807, 5e-11) << speed;  // ten digits
   }
 }
 
@@ -222,7 +221,7 @@ TEST(ReferenceImpact, StartsInsideAStop) {
     EXPECT_NEAR(-side * (after.v2 - after.v1), std::sqrt(0.8 * 32600 * std::pow(depth, 2.5) / mu), 1e-13);
     EXPECT_EQ(after.impacts, 0);
   }
-  // Leaving faster than k1 / c1 a clamped Hunt-Crossley contact does not hold the ball back; the law as written does.
+  // If the ball leaves faster than k1/c1, a clamped Hunt-Crossley contact has no force. The unclamped law pulls.
   Case run = free_pair(variants[4], 1);
   run.scene.x2 = 0.01 + depth;
   run.scene.v2 = -2;  // k1 / c1 = 1.67 m/s
@@ -235,9 +234,9 @@ TEST(ReferenceImpact, StartsInsideAStop) {
   EXPECT_LT(sample_at(run, 0).contact_force, 0);
 }
 
-// The ball at rest, the main mass swinging as 10 mm (1 + excess) sin w0 t: it touches by the excess alone.
+// The ball is at rest. The main mass oscillates as 10 mm (1 + excess) sin w0 t, so it touches by the excess alone.
 TEST(ReferenceContact, GrazingIsNotMissed) {
-  for (const Variant& variant : variants) {
+  for (const Variant& variant : variants)
     for (const double excess : {-1e-12, 1e-12, 1e-9, 1e-6}) {
       Case run = free_pair(variant, 1);
       run.scene.main_stiffness = 1000;
@@ -246,7 +245,6 @@ TEST(ReferenceContact, GrazingIsNotMissed) {
       run.scene.v1 = 0.01 * std::sqrt(1000.0) * (1 + excess);
       EXPECT_EQ(sample_at(run, 0.08).impacts, excess > 0 ? 1 : 0) << variant.name << ", " << excess;
     }
-  }
 }
 
 TEST(ReferenceContact, StopsThatAreNotThereAreNotHit) {
@@ -258,8 +256,8 @@ TEST(ReferenceContact, StopsThatAreNotThereAreNotHit) {
   EXPECT_EQ(sample_at(run, 1).impacts, 1);
 }
 
-// A constant force drives the main mass's left stop into the ball, which bounces ever lower until it is carried along:
-// both masses then accelerate together, and contact holds the ball with m F / (M + m).
+// A constant force drives the main mass's left stop into the ball, which bounces less and less. In the end both masses
+// accelerate together, and the contact force is m F/(M + m).
 TEST(ReferenceContact, BouncingSettles) {
   for (const Variant& variant : variants) {
     if (variant.law == Law::hertz) continue;
@@ -290,15 +288,15 @@ TEST(ReferenceContact, EnergyIsAccountedFor) {
       reference.advance(t);
       const Sample s = reference.sample();
       if (s.penetration > 0) continue;
-      // Rounding of doubles that reach a few joules.
+      // The tolerance is the rounding of doubles of a few joules.
       EXPECT_NEAR(mechanical_energy(run.scene, s) + s.energy_dissipated, given + s.drive_work, 1e-14)
           << variant.name << " at " << t;
     }
   }
 }
 
-// The independent route: the classical Runge-Kutta method in x1, v1, x2, v2, steps of 2 us that end where contact
-// changes.
+// An independent solution: the classical Runge-Kutta method in x1, v1, x2, v2, in steps of 2 us. Steps end where
+// contact begins or ends.
 class SteppedRungeKutta {
  public:
   using Real = long double;
@@ -348,7 +346,7 @@ class SteppedRungeKutta {
     return {z.x1 + h * rate.x1, z.v1 + h * rate.v1, z.x2 + h * rate.x2, z.v2 + h * rate.v2};
   }
   Real delta(const State& z, int side) const { return static_cast<Real>(side) * (z.x2 - z.x1) - half_; }
-  // What multiplies delta^(3/2), or the whole force of Hooke-Newton.
+  // The factor of delta^(3/2), or the whole force of Hooke-Newton.
   Real factor(const State& z) const {
     const Real rate = static_cast<Real>(side_) * (z.v2 - z.v1);
     return law_ == Law::hooke_newton ? k1_ * delta(z, side_) + c1_ * rate : k1_ + c1_ * rate;
@@ -426,7 +424,7 @@ TEST(ReferenceTrajectory, DoesNotDependOnWhereItIsSampled) {
   }
 }
 
-// A sine given by its samples every 0.1 ms differs from the sine by (w h)^2 / 8 F0 = 2e-5 N at most.
+// A sine sampled every 0.1 ms differs from the sine by at most (w h)^2/8 F0 = 2e-5 N.
 TEST(ReferenceTrajectory, SampledSineApproachesTheSine) {
   for (const Variant& variant : variants) {
     const Case sine = paper_case(variant);
@@ -435,17 +433,17 @@ TEST(ReferenceTrajectory, SampledSineApproachesTheSine) {
     sampled.sample_step = 1e-4;
     for (int i = 0; i <= 10000; ++i) sampled.samples.push_back(drive_force(sine, i * 1e-4));
     const double difference = largest_difference(samples_of(sine, 1), samples_of(sampled, 1));
-    // The drive's relative error, of a displacement below 40 mm, times 150 by which any perturbation grows in 1 s.
+    // The drive's relative error, times 40 mm of displacement, times 150, by which any perturbation grows in 1 s.
     EXPECT_LT(difference, 2e-6 * 0.04 * 150) << variant.name;
     EXPECT_GT(difference, 0) << variant.name;
     std::printf("  %-31s %.1e m from the sine\n", variant.name, difference);
   }
 }
 
-// What is measured here bounds what a point-by-point comparison can mean; the assertions are loose on purpose.
+// The result limits what a comparison point by point can show. The assertions are loose on purpose.
 TEST(ReferenceTrajectory, HorizonOfComparability) {
   for (const Variant& variant : variants) {
-    if (variant.law != Law::hooke_newton && variant.tension == Tension::allow) continue;  // these never pull here
+    if (variant.law != Law::hooke_newton && variant.tension == Tension::allow) continue;  // never pulls here
     Case run = paper_case(variant);
     const Samples base = samples_of(run, 20);
     run.scene.x2 += 1e-12;
@@ -461,9 +459,9 @@ TEST(ReferenceTrajectory, HorizonOfComparability) {
   }
 }
 
-// The paper's figures, to the precision of reading them. Hooke-Newton and Hunt-Crossley halve the 37.6 mm of the bare
-// system. Hertz goes beyond them from the exact start, yet not from one 10 um away: its maximum in 5 s lies past its
-// horizon.
+// The paper's figures, as precisely as they can be read. Hooke-Newton and Hunt-Crossley halve the 37.6 mm of the system
+// without absorber. Hertz exceeds them from the exact start, but not from a start 10 um away. Its maximum in 5 s is
+// beyond its horizon of comparability.
 TEST(ReferenceTrajectory, PaperAmplitudes) {
   const auto amplitude = [](const Variant& variant, double x2) {
     Case run = paper_case(variant);
@@ -507,7 +505,7 @@ TEST(ErrorMeasures, StatisticsOfASine) {
     samples.push_back(s);
   }
   const Statistics result = statistics(samples, 5);
-  // Five whole periods and the sample that closes them, whose sine is nil: 500 of 501 samples count.
+  // The samples cover five periods and the first sample of the sixth, whose sine is 0: 500 of 501 count.
   EXPECT_NEAR(result.rms, 0.03 * std::sqrt(0.5 * 500 / 501), 1e-15);
   EXPECT_NEAR(result.maximum, 0.03, 1e-15);
   EXPECT_NEAR(result.dissipated_power, 2, 1e-14);

@@ -31,7 +31,7 @@ host::Case case_under() {
   return run;
 }
 
-// Largest difference of x1 over 0.5 s, which has impacts at both stops.
+// The largest difference of x1 over 0.5 s, which has impacts at both stops.
 template <class Model, class Matrix>
 double largest_difference(Model model, Matrix matrix) {
   double largest = 0;
@@ -52,9 +52,9 @@ struct Under {
 using Laws = testing::Types<Under<Law::hooke_newton>, Under<Law::hertz>, Under<Law::hunt_crossley>>;
 TYPED_TEST_SUITE(TextbookMethods, Laws);
 
-// Newton's method stops at 1e-6 of the acceleration where the matrix one goes on to rounding. Convergence is quadratic,
-// so that 1e-12 of 100 m/s^2 remains a step: below 1e-12 m in 5000 steps, and impacts amplify it by less than 1000 in
-// 0.5 s.
+// The report's Newton's method stops at 1e-6 of the acceleration. The matrix one goes on to rounding. Since convergence
+// is quadratic, 1e-12 of 100 m/s^2 remains in a step. That is below 1e-12 m in 5000 steps, and impacts amplify it by
+// less than 1000 in 0.5 s.
 TYPED_TEST(TextbookMethods, NewmarkIsTheMatrixMethod) {
   constexpr Law law = TypeParam::law;
   EXPECT_LT(largest_difference(TextbookNewmark<double, Rig<law>, law, LibraryPower>{},
@@ -69,8 +69,7 @@ TYPED_TEST(TextbookMethods, RungeKuttaIsTheMatrixMethod) {
             1e-9);
 }
 
-// A sine that is turned 10000 times by rounded factors is off by less than 1e-12, and so is x1 but for what impacts
-// make of it.
+// A sine that is turned 10000 times by rounded factors has an error below 1e-12. So has x1, before impacts amplify it.
 TYPED_TEST(TextbookMethods, TunedRungeKuttaIsTheMatrixMethod) {
   constexpr Law law = TypeParam::law;
   EXPECT_LT(largest_difference(TunedRk4<double, Rig<law>, law, LibraryRoot>{},
@@ -92,7 +91,7 @@ TEST(PaperScenes, OfTable2IsTheOneOfRestitution068) {
   EXPECT_NEAR(host::paper_contact_damping(host::Impact{}, 0.68).value(), paper_run(3).scene.contact_damping, 1e-9);
 }
 
-// The plan of a free pair takes Impulsive however long a contact lasts; the machine's does not.
+// The plan of a free pair takes Impulsive for contacts of any duration. That of the coupled machine does not.
 TEST(MachineRule, TakesImpulsiveForAShortContactOnly) {
   EXPECT_EQ(machine_rule(Law::hunt_crossley, 1e-4, 1e4), "moment");
   EXPECT_EQ(machine_rule(Law::hunt_crossley, 1e-3, 1e10), "impulsive");

@@ -38,14 +38,14 @@ void PrintTo(const Rounded& rounded, std::ostream* out) {
        << name_of(rounded.stepper) << " " << name_of(rounded.numeric) << " " << rounded.step;
 }
 
-// Twice what the scene reaches, in the power of two above it, and no more: the bounds that a user would state.
+// The bounds that a user would state: twice what the scene reaches, rounded up to a power of two.
 Bounds bounds_of(const Rounded& rounded) {
   Bounds bounds{0.0625, 2, 0.0156, 10};
   if (rounded.law == Law::hooke_newton) bounds.penetration = rounded.step > 1e-3 ? 0.0078 : 0.0039;
   return bounds;
 }
 
-// The largest change of x1 for a change of the ball's first speed, s.
+// The largest change of x1 per change of the ball's first speed, s.
 double amplification(Request request, const Samples& samples) {
   constexpr double change = 1e-8;  // m/s
   double largest = 0;
@@ -90,18 +90,16 @@ TEST_P(Rounding, AddsLittleToTheMethodsError) {
 
 std::vector<Rounded> all() {
   std::vector<Rounded> result;
-  for (const Numeric numeric : {Numeric::fixed32, Numeric::float32}) {
-    for (const Stepper stepper : {Stepper::moment, Stepper::average}) {
+  for (const Numeric numeric : {Numeric::fixed32, Numeric::float32})
+    for (const Stepper stepper : {Stepper::moment, Stepper::average})
       for (const double step : {2e-3, 1e-3, 1e-4, 1e-5}) {
         result.push_back({Law::hertz, Tension::clamp, stepper, numeric, step});
         result.push_back({Law::hunt_crossley, Tension::clamp, stepper, numeric, step});
-        // Four steps a contact are too few.
+        // Four steps per contact are too few.
         if (step > 1e-3 && stepper == Stepper::moment) continue;
         result.push_back({Law::hooke_newton, Tension::clamp, stepper, numeric, step});
         result.push_back({Law::hooke_newton, Tension::allow, stepper, numeric, step});
       }
-    }
-  }
   return result;
 }
 

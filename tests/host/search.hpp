@@ -15,14 +15,14 @@ struct Found {
   double value = -1e300;
 };
 
-// `value` is -1e300 where there is none.
+// `value` returns -1e300 if it is undefined.
 template <size_t n, class Value>
 Found<n> search(unsigned seed, int evaluations, const Value& value) {
   constexpr int places_at_random = 12;
   constexpr double first_step = 0.2, smallest_step = 1e-3;
   std::mt19937_64 engine(seed);
   const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-  // Near enough to normal, and the same on every machine.
+  // A sum of uniform numbers, close enough to a normal distribution, and the same on every machine.
   const auto normal = [&uniform] {
     double sum = -6;
     for (int i = 0; i < 12; ++i) sum += uniform();

@@ -15,8 +15,8 @@
 namespace impact {
 namespace {
 
-// The paper's scene without the main damper, whose loss the kernel does not count, by the average acceleration, for
-// which the ledger's rules are the exact balance: what is left is rounding.
+// The paper's scene without the main damper, whose loss the kernel does not count. For average acceleration the
+// ledger's rules are the exact balance, so only rounding remains.
 struct Rig {
   static constexpr Scene scene = [] {
     Scene made;
@@ -32,15 +32,32 @@ struct Soak : testing::Test {};
 using Formats = testing::Types<Fixed32, Float32>;
 TYPED_TEST_SUITE(Soak, Formats);
 
+long steps_of_a_run() {
+  const char* const asked = std::getenv("IMPACT_SOAK_STEPS");
+  return asked ? std::atol(asked) : 2000000;
+}
+
+// The rounding of the ledger over a run, J. In a step two products of the drive round by half an LSB each, and so do
+// the additions. In Float32 they are at most 10 N times the displacement at 2 m/s. A contact has two more products and
+// the stored energy, in its own unit. Roundings to nearest grow with the square root of the steps, and stay within 8
+// times that. Roundings down would drift by half an LSB per step.
+template <class Format, class Plan>
+double rounding_of(const Plan& plan, double steps, double h) {
+  const bool is_fixed = std::is_same_v<Format, Fixed32>;
+  const double unit = plan.units.si_penetration_unit();
+  const double drive_lsb = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2 * h * 0x1p-24;
+  const double contact_lsb = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2 * h * 0x1p-24;
+  return 8 * std::sqrt(steps) * (drive_lsb + 4 * contact_lsb);
+}
+
 TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
   using Kernel = Absorber<Rig, HuntCrossley, AverageAcceleration, Sine, TypeParam, EnergyLedger>;
-  const char* const asked = std::getenv("IMPACT_SOAK_STEPS");
-  const long steps = asked ? std::atol(asked) : 2000000;
+  const long steps = steps_of_a_run();
   const auto& plan = Kernel::plan;
   const Scene& scene = Rig::scene;
   Kernel absorber;
   for (long n = 0; n < steps; ++n) absorber.step();
-  // To an instant without contact, when all energy is in the masses and the main spring.
+  // The run ends at an instant without contact, when all energy is in the masses and the main spring.
   long extra = 0;
   for (; absorber.is_touching() && extra < 1000; ++extra) absorber.step();
   ASSERT_EQ(absorber.fault(), Fault::none);
@@ -52,18 +69,10 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
   const double work = state.drive_work.total() * plan.drive_scale * unit;
   const double dissipated = state.dissipated.total() * plan.force_scale * unit;
   const double energy = host::mechanical_energy(scene, now);
-  const double total = static_cast<double>(steps + extra);  // A step's two products of the drive, each by half an LSB;
-                                                            // in Float32 of at most 10 N over 1 ms of 2 m/s, and as
-  // much for the additions. A contact has two more and the energy stored, in its own unit.
-  const bool is_fixed = std::is_same_v<TypeParam, Fixed32>;
-  const double drive_lsb = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2e-3 * 0x1p-24;
-  const double contact_lsb = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2e-3 * 0x1p-24;
-  // Rounded to nearest they wander as the square root of the steps, and within 8 times that; rounded down they would
-  // drift by half an LSB a step.
-  const double bound = 8 * std::sqrt(total) * (drive_lsb + 4 * contact_lsb);
+  const double total = static_cast<double>(steps + extra), bound = rounding_of<TypeParam>(plan, total, Rig::step);
   EXPECT_NEAR(energy + dissipated, work, bound);
 
-  // The curvature's 31 bits set the phase: pulsation * time * 2^-31; the amplitude has its 31 bits and keeps them.
+  // The curvature's 31 bits limit the phase error to pulsation * time * 2^-31. The amplitude keeps its 31 bits.
   const double turned = scene.drive_pulsation * Rig::step * total;
   const double force = 2 * plan.units.fraction(state.drive.force(plan.drive));
   EXPECT_NEAR(force, std::sin(turned), turned * 0x1p-31 + 1e-6);
@@ -74,23 +83,23 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
       turned * 0x1p-31 + 1e-6);
 }
 
-// Entries far below the sum's LSB: a plain float would stand still at 2.
+// Each entry is far below the sum's LSB. A plain float would stop growing at 2.
 template <class Format>
 struct Tallies : testing::Test {};
 using FloatFormats = testing::Types<Float32, Float32Plain>;
 TYPED_TEST_SUITE(Tallies, FloatFormats);
-TYPED_TEST(Tallies, GoOnBelowTheirLsb) {
+TYPED_TEST(Tallies, GrowByTermsBelowTheirLsb) {
   typename TypeParam::Tally tally{};
   const float entry = 1e-7F;
   for (int n = 0; n < 40000000; ++n) tally.add(entry);
   EXPECT_NEAR(tally.total(), 4e7 * static_cast<double>(entry), 1e-6);
 }
 
-// A period of three, four or six steps, of which the curvature is a whole number: every period rounds like the one
-// before, and what it rounds must not add up.
+// With a period of three, four or six steps the curvature is a whole number, so every period rounds alike. The errors
+// must not add up.
 TEST(SoakOfAnOscillator, KeepsTheAmplitudeOfAFewStepsAPeriod) {
   constexpr double pi = 3.14159265358979323846;
-  for (const int period : {3, 4, 6}) {
+  for (const int period : {3, 4, 6})
     for (const double phase : {0.0, 0.3, 1.2}) {
       const double turn = 2 * pi / period;
       const auto plan = IntegerOscillator::make_plan({std::cos(phase), std::sin(phase)}, turn);
@@ -101,10 +110,9 @@ TEST(SoakOfAnOscillator, KeepsTheAmplitudeOfAFewStepsAPeriod) {
       EXPECT_NEAR(now, std::sin(phase), 1e-6) << period << " steps, phase " << phase;
       EXPECT_NEAR(last, std::sin(phase - turn), 1e-6) << period << " steps, phase " << phase;
     }
-  }
 }
 
-// Upright on a base that shakes, with friction enough to hold the ball for a part of each turn.
+// A rig that stands upright on a shaken base, with enough friction to hold the ball for a part of each period.
 struct RigWithParts {
   static constexpr Scene scene = [] {
     Scene made;
@@ -118,19 +126,17 @@ struct RigWithParts {
   static constexpr double step = 1e-4;
 };
 
-// What is missing may be, of each contact, 1e-5 of its energy, which is what a moment-fitted step gets wrong; and
-// rounding, as above.
+// The balance may miss rounding, as above, and 1e-5 of each contact's energy, which is Moment's error.
 TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
   using Kernel =
       Absorber<RigWithParts, HuntCrossley, Moment, Sine, TypeParam, BaseAcceleration, DryFriction, EnergyLedger>;
-  const char* const asked = std::getenv("IMPACT_SOAK_STEPS");
-  const long steps = asked ? std::atol(asked) : 2000000;
+  const long steps = steps_of_a_run();
   const auto& plan = Kernel::plan;
   const Scene& scene = RigWithParts::scene;
   constexpr double h = RigWithParts::step, pi = 3.14159265358979323846;
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
 
-  // A base that shakes with 8 m/s^2 at 70 Hz.
+  // The base shakes with 8 m/s^2 at 70 Hz.
   constexpr int period = 1000;
   double base[period];
   typename Kernel::Value samples[period];
@@ -173,10 +179,7 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
   const double by_contact = state.dissipated.total() * plan.force_scale * unit;
   const double by_friction = absorber.friction_dissipated();
   const double missing = by_drive + by_field - by_contact - by_friction - (energy_of(before) - at_start);
-  const bool is_fixed = std::is_same_v<TypeParam, Fixed32>;
-  const double drive_lsb = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2 * h * 0x1p-24;
-  const double contact_lsb = is_fixed ? plan.force_scale * unit * 0x1p-31 : 4 * 40 * 2 * h * 0x1p-24;
-  const double rounding = 8 * std::sqrt(total) * (drive_lsb + 4 * contact_lsb);
+  const double rounding = rounding_of<TypeParam>(plan, total, h);
   const double bound = 1e-5 * (in_contacts + by_contact) + rounding;
   EXPECT_NEAR(missing, 0, bound);
   EXPECT_LT(bound, 1e-3 * by_friction);
@@ -187,8 +190,8 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
       total, by_drive, by_field, by_contact, by_friction, turns, missing, bound, 1e-5 * (in_contacts + by_contact));
 }
 
-// A sine of any turn a step. The curvature has 31 bits, so that a turn is right within 2^-32 of itself; sine and
-// product are rounded down to 2^-29 of the amplitude or less, about which the recurrence swings.
+// A sine of any phase per step. The curvature has 31 bits, so a phase is right within 2^-32 of itself. Sine and product
+// round down by at most 2^-29 of the amplitude, about which the recurrence oscillates.
 TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
   for (const double turn : {0x1p-24, 6e-8, 1.1e-7, 1e-6, 3.3e-6, 1e-5, 3e-5, 4e-3})
     for (const double phase : {0.0, 1.0}) {
@@ -207,8 +210,8 @@ TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
     }
 }
 
-// A weak damper takes less than an LSB of what counts in a step. Of a vibration of 1e-4 of the bounds it leaves
-// exp(-c t/2M) nevertheless, within ten times what a position's half LSB adds up to by chance in so many steps.
+// A weak damper changes the state by less than an LSB per step. A vibration of 1e-4 of the bounds still decays as
+// exp(-c t/2M). The tolerance is ten times what half an LSB of a position adds up to by chance.
 TEST(Fixed32Damper, TakesItsShareOfASmallVibration) {
   using Kernel = Absorber<AtRunTime, Hertz, Moment, NoDrive, Fixed32>;
   const double h = 1e-4;

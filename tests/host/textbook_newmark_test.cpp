@@ -27,8 +27,8 @@ Case paper_case(Law law, Tension tension = Tension::clamp) {
   return run;
 }
 
-// Released in a mode of pulsation w, a chain of masses does x_n = x_0 cos(n theta),
-// cos theta = 1 - (w h)^2 / 2 / (1 + beta (w h)^2), exactly.
+// A chain of masses is released in a mode of angular frequency w. Exactly, x_n = x_0 cos(n theta) with cos theta = 1 -
+// (w h)^2/2/(1 + beta (w h)^2).
 TEST(NewmarkStep, ModesOfAChainVibrateAtTheDiscretePulsation) {
   constexpr int size = 4;
   const double h = 0.3;
@@ -41,7 +41,7 @@ TEST(NewmarkStep, ModesOfAChainVibrateAtTheDiscretePulsation) {
     if (i > 0) system.stiffness(i, i - 1) = system.stiffness(i - 1, i) = -5;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(system.stiffness / 2);
-  for (const double beta : betas) {
+  for (const double beta : betas)
     for (int mode = 0; mode < size; ++mode) {
       const double square = h * h * modes.eigenvalues()[mode];
       ASSERT_LT(square, 4);  // the limit of stability for beta = 0
@@ -50,14 +50,14 @@ TEST(NewmarkStep, ModesOfAChainVibrateAtTheDiscretePulsation) {
       Motion motion{shape, Eigen::VectorXd::Zero(size), -modes.eigenvalues()[mode] * shape};
       for (int n = 1; n <= 100; ++n) {
         motion = newmark_step(system, beta, h, motion, Eigen::VectorXd::Zero(size), no_force);
-        // 100 steps of a few ulps each, whose phase errors add up quadratically.
+        // 100 steps have errors of a few LSBs each, whose phase errors add up quadratically.
         EXPECT_LT((motion.displacement - std::cos(n * theta) * shape).norm(), 1e-12) << beta << ", mode " << mode;
       }
     }
-  }
 }
 
-// A hardening spring and a quadratic damper between two masses: the equations of motion hold at the end of the step.
+// With a hardening spring and a quadratic damper between two masses, the equations of motion are satisfied at the
+// step's end.
 TEST(NewmarkStep, SolvesTheNonlinearEquationsOfMotion) {
   LinearSystem system;
   system.mass = Eigen::Vector2d(1, 0.3).asDiagonal();
@@ -78,15 +78,15 @@ TEST(NewmarkStep, SolvesTheNonlinearEquationsOfMotion) {
       const Eigen::VectorXd residual = system.mass * motion.acceleration + system.damping * motion.velocity +
                                        system.stiffness * motion.displacement +
                                        internal(motion.displacement, motion.velocity).force - external;
-      EXPECT_LT(residual.norm(), 1e-12) << beta;  // of forces of some 10 N
+      EXPECT_LT(residual.norm(), 1e-12) << beta;  // forces are some 10 N
     }
   }
 }
 
-// Contact as one scalar equation: delta = trial - B f, its rate the trial's - R f.
+// Contact is one scalar equation: delta = trial - B f, and its rate is the trial's minus R f.
 TEST(TextbookNewmark, ContactIsTheScalarEquation) {
-  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
-    for (const Tension tension : {Tension::clamp, Tension::allow}) {
+  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
+    for (const Tension tension : {Tension::clamp, Tension::allow})
       for (const double beta : betas) {
         const Case run = paper_case(law, tension);
         const Scene& scene = run.scene;
@@ -117,7 +117,7 @@ TEST(TextbookNewmark, ContactIsTheScalarEquation) {
                 : law == Law::hertz      ? scene.contact_stiffness * power
                                          : power * (scene.contact_stiffness + scene.contact_damping * rate);
             const double expected = tension == Tension::clamp ? std::max(law_force, 0.0) : law_force;
-            // Displacements are rounded to 7e-18 m; through k1 and c1 / h that is 1e-12 N.
+            // Displacements round to 7e-18 m, which k1 and c1/h turn into 1e-12 N.
             EXPECT_NEAR(force, expected, 5e-12) << beta << ", step " << n;
             ++contacts;
           }
@@ -131,11 +131,9 @@ TEST(TextbookNewmark, ContactIsTheScalarEquation) {
         }
         EXPECT_GT(contacts, 50);
       }
-    }
-  }
 }
 
-// Slope of log error over log h, by least squares on five steps, each half the one before.
+// The slope of log error over log h, by least squares on five steps, each half the one before.
 double order_of(const double (&errors)[5]) {
   double sum = 0;
   for (int i = 0; i < 5; ++i) {
@@ -146,7 +144,7 @@ double order_of(const double (&errors)[5]) {
   return sum;
 }
 
-// Largest error of the restitution of two free masses over the phase at which the impact falls within a step.
+// The largest error of the restitution of two free masses, over the phases of the impact within a step.
 template <typename Textbook>
 double restitution_error(Textbook make, Law law, int steps_per_contact) {
   Impact impact;
@@ -171,11 +169,11 @@ double restitution_error(Textbook make, Law law, int steps_per_contact) {
   return largest;
 }
 
-// Orders over the phases of one impact: 1 where the force jumps and a pointwise scheme sees it up to a step late, else
-// 2 for Newmark and 5/2 for Runge-Kutta, which the infinite second derivative of delta^(3/2) at the impact robs of its
-// fourth order. From 20 to 320 steps per contact the next power of h still bends the slope by a tenth or two.
+// The order over the phases of one impact is 1 if the force jumps, because the scheme sees it up to a step late.
+// Otherwise it is 2 for Newmark and 5/2 for Runge-Kutta, since the second derivative of delta^(3/2) is infinite at the
+// impact. From 20 to 320 steps per contact the next power of h changes the slope by 0.1 or 0.2.
 TEST(TextbookNewmark, OrderOverAnImpact) {
-  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley}) {
+  for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
     for (const double beta : betas) {
       std::printf("  law %d, beta %.4f:", static_cast<int>(law), beta);
       double errors[5];
@@ -183,7 +181,6 @@ TEST(TextbookNewmark, OrderOverAnImpact) {
       for (int i = 0; i < 5; ++i) errors[i] = restitution_error(make, law, 20 << i);
       EXPECT_GT(order_of(errors), law == Law::hooke_newton ? 0.8 : 1.8);
     }
-  }
 }
 
 TEST(TextbookRungeKutta, OrderOverAnImpact) {
@@ -196,8 +193,8 @@ TEST(TextbookRungeKutta, OrderOverAnImpact) {
   }
 }
 
-// The same in the driven scene over 1 s, for the laws whose force is continuous: Hooke-Newton's first-order errors are,
-// at these steps, past what its trajectories allow to compare.
+// The order in the driven scene over 1 s, for laws with a continuous force. With Hooke-Newton, first-order errors at
+// these steps are too large to compare trajectories.
 TEST(TextbookNewmark, OrderOverASecond) {
   for (const Law law : {Law::hertz, Law::hunt_crossley}) {
     const Case run = paper_case(law);

@@ -1,5 +1,5 @@
-// The touch located within its step. The rate there, which sets a damping per impact and is in the log, is compared
-// with motion in closed form. A driven run with such a damping is compared with the reference, which locates the touch
+// The touch located within its step. The rate there sets a damping per impact and is in the log. It is compared with
+// motion in closed form. A driven run with such a damping is compared with the reference, which locates the touch
 // itself.
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <impact/absorber.hpp>
 #include <impact/law/per_impact.hpp>
 
+#include "accepted.hpp"
 #include "against_reference.hpp"
 
 namespace impact {
@@ -18,7 +19,7 @@ using Driven = Absorber<AtRunTime, ContactLaw, Moment, Sine, Format>;
 
 constexpr Bounds bounds{0.05, 1.5};
 
-// Of x1 and x2 over half a second of the paper's scene.
+// The largest error of x1 and x2 over half a second of the paper's scene.
 template <class Format, class ContactLaw>
 double error(double restitution, double h) {
   host::Case run;
@@ -29,11 +30,11 @@ double error(double restitution, double h) {
   return largest_difference(run, absorber, h, 1, 0.5, [&](int) { absorber.step(); });
 }
 
-// Known to g h only the speed at the touch left 4.9e-5 m at 1 ms and 3.9e-6 m at 0.1 ms.
+// If the speed at the touch is known only within g h, 4.9e-5 m remain at 1 ms and 3.9e-6 m at 0.1 ms.
 template <class ContactLaw>
 void expect_fourth_order(double restitution) {
   EXPECT_LT((error<Float64, ContactLaw>(restitution, 1e-3)), 1e-7) << restitution;
-  // Where in its step a touch falls makes a factor of ten: between h = 0.09 and 0.1 ms it is 7e-12 to 1.5e-10.
+  // The phase of a touch within its step changes the error tenfold: between h = 0.09 and 0.1 ms it is 7e-12 to 1.5e-10.
   EXPECT_LT((error<Float64, ContactLaw>(restitution, 1e-4)), 2e-10) << restitution;
   EXPECT_LT((error<Fixed32, ContactLaw>(restitution, 1e-3)), 1e-7 + 2e-9) << restitution;
   EXPECT_LT((error<Float32, ContactLaw>(restitution, 1e-3)), 1e-7 + 1e-8) << restitution;
@@ -45,7 +46,7 @@ TEST(Touch, DampingPerImpactIsOfFourthOrder) {
   expect_fourth_order<LankaraniNikravesh>(0.5);
 }
 
-// The main mass swings undriven and undamped, x1 = A sin(w0 t), towards a ball that flies at a constant speed.
+// The main mass oscillates without drive and damping, x1 = A sin(w0 t), towards a ball of constant speed.
 template <class Format, class ContactLaw, class Stepper>
 void expect_rate_at_touch(double h, double stiffness) {
   constexpr double amplitude = 0.01, pulsation = 40, speed = 0.3;
@@ -70,8 +71,7 @@ void expect_rate_at_touch(double h, double stiffness) {
     }
     const double right = speed - amplitude * pulsation * std::cos(pulsation * before);
     using Logged = Absorber<AtRunTime, ContactLaw, Stepper, NoDrive, Format, ImpactLog>;
-    Logged absorber(Logged::PlanType::make(scene, bounds, h));
-    ASSERT_EQ(absorber.plan.status, PlanStatus::ok);
+    auto absorber = accepted<Logged>(scene, bounds, h);
     for (int n = 0; n * h < after + 2 * h; ++n) absorber.step();
     ASSERT_EQ(absorber.state().impacts, 1u);
     const double logged = absorber.plan.units.si_penetration(absorber.state().impact_rate) / h;

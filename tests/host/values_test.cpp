@@ -1,5 +1,5 @@
-// The table of values.hpp is read wherever a value has an effect: a value that is added to it, and forgotten elsewhere,
-// fails here.
+// The table of values.hpp is read wherever a value has an effect. A value that is in the table, but forgotten
+// elsewhere, fails here.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace impact::host {
 namespace {
 
-// With every part, at a step at which any of these values may change a little.
+// An absorber with every part, at a step at which any of these values may change slightly.
 using WithParts = Absorber<AtRunTime, Exact, Moment, Sampled, Float64, BaseAcceleration, DryFriction>::PlanType;
 using WithoutParts = Absorber<AtRunTime, HuntCrossley, Moment, Sine, Float64>::PlanType;
 
@@ -39,7 +39,7 @@ TEST(Values, EachChangesTheIdentityOfThePlan) {
   }
 }
 
-TEST(Values, OfAPartAreRefusedByNameWithoutIt) {
+TEST(Values, OfAPartAreRejectedWithoutIt) {
   for (const ParameterEntry& row : parameters) {
     if (!is_of_part(row)) continue;
     Values values = machine();
@@ -50,7 +50,7 @@ TEST(Values, OfAPartAreRefusedByNameWithoutIt) {
   }
 }
 
-// A part that the tool does not name would leave the motion as it is.
+// If the tool did not pass a part on, the motion would stay the same.
 TEST(Values, OfAPartChangeTheMotionInTheTool) {
   const auto end_of = [](const Request& request) {
     const Outcome outcome = make_simulation(request);

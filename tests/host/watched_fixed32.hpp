@@ -12,7 +12,8 @@ constexpr bool is_in_64_bits(Wide x) { return x == static_cast<int64_t>(x); }
 
 namespace host {
 
-// Since it was last cleared: how many expectations did not hold, and the first one with the functions that led to it.
+// The number of expectations that failed since the last clearing, and the first of them with the functions that led to
+// it.
 struct Broken {
   long count;
   const char* condition;

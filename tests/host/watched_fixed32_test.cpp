@@ -1,6 +1,6 @@
-// Nothing wraps: each sum, product, shift and conversion of a step in Fixed32 is checked, in random scenes with every
-// law, drive and part and every stepper of the plan's rule. The compiler's command line includes watched_fixed32.hpp.
-// IMPACT_WATCHED_SCENES=1000 sets the number of scenes for each.
+// Nothing wraps: each sum, product, shift and conversion of a step in Fixed32 is checked. The scenes are random, with
+// every law, drive and part and every stepper of the plan's rule. The compiler's command line includes
+// watched_fixed32.hpp. IMPACT_WATCHED_SCENES=1000 sets the number of scenes for each.
 
 #include <execinfo.h>
 #include <gtest/gtest.h>
@@ -29,11 +29,11 @@ int scenes() {
   return asked ? std::atoi(asked) : 40;
 }
 
-// What did not hold where no fault was raised, by the functions that led to it, and an example of each.
+// Expectations that failed although no fault was raised, by the functions that led to them, with an example of each.
 std::map<std::string, std::string> found;
 std::string scene_now;
 
-// The innermost functions of the kernel. (addr2line -Cfipe finds the lines.)
+// The innermost functions of the kernel. (addr2line -Cfipe finds their lines.)
 std::string callers() {
   std::string text = broken.condition;
   char** names = backtrace_symbols(broken.callers, broken.depth);
@@ -49,7 +49,7 @@ class Watched final : public Simulation {
  public:
   explicit Watched(std::unique_ptr<Simulation> simulation) : simulation_(std::move(simulation)) {}
 
-  // In the step that raises a fault a state beyond its bounds may wrap: it is clamped at once.
+  // In the step that raises a fault, a state beyond its bounds may wrap, since it is clamped at once.
   void step(double force, double base) override {
     broken.count = 0;
     simulation_->step(force, base);
@@ -74,7 +74,7 @@ std::unique_ptr<Simulation> watched(const Request& request) {
 
 }  // namespace
 
-// What coupled_scenes.cpp steps.
+// The simulations that coupled_scenes.cpp steps.
 Outcome make_simulation(const Request& request) { return {watched(request), {}, request, {}}; }
 
 namespace {
@@ -103,12 +103,12 @@ TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
   for (int i = 0; i < scenes(); ++i)
     for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball})
       for (const Parts parts : {Parts::none, Parts::some}) {
-        if (parts == Parts::some && stepper < Stepper::moment) continue;  // the tool's classical schemes take none
+        if (parts == Parts::some && stepper < Stepper::moment) continue;  // the tool's classical schemes reject them
         CoupledScene scene = coupled_scene(law, edge, static_cast<unsigned>(i), parts);
         scene.request.numeric = Numeric::fixed32;
         scene.request.stepper = stepper;
         scene.request.damping = damping;
-        // Bounds of what the scene reaches, and of up to a hundred times that.
+        // The bounds are what the scene reaches, or up to a hundred times that.
         if (i % 2 == 1) {
           scene.request.bounds->displacement *= random.wide(1, 100);
           scene.request.bounds->speed *= random.wide(1, 100);

@@ -7,8 +7,8 @@
 namespace impact::host {
 namespace {
 
-// The ball of the paper's scene moves by 30 mm; a bound of 12 mm makes room for less than 15.625 mm = 2^-6 m. (A bound
-// below half the clearance is refused, and so is a penetration's beyond a displacement's.)
+// The ball of the paper's scene moves by 30 mm. A bound of 12 mm gives room for less than 15.625 mm = 2^-6 m. Bounds
+// below half the clearance are rejected, and so are penetrations beyond displacements.
 TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
   const std::string scene =
       "--newmark moment --numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004 --output data.csv";
@@ -26,7 +26,7 @@ TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
   }
 }
 
-// Each kind of fault: its reason on standard error, the data up to it in the file.
+// Each kind of fault has its reason on standard error and the data up to it in the file.
 TEST_F(ImpactSim, EveryFaultSaysWhatItIs) {
   std::string forces;
   for (int n = 0; n < 1000; ++n) forces += n < 500 ? "1\n" : "5\n";
@@ -49,7 +49,8 @@ TEST_F(ImpactSim, EveryFaultSaysWhatItIs) {
   }
 }
 
-// A penetration that follows from stated bounds cannot be widened: the run ends by its fault. It was tried for ever.
+// If the bounds are stated, the penetration that follows from them cannot be widened, and the run ends with a fault.
+// The search for bounds used not to end.
 TEST_F(ImpactSim, BoundsThatCannotBeWidenedEndTheSearch) {
   const Result result = run(
       "--main-mass 0.088520148707700905 --ball-mass 88.520148707700884 --main-stiffness 883562.8419814657 "
@@ -63,7 +64,7 @@ TEST_F(ImpactSim, BoundsThatCannotBeWidenedEndTheSearch) {
   EXPECT_TRUE(result.code == 0 || result.code == 3) << result.err;
 }
 
-TEST_F(ImpactSim, AFaultStandsInItsRowOfASweep) {
+TEST_F(ImpactSim, AFaultIsInItsRowOfASweep) {
   write(file("scenes.csv"), "bound-displacement,bound-penetration\n0.1,0.03\n0.012,0.004\n");
   const Result result = run("--sweep scenes.csv --newmark moment --numeric fixed32 --output rows.csv");
   EXPECT_EQ(result.code, 3);

@@ -28,8 +28,8 @@ TEST_F(ImpactSim, WritesThroughALinkWhoseFileIsNotThereYet) {
   EXPECT_TRUE(fs::is_symlink(file("loop")));
 }
 
-// However a file is spelled: what is read is not replaced, and no two things are written to one file.
-TEST_F(ImpactSim, NoFileIsGivenTwoTasks) {
+// For any spelling of a file's name, a file that is read is not replaced, and two outputs are not written to one file.
+TEST_F(ImpactSim, NoFileHasTwoUses) {
   write(file("forces"), "1\n2\n");
   fs::create_symlink("forces", file("link"));
   fs::create_symlink("new.csv", file("dangling"));
@@ -51,7 +51,8 @@ TEST_F(ImpactSim, NoFileIsGivenTwoTasks) {
   EXPECT_EQ(run("--duration 0.01 --output /dev/null --plot /dev/null").code, 0) << "a device keeps nothing";
 }
 
-// Nor a step: the start alone, in every format and in a sweep. A duration requests more than it has.
+// An empty record means a run of no steps, which writes only the start, in every format and in a sweep. A stated
+// duration requires more samples.
 TEST_F(ImpactSim, AnEmptyRecordIsARunOfNoSteps) {
   write(file("empty"), "");
   for (const char* option : {"--drive-file", "--base-file", "--base-acceleration-file"}) {
@@ -73,7 +74,7 @@ TEST_F(ImpactSim, AnEmptyRecordIsARunOfNoSteps) {
 TEST_F(ImpactSim, ASignalThatEndsARunLeavesTheOldFileAndNoRemains) {
   for (const char* signal : {"TERM", "HUP"}) {
     write(file("data.csv"), "old\n");
-    // Once the run has begun to write: the unfinished file is there, and 2000 s of simulated time go on for long.
+    // The signal comes once the run has begun to write. The run would take long, so the unfinished file is there.
     const Result result = run("--newmark moment --duration 200 --output data.csv", "",
                               "& run=$!; while ! ls | grep -q partial; do sleep 0.01; done; ls > seen; kill -" +
                                   std::string(signal) + " $run; wait $run");
@@ -96,9 +97,9 @@ TEST_F(ImpactSim, WhatCannotBeWrittenIsExitCodeOne) {
     EXPECT_EQ(run(arguments, "", "> /dev/full").code, 1) << arguments;
 }
 
-TEST_F(ImpactSim, AFileThatRunsFullLeavesTheOldOneAndNoRemains) {
+TEST_F(ImpactSim, AFullDiskLeavesTheOldFileAndNoRemains) {
   write(file("data.csv"), "old\n");
-  // The shell's limit stands for the disk; the signal that comes with it is ignored.
+  // The shell's limit stands for a full disk. The signal that comes with it is ignored.
   const Result result = run("--duration 10 --output data.csv", "trap '' XFSZ; ulimit -f 16;");
   EXPECT_EQ(result.code, 1);
   EXPECT_THAT(result.err, HasSubstr("data.csv"));
@@ -116,7 +117,7 @@ TEST_F(ImpactSim, PlotsWithAndWithoutAbsorber) {
   EXPECT_THAT(svg, HasSubstr("</svg>"));
 }
 
-// As gnuplot itself does on a full disk: it ends with 0.
+// On a full disk gnuplot writes a part of the file and exits with 0, as this script does.
 TEST_F(ImpactSim, APlotThatWasCutShortReplacesNothing) {
   write(file("gnuplot"), "#!/bin/sh\nout=$(sed -n \"s/^set output '\\(.*\\)'/\\1/p\")\necho '<svg><path' > \"$out\"\n");
   fs::permissions(file("gnuplot"), fs::perms::owner_all);
@@ -157,7 +158,7 @@ TEST_F(ImpactSim, ADashIsStandardInputOrOutput) {
               HasSubstr("--base-acceleration-file -: allowed: another file than --drive-file"));
 }
 
-// Without a duration that says which is meant.
+// The two lengths contradict each other unless a duration is stated.
 TEST_F(ImpactSim, FilesOfDifferentLengthAreRefused) {
   write(file("two"), "1\n1\n");
   write(file("three"), "1\n1\n1\n");

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the tool like a user: the built program in a folder of its own, with its files and exit codes.
+// Runs the built program as a user does, in its own folder, with files and exit codes.
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -53,7 +53,7 @@ class ImpactSim : public testing::Test {
   }
   ~ImpactSim() override { fs::remove_all(folder); }
 
-  // `before`: what the shell is to do first (limits, environment); `after`: redirections.
+  // The shell executes `before` first, for example limits or variables. `after` contains redirections.
   Result run(const std::string& arguments, const std::string& before = "", const std::string& after = "") const {
     const std::string to = after.empty() ? "> " + file("stdout") : after;
     const int status = std::system(("cd " + folder.string() + "; " + before + " '" IMPACT_SIM "' " + arguments + " " +

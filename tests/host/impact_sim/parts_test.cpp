@@ -31,7 +31,7 @@ TEST_F(ImpactSim, AnUprightSceneWithFrictionIsTheReferences) {
   EXPECT_NEAR(row.at(3), reference.sample().x2, 1e-6);
 }
 
-// A base that moves by z: seen from outside by the force k z + c z', and on it by its acceleration.
+// A base moves by z. Seen from outside it acts by the force k z + c z', and seen from the base by its acceleration.
 TEST_F(ImpactSim, ABasesDisplacementAndItsAccelerationAreTheSameMotion) {
   constexpr double amplitude = 0.004, pulsation = 45, step = 1e-4;
   std::string displacements, accelerations;
@@ -47,12 +47,12 @@ TEST_F(ImpactSim, ABasesDisplacementAndItsAccelerationAreTheSameMotion) {
   ASSERT_EQ(outside.code, 0) << outside.err;
   ASSERT_EQ(inside.code, 0) << inside.err;
   const double z = amplitude * (pulsation * 0.3 - std::sin(pulsation * 0.3));
-  // The base starts from rest, and the ball with it.
+  // The base starts from rest, and so does the ball.
   EXPECT_NEAR(last_row(outside.out).at(1) - z, last_row(inside.out).at(1), 3e-6);
   EXPECT_NEAR(last_row(outside.out).at(3) - z, last_row(inside.out).at(3), 3e-6);
 }
 
-// What a file is taken for where nothing says it: samples of a step, beside the paper's drive.
+// If nothing states the step of a sample file, the tool says which one it assumes. It also mentions the paper's drive.
 TEST_F(ImpactSim, SaysWhatASampleFileIsTakenFor) {
   using testing::HasSubstr;
   using testing::Not;
@@ -69,8 +69,8 @@ TEST_F(ImpactSim, SaysWhatASampleFileIsTakenFor) {
   EXPECT_THAT(run("--drive-file a").err, HasSubstr("4 samples, one per 0.0001 s"));
 }
 
-// As a spreadsheet writes it.
-TEST_F(ImpactSim, AByteOrderMarkBeforeAFileIsPassedOver) {
+// A spreadsheet writes such a mark.
+TEST_F(ImpactSim, AByteOrderMarkBeforeAFileIsIgnored) {
   write(file("a"), "1\n2\n");
   write(file("b"),
         "\xEF\xBB\xBF"
@@ -82,7 +82,7 @@ TEST_F(ImpactSim, AByteOrderMarkBeforeAFileIsPassedOver) {
   EXPECT_EQ(run("--sweep c --duration 0.01").code, 0);
 }
 
-TEST_F(ImpactSim, PartsAreRefusedByName) {
+TEST_F(ImpactSim, PartsOutOfRangeAreRefused) {
   write(file("a"), "1\n2\n");
   write(file("bad"), "1\nx\n");
   const struct {
@@ -107,7 +107,7 @@ TEST_F(ImpactSim, PartsAreRefusedByName) {
   }
 }
 
-// Within some hundred roundings of a step's displacement: 2^-31 of half a metre, 2^-24 of 0.2 mm.
+// The tolerance is some hundred roundings of a step's displacement: 2^-31 of half a metre, 2^-24 of 0.2 mm.
 TEST_F(ImpactSim, EveryFormatTakesParts) {
   const std::string scene = "--gravity -9.81 --ball-friction 0.5 --x1 -0.01 --x2 -0.01 --duration 0.4 --step 1e-4 ";
   const Result exact = run(scene + "--numeric float64");
@@ -119,7 +119,7 @@ TEST_F(ImpactSim, EveryFormatTakesParts) {
   }
 }
 
-// A limit of the friction is accepted if it is typed back with the bounds that follow it.
+// The named limit of the friction is accepted together with the bounds that follow it in the message.
 TEST_F(ImpactSim, TooMuchFrictionNamesTheMost) {
   for (const std::string scene : {"", "--step 1e-4 ", "--numeric fixed32 ", "--step 5e-4 --newmark energy "}) {
     const Result refused = run(scene + "--ball-friction 1e6 --duration 0.1");

@@ -75,8 +75,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--benchmark --law hertz", "--law", "hertz", "without --benchmark"},
         Refused{"--x1 '1\n2'", "--x1", "1?2", "1000 m"}));
 
-// What is wrong is named: the bound that does not hold the start, the step at which an increment has no room; never a
-// format that was not requested.
+// The message names what is wrong: the bound that excludes the start, or the step at which an increment has no room. It
+// never names a format that was not requested.
 TEST_F(ImpactSim, ARefusalNamesWhatIsWrong) {
   EXPECT_THAT(run("--numeric float64 --bound-displacement 1e-3 --x1 0.01").err,
               HasSubstr("--bound-displacement 0.001: allowed: 0.01 to 1e+06"));
@@ -84,24 +84,22 @@ TEST_F(ImpactSim, ARefusalNamesWhatIsWrong) {
               HasSubstr("--step 0.025: allowed: "));
 }
 
-// A rig at resonance that its damper holds to 1 m/s, and the same without a damper, of which an estimate says more the
-// longer it runs: what the run reaches decides, whatever its duration, also in a sweep.
+// A rig at resonance that its damper limits to 1 m/s, and the same rig without a damper. An estimate of its motion
+// grows with the duration. What the run reaches decides, for any duration, also in a sweep.
 const char* const upright =
     "--main-mass 2.4 --main-stiffness 59218 --ball-mass 0.15 --clearance 0.008 --contact-stiffness 1.9e10 "
     "--damping exact --restitution 0.6 --drive-amplitude 30 --drive-pulsation 157.08 --gravity -9.81 --step 1e-4 ";
 
-TEST_F(ImpactSim, ARigAtResonanceIsTakenWhateverItsDuration) {
+TEST_F(ImpactSim, ARigAtResonanceIsAcceptedForAnyDuration) {
   std::string scenes = "main-damping,numeric,duration\n";
-  for (const char* damping : {"37.7", "0"}) {
-    for (const char* numeric : {"fixed32", "float32", "float64"}) {
+  for (const char* damping : {"37.7", "0"})
+    for (const char* numeric : {"fixed32", "float32", "float64"})
       for (const char* duration : {"1", "2", "5"}) {
         const Result result = run(std::string(upright) + "--main-damping " + damping + " --numeric " + numeric +
                                   " --duration " + duration);
         EXPECT_EQ(result.code, 0) << damping << " " << numeric << " " << duration << ": " << result.err;
         scenes += std::string(damping) + "," + numeric + "," + duration + "\n";
       }
-    }
-  }
   write(file("scenes.csv"), scenes);
   const Result sweep = run(std::string(upright) + "--sweep scenes.csv");
   EXPECT_EQ(sweep.code, 0) << sweep.err << sweep.out;
@@ -118,7 +116,7 @@ TEST_F(ImpactSim, ARefusalSaysThatTheBallCrossesTheClearance) {
   EXPECT_THAT(run(fast + "--bound-speed 25").err, HasSubstr(said + "25 m/s)"));
 }
 
-// A range that holds with bounds that the tool has found says them: the whole line is accepted.
+// If a range depends on bounds that the tool has found, the message states them. The whole line is then accepted.
 TEST_F(ImpactSim, ARangeIsAcceptedAsItIsPrinted) {
   const std::string heavy =
       "--main-mass 1.3748 --ball-mass 911.29 --main-stiffness 20814212 --main-damping 0 --clearance 0.00018452 "
@@ -143,7 +141,7 @@ TEST_F(ImpactSim, ARefusalNamesTheLimitOfSubSteps) {
   EXPECT_THAT(stiff, AllOf(HasSubstr(contact), Not(HasSubstr(crossing))));
 }
 
-// Nothing is run, and no sample read, to say what would do: three samples, of which a shorter step would have more.
+// A rejection runs nothing and reads no samples. With three samples a shorter step would lack some.
 TEST_F(ImpactSim, ARefusalReadsNoSamples) {
   write(file("three.txt"), "1\n1\n1\n");
   const Result few =
@@ -165,7 +163,8 @@ TEST_F(ImpactSim, ARefusalReadsNoSamples) {
   EXPECT_EQ(rows[3].back(), ',');
 }
 
-// What does not move: by no drive, by friction that holds, by samples of nothing, in a stop that holds it.
+// Scenes without motion: without a drive, with friction that holds the ball, with samples of 0, or with a ball that
+// stays in a stop.
 TEST_F(ImpactSim, ASceneAtRestRuns) {
   write(file("zeros"), "0\n0\n0\n0\n");
   for (const char* scene : {"--drive none", "--drive-amplitude 0",
@@ -175,24 +174,23 @@ TEST_F(ImpactSim, ASceneAtRestRuns) {
                             "--duration 0", "--drive none --law hooke-newton --contact-damping 500 --x2 0.011",
                             "--drive none --law hooke-newton --contact-damping 1800 --main-mass 1e6 --x2 0.03",
                             "--drive none --contact-damping 1e9 --x2 0.012"}) {
-    for (const char* numeric : {"fixed32", "float32", "float32-plain", "float64"}) {
+    for (const char* numeric : {"fixed32", "float32", "float32-plain", "float64"})
       for (const char* step : {"", " --step 1e-3"}) {
         const Result result = run(std::string(scene) + " --numeric " + numeric + step);
         EXPECT_EQ(result.code, 0) << scene << " " << numeric << step << ": " << result.err;
       }
-    }
   }
   write(file("scenes.csv"), "drive-amplitude,numeric\n0,fixed32\n1,fixed32\n0,float32\n10,fixed32\n");
   const Result sweep = run("--sweep scenes.csv --step 1e-3");
   EXPECT_EQ(sweep.code, 0) << sweep.out << sweep.err;
 }
 
-TEST_F(ImpactSim, AnOptionByTheNameOfItsTypeIsNotFarOff) {
+TEST_F(ImpactSim, AnOptionIsSuggestedForTheNameOfItsType) {
   EXPECT_THAT(run("--stepper moment").err, HasSubstr("--stepper moment: allowed: the options of --help; --newmark?"));
   EXPECT_THAT(run("--format fixed32").err, HasSubstr("--numeric?"));
 }
 
-TEST_F(ImpactSim, ANameOfAnotherChoiceIsNotFarOff) {
+TEST_F(ImpactSim, ANameOfAnotherOptionIsSuggested) {
   EXPECT_THAT(run("--law exact").err,
               HasSubstr("--law exact: allowed: hooke-newton, hertz, hunt-crossley; --damping exact?"));
   EXPECT_THAT(run("--numeric energy").err, HasSubstr("; --newmark energy?"));
@@ -210,7 +208,7 @@ TEST_F(ImpactSim, ARefusedStepSaysWhatItIsTooLongFor) {
 
 TEST_F(ImpactSim, HelpHasAShortName) { EXPECT_EQ(run("-h").out, run("--help").out); }
 
-TEST_F(ImpactSim, ARefusalIsWholeWhateverBytesItQuotes) {
+TEST_F(ImpactSim, ARefusalIsOneLineForAnyQuotedBytes) {
   write(file("forces"), std::string("1\n2\0003\n", 6));
   EXPECT_THAT(run("--drive-file forces").err, HasSubstr("forces line 2: '2?3': allowed: a number"));
   write(file("scenes.csv"), std::string("clearance\n0.0\0001\n", 16));

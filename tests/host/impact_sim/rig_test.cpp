@@ -8,7 +8,7 @@
 namespace impact::host {
 namespace {
 
-// Steps the absorber of a rig and writes the tool's columns as the tool does. The first is time, which it leaves out.
+// Steps the absorber of a rig and writes the tool's columns, except for the time.
 const char* const program_head = R"(
 #include <impact/absorber.hpp>
 #include <cstdio>
@@ -83,7 +83,7 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
     }
     EXPECT_GT(largest, 0.1) << "nothing moved: " << runs[i].options;
   }
-  // What the run does not read is not stated.
+  // The rig does not state what the run does not read.
   EXPECT_THAT(read(file("rig2.hpp")), testing::Not(HasSubstr("scene.restitution")));
   EXPECT_THAT(read(file("rig6.hpp")), HasSubstr("scene.restitution = 0."));
   EXPECT_THAT(read(file("rig0.hpp")), HasSubstr("bounds.force = 0;"));
@@ -91,14 +91,15 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
               HasSubstr("--drive-file='it'\\''s forces' --step=1e-3 --duration=2 --rig=rig7.hpp"));
 }
 
-// Each file of one program has its own, where the absorber steps and where a program reads the rig's values.
+// Two translation units of one program each have their own rig. One steps the absorber, the other reads the rig's
+// values.
 TEST_F(ImpactSim, TwoRigsInOneProgramAreTwo) {
   if (std::system("command -v " IMPACT_COMPILER " > /dev/null") != 0) GTEST_SKIP() << "no compiler on this machine";
   std::string expected;
   for (const char* pulsation : {"40", "20"}) {
     const std::string name = std::string("rig") + pulsation;
-    ASSERT_EQ(run(std::string("--numeric fixed32 --step 1e-4 --drive-pulsation ") + pulsation + " --duration 0.1 --rig " + name +
-                  ".hpp --output run.csv")
+    ASSERT_EQ(run(std::string("--numeric fixed32 --step 1e-4 --drive-pulsation ") + pulsation +
+                  " --duration 0.1 --rig " + name + ".hpp --output run.csv")
                   .code,
               0);
     expected += std::string(pulsation) + " " + split(lines_of(read(file("run.csv"))).back(), ',')[1] + "\n";
@@ -123,7 +124,7 @@ double bound_in(const std::string& rig, const std::string& name) {
   return place == rig.npos ? 0 : std::stod(rig.substr(place + statement.size()));
 }
 
-// At resonance an estimate grows with the duration, and the ball's impacts hold the motion.
+// At resonance an estimate grows with the duration, but the ball's impacts limit the motion.
 TEST_F(ImpactSim, ARigHasTheBoundsThatTheRunNeedsInEveryFormat) {
   for (const char* duration : {"1", "2", "10"}) {
     double in_fixed32 = 0;

@@ -40,7 +40,7 @@ TEST_F(ImpactSim, EndsWithWhatItsRowsSay) {
   EXPECT_EQ(number_of(json, "largest_x1_m"), x1);
   EXPECT_EQ(number_of(json, "largest_x2_m"), x2);
   EXPECT_EQ(number_of(json, "largest_v2_m_per_s"), v2);
-  // The first row in contact is up to a step into it, and the largest force is of a step's mean.
+  // The first row in contact is up to a step after the touch, and the largest force is the average over a step.
   EXPECT_NEAR(number_of(json, "fastest_impact_m_per_s"), fastest, 0.02 * fastest);
   EXPECT_NEAR(number_of(json, "peak_force_N"), force, 0.01 * force);
   EXPECT_THAT(result.err, HasSubstr(std::to_string(impacts) + " impacts, the fastest at "));
@@ -48,7 +48,7 @@ TEST_F(ImpactSim, EndsWithWhatItsRowsSay) {
   EXPECT_THAT(lines_of(json), SizeIs(1));
 }
 
-TEST_F(ImpactSim, SaysLoudlyThatNothingWasHit) {
+TEST_F(ImpactSim, SaysThatNothingWasHit) {
   const Result result = run("--newmark moment --duration 0.1 --drive-amplitude 0.01 --summary summary.json");
   EXPECT_THAT(result.err, HasSubstr("NO IMPACT: the ball has not reached a stop"));
   EXPECT_EQ(number_of(read(file("summary.json")), "impacts"), 0);
@@ -65,17 +65,17 @@ TEST_F(ImpactSim, SaysTheClearanceToEachStop) {
   EXPECT_THAT(run(scene + "none").err, Not(HasSubstr("clearance")));
 }
 
-TEST_F(ImpactSim, AdvisesOfWhatMayBeMeantOtherwise) {
+TEST_F(ImpactSim, WarnsOfUnlikelyValues) {
   EXPECT_THAT(run("--newmark moment --duration 0.1 --drive-pulsation 5").err, HasSubstr("multiply them by 6.2832"));
   EXPECT_THAT(run("--newmark moment --duration 1 --numeric fixed32 --bound-displacement 20").err,
-              HasSubstr("fixed32 loses 9 bits"));  // 20 m for the 30 mm of the ball
+              HasSubstr("fixed32 loses 9 bits"));  // the ball moves by 30 mm
   const std::string stiff = "--duration 2 --contact-stiffness 1e7 --step 1e-4 ";
   EXPECT_THAT(run(stiff).err, HasSubstr("nearly elastic"));
   EXPECT_THAT(run(stiff + "--restitution 0.97").err, Not(HasSubstr("nearly elastic")));
   EXPECT_THAT(run("--duration 2 --step 1e-4").err, Not(HasSubstr("nearly elastic")));
 }
 
-// The frequency, the damping ratio and the press test from which a scene was stated.
+// The summary shows the frequency, the damping ratio and the press test from which the scene was derived.
 TEST_F(ImpactSim, ShowsWhatWasMeasured) {
   const std::string rig =
       "--newmark impulsive --main-mass 12 --main-stiffness 136911 --main-damping 25.635 --ball-mass 0.9 --step 1e-3 "
@@ -89,7 +89,7 @@ TEST_F(ImpactSim, ShowsWhatWasMeasured) {
   EXPECT_NEAR(std::stod(result.err.substr(at + 14)), depth, 0.005 * depth);
 }
 
-// Standard error says the expected error in one digit.
+// Standard error shows the expected error with one digit.
 TEST_F(ImpactSim, SummarizesTheExpectedError) {
   const std::string said = run("--step 1e-3 --duration 0.1 --summary summary.json").err;
   const size_t at = said.find("expected error ");
@@ -107,7 +107,7 @@ TEST_F(ImpactSim, SaysWhatAStepCostsWhereItIsKnown) {
   EXPECT_THAT(refused.err, HasSubstr("cortex-m0, "));
 }
 
-// Linear between its samples the sine is less by (w h)^2/12 of itself, 1.3e-6 at 40 rad/s and 0.1 ms.
+// A sine that is linear between its samples is smaller by (w h)^2/12 of itself, 1.3e-6 at 40 rad/s and 0.1 ms.
 TEST_F(ImpactSim, ASampledSineIsTheSine) {
   const std::string scene = "--newmark moment --duration 0.05 --step 1e-4 --quiet ";
   const Result sine = run(scene), sampled = run(scene + "--drive sampled --rig rig.hpp");

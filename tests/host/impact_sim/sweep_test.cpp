@@ -13,12 +13,10 @@ class ImpactSimSweep : public ImpactSim {
  protected:
   ImpactSimSweep() {
     std::string text = "restitution,clearance,law\n";
-    for (const char* law : {"hunt-crossley", "hooke-newton"}) {
-      for (const char* clearance : {"0.01", "0.02", "0.04"}) {
+    for (const char* law : {"hunt-crossley", "hooke-newton"})
+      for (const char* clearance : {"0.01", "0.02", "0.04"})
         for (const char* restitution : {"0.5", "0.68", ""})
           text += std::string(restitution) + "," + clearance + "," + law + "\n";
-      }
-    }
     write(file("scenes.csv"), text);
     EXPECT_EQ(run(sweep + "--output whole.csv").code, 0);
     whole = read(file("whole.csv"));
@@ -51,7 +49,7 @@ TEST_F(ImpactSimSweep, SummarizesWhatTheTrajectoriesShow) {
   const auto [largest, rms] = largest_and_rms("--restitution 0.68 --clearance 0.02");
   const auto [bare, bare_rms] = largest_and_rms("--clearance 1000");
   const auto row = split(lines_of(whole)[5], ',');
-  // The same doubles on both ways but for the order of a sum of 5001 terms: 5001 roundings.
+  // Both sum the same 5001 doubles, in another order, so they differ by at most 5001 roundings.
   EXPECT_EQ(std::stod(row[6]), largest);
   EXPECT_NEAR(std::stod(row[7]), rms, 5001 * 1.2e-16 * rms);
   EXPECT_NEAR(std::stod(row[8]), 1 - largest / bare, 1e-15);
@@ -70,7 +68,7 @@ TEST_F(ImpactSimSweep, ResumesWhereItWasInterrupted) {
 }
 
 TEST_F(ImpactSimSweep, KeepsTheRowsThatAreThere) {
-  // A mark in a finished row survives: that scene was not run again.
+  // A mark in a finished row is still there afterwards, so that scene was not run again.
   std::string marked = whole;
   const size_t impacts = marked.rfind(',', marked.find('\n', marked.find("\n4,") + 1));
   marked.insert(impacts, "99");
@@ -81,7 +79,7 @@ TEST_F(ImpactSimSweep, KeepsTheRowsThatAreThere) {
 }
 
 TEST_F(ImpactSimSweep, KilledInTheMiddleLosesNothing) {
-  // The signal may come before, during or after the work: what is left must be whole rows, and the rest must follow.
+  // The signal may come before, during or after the work. Only whole rows may be left, and the others must follow.
   const std::string slow = "--sweep scenes.csv --duration 5 --newmark moment ";
   EXPECT_EQ(run(slow + "--output reference.csv").code, 0);
   for (const char* delay : {"0.02", "0.1", "0.3"}) {
@@ -124,8 +122,8 @@ TEST_F(ImpactSimSweep, RefusesAFileOfSomethingElse) {
   refuses("\n", sweep);
 }
 
-// A finished row holds for the samples that it was run with; a copy with another time stamp is the same file.
-TEST_F(ImpactSimSweep, RowsOfADriveFileThatHasChangedAreNotTakenOver) {
+// A finished row is valid only for the samples that it was run with. A copy with another time stamp is the same file.
+TEST_F(ImpactSimSweep, RowsOfADriveFileThatHasChangedAreNotReused) {
   const auto forces = [](double force) {
     std::string text;
     for (int n = 0; n < 100; ++n) text += std::to_string(force) + "\n";
@@ -176,7 +174,7 @@ TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
   EXPECT_EQ(result.code, 0);
   EXPECT_THAT(result.err, HasSubstr("steps of "));
   EXPECT_THAT(result.err, HasSubstr(" to 0.001 s"));
-  auto scenes = lines_of(result.out);  // as they finished
+  auto scenes = lines_of(result.out);  // rows are in the order in which scenes finish
   std::sort(scenes.begin(), scenes.end());
   for (const char* scene : {"3e4", "3e8"}) {
     const auto rows = lines_of(run(std::string("--duration 1 --contact-stiffness ") + scene).out);
@@ -188,7 +186,8 @@ TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
   }
 }
 
-// Half a radian of the main mass in a step: EnergyConsistent takes it, and so must the mass without absorber.
+// The main mass oscillates by half a radian per step. EnergyConsistent accepts that, and so must the mass without
+// absorber.
 TEST_F(ImpactSimSweep, RunsWhatItsStepperTakes) {
   write(file("stiff.csv"), "main-stiffness\n1e6\n1000\n");
   const Result result =
@@ -213,7 +212,7 @@ TEST_F(ImpactSimSweep, ANameWithACommaIsOneCell) {
   EXPECT_EQ(run(driven).code, 0) << "what it has written itself";
 }
 
-TEST_F(ImpactSimSweep, OptionsOfTheCommandLineHoldForEveryScene) {
+TEST_F(ImpactSimSweep, OptionsOfTheCommandLineApplyToEveryScene) {
   write(file("few.csv"), "restitution\n0.5\n0.9\n");
   const Result result = run("--sweep few.csv --impact-speed 1.5 --duration 0.1");
   EXPECT_EQ(result.code, 0) << result.err;
@@ -226,7 +225,7 @@ TEST_F(ImpactSimSweep, AFullDiskIsExitCodeOne) {
   EXPECT_EQ(run(sweep, "", "> /dev/full").code, 1);
 }
 
-// As R's write.csv and spreadsheets have it: cells in quotes, which may hold commas, and a plus before a number.
+// R's write.csv and spreadsheets write cells in quotes, which may contain commas, and a plus before a number.
 TEST_F(ImpactSimSweep, QuotedCellsAndAPlusAreRead) {
   write(file("plain.csv"), "v2,clearance,law\n0.5,0.01,hertz\n,0.02,hooke-newton\n");
   write(file("quoted.csv"),

@@ -1,5 +1,5 @@
-// What high_product.hpp writes in the core's own instructions, against the compiler's 64-bit arithmetic: the ends of
-// the range, what is next to them and to each half word's, and random numbers; long sums at each shift.
+// The core's own instructions in high_product.hpp agree with the compiler's 64-bit arithmetic. The operands are the
+// ends of the range and of each half word, their neighbours, and random numbers. Long sums are tested at each shift.
 
 #include <impact/numeric/high_product.hpp>
 
@@ -16,7 +16,7 @@ constexpr uint32_t known_number(uint32_t index) {
   constexpr uint32_t golden = 2654435769;  // 2^32 over the golden ratio
   return index < sizeof edges / sizeof *edges ? edges[index] : index * index * golden;
 }
-// Not a constant to the compiler.
+// A number that the compiler does not know as a constant.
 uint32_t number(uint32_t index) {
   volatile const uint32_t number = known_number(index);
   return number;
@@ -41,7 +41,7 @@ uint32_t wrong_products() {
   return wrong;
 }
 
-// By a number that the compiler knows.
+// Products with numbers that the compiler knows.
 template <uint32_t index = 0>
 uint32_t wrong_products_with_constants() {
   constexpr uint32_t b = known_number(index);
@@ -60,7 +60,7 @@ uint32_t wrong_products_with_constants() {
     return wrong;
 }
 
-// Of sums and terms that fit.
+// Only sums and terms that do not overflow.
 template <int bits>
 uint32_t wrong_sums() {
   uint32_t wrong = 0;

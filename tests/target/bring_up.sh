@@ -1,8 +1,8 @@
 #!/bin/sh
-# The first board's table on an emulated one: bring_up.sh PROJECT TARGET IMAGE
-# Fails unless the core's counter is found, the self-tests are right, the steps take what budgets.csv says, and the
-# budgets in cycles are those of budgets.csv, or up to a quarter more. A tick of SysTick is 40 ns where an instruction
-# is made to take 32 (mps2), 62.5 where it takes 64 (microbit); mcycle counts instructions.
+# The table of the first board's program on an emulated board: bring_up.sh PROJECT TARGET IMAGE
+# Fails unless the core's counter is found, the self-tests pass, and the steps take what budgets.csv says. Budgets in
+# cycles are those of budgets.csv, or up to a quarter more. An instruction of 32 ns (mps2) has ticks of SysTick of 40
+# ns, one of 64 ns (microbit) has ticks of 62.5 ns. mcycle counts instructions.
 set -eu
 project=$1 target=$2 image=$3
 case $target in
@@ -12,7 +12,7 @@ case $target in
 esac
 table=$(sh "$project/toolchains/emulate.sh" "$target" "$image" $shift) || { echo "$table" && exit 1; }
 echo "$table"
-case $table in *"counter $counter"*) ;; *) echo "# another counter than $counter" && exit 1 ;; esac
+case $table in *"counter $counter"*) ;; *) echo "# the table does not name the counter $counter" && exit 1 ;; esac
 echo "$table" | awk -v target="$target" -v ticks=$ticks '
   NR == FNR {
     split($0, row, ",")

@@ -1,4 +1,4 @@
-// The table of kernel/examples/bring_up, on an emulated board.
+// Prints the table of kernel/examples/bring_up on an emulated board.
 
 #include <board/console.hpp>
 

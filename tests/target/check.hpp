@@ -1,5 +1,5 @@
 #pragma once
-// A test case on a target: it prints "name value", and what was expected where that differs; main() returns failures().
+// A test case on a target prints "name value", and the expected value if it differs. main() returns failures().
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // What the images run: the paper's scene under each law, stepper, number format and drive, and some with weight, a base
-// that shakes and dry friction. A configuration whose cost is to be measured is added to Budgeted or to
-// BudgetedWithParts; budgets.csv says of which the memory and the longest path are.
+// that shakes and dry friction. To measure the cost of a configuration, add it to Budgeted or BudgetedWithParts. Rows
+// in budgets.csv select those whose memory and longest path are measured.
 
 #include <stdint.h>
 
@@ -27,11 +27,11 @@ template <>
 constexpr const char* name<SubsteppedMoment<4>> = "moment-4";
 template <>
 constexpr const char* name<EnergyConsistent> = "energy";
-// With stops 10^4 times as stiff: stepper/energy/stiff.hpp.
+// EnergyConsistent with stops 10^4 times as stiff (stepper/energy/stiff.hpp).
 struct StiffEnergyConsistent : EnergyConsistent {};
 template <>
 constexpr const char* name<StiffEnergyConsistent> = "energy-stiff";
-// The same stops: 32 sub-steps at 1 ms.
+// The same stops with 32 sub-steps at 1 ms.
 template <>
 constexpr const char* name<SubsteppedMoment<>> = "moment-n";
 template <>
@@ -74,7 +74,7 @@ constexpr bool is_stiff<StiffEnergyConsistent> = true;
 template <>
 constexpr bool is_stiff<SubsteppedMoment<>> = true;
 
-// The columns law,newmark,numeric,drive as one string, of which the last is the drive+part+part.
+// The columns law,newmark,numeric,drive as one string. The last is drive+part+part.
 struct Label {
   char text[64] = {};
 
@@ -97,9 +97,9 @@ constexpr Label make_label() {
   return label;
 }
 
-// The paper's tables 1 and 2, at rest under the paper's sine, and otherwise released from beyond the first impact. The
-// impulsive step has stops of a million times the stiffness, and as much damping as leaves the restitution. With weight
-// it stands upright, on a base that shakes too where the ball rubs: all three parts.
+// The paper's tables 1 and 2, at rest under the paper's sine. With another drive the ball starts beyond the first
+// impact. Impulsive has stops of a million times the stiffness, and as much damping as keeps the restitution. With
+// weight the rig stands upright. With friction its base also shakes, so all three parts are present.
 template <class Law, class Newmark, class Drive, class... Parts>
 constexpr Scene scene_of() {
   Scene scene = paper_scene(Law::law);
@@ -121,7 +121,7 @@ constexpr Scene scene_of() {
   return scene;
 }
 
-// Samples of a drive and of a base: a triangle of 128 steps between +-Bounds::force, and as many m/s^2.
+// Samples of a drive and of a base: a triangle of 128 steps between +-Bounds::force, or as many m/s^2.
 constexpr int32_t triangle(uint32_t index) {
   const int32_t level = static_cast<int32_t>(index % 128);
   return (level < 64 ? level - 32 : 95 - level) << 26;
@@ -142,14 +142,14 @@ struct Configuration {
   template <int microseconds>
   struct Rig {
     static constexpr Scene scene = scene_of<Law, Newmark, Drive, Parts...>();
-    // The default, with a penetration of its own.
+    // The default bounds, with a stated penetration.
     static constexpr Bounds bounds{0.1, 2, 0.03, 10, impact::detail::is_one_of<BaseAcceleration, Parts...> ? 10.0 : 0};
     static constexpr double step = microseconds * 1e-6;
   };
   template <int microseconds>
   using Absorber = impact::Absorber<Rig<microseconds>, Law, Newmark, Drive, Numeric, Parts...>;
 
-  // Step `index` of the trajectory: its samples come into registers as a converter's do, and then it is made.
+  // Step `index` of the trajectory. Its samples are passed in registers, as a converter's are.
   static constexpr bool is_shaken = impact::detail::is_one_of<BaseAcceleration, Parts...>;
   inline static typename Numeric::Value force, base;
   static void sample([[maybe_unused]] uint32_t index) {
@@ -195,7 +195,7 @@ constexpr auto with_laws(List<Laws...>) {
                         LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
-// The steppers with one drive each, three drives in turn.
+// The steppers with one drive each, of three drives in turn.
 template <class Numeric, class Law, class A, class B, class C>
 constexpr auto with_pairs() {
   return List<Configuration<Law, Moment, Numeric, A>, Configuration<Law, SubsteppedMoment<4>, Numeric, B>,
@@ -203,7 +203,7 @@ constexpr auto with_pairs() {
               Configuration<Law, AverageAcceleration, Numeric, B>, Configuration<Law, LinearAcceleration, Numeric, C>,
               Configuration<Law, FoxGoodwin, Numeric, A>, Configuration<Law, CentralDifference, Numeric, B>>{};
 }
-// A damping that is set at each impact, by every stepper that treats it in its own way.
+// A damping that is set at each impact, by every stepper that computes it in its own way.
 template <class Numeric>
 constexpr auto with_damping_per_impact() {
   return List<Configuration<Exact, Moment, Numeric, Sine>, Configuration<Exact, SubsteppedMoment<4>, Numeric, Sine>,
@@ -220,7 +220,7 @@ template <class Numeric>
 constexpr auto beside_the_laws() {
   return with_damping_per_impact<Numeric>() + with_stiff_stops<Numeric>();
 }
-// Each part of a scene, and all three by steppers that treat the contact in their own ways.
+// Each part of a scene alone, and all three with steppers that solve the contact differently.
 template <class Numeric, class Law, class Newmark, class Drive>
 using WithAllParts = Configuration<Law, Newmark, Numeric, Drive, BaseAcceleration, DryFriction>;
 template <class Numeric>
@@ -244,8 +244,8 @@ constexpr auto pairwise() {
          with_pairs<Numeric, Hertz, Sine, Sampled, NoDrive>() +
          with_pairs<Numeric, HuntCrossley, Sampled, NoDrive, Sine>();
 }
-// Those whose trajectories are kept. In an image of 256 K fit, of a format, Hertz's and Hunt-Crossley's (2), the
-// others (1), or all with a third of the laws' (3).
+// The configurations whose trajectories are recorded. In an image of 256 K there is room for part of a format's:
+// Hertz's and Hunt-Crossley's (2), the others (1), or a third of each law's (3).
 #if !defined(IMPACT_GOLDEN_PART)
 #define IMPACT_GOLDEN_PART 0
 #endif
@@ -262,7 +262,7 @@ constexpr auto golden_configurations() {
     return all_configurations<Numerics...>() + (beside_the_laws<Numerics>() + ...) + (with_parts<Numerics>() + ...);
 }
 
-// Those whose cost is measured and has a budget.
+// The configurations whose cost is measured and has a budget.
 using Budgeted = List<
     Configuration<HuntCrossley, Moment, Fixed32, Sine>, Configuration<HuntCrossley, Moment, Float32, Sine>,
     Configuration<HuntCrossley, Moment, Float32Plain, Sine>, Configuration<Hertz, Moment, Fixed32, Sine>,
@@ -271,8 +271,8 @@ using Budgeted = List<
     Configuration<HuntCrossley, Impulsive, Fixed32, Sine>, Configuration<HuntCrossley, EnergyConsistent, Fixed32, Sine>,
     Configuration<HuntCrossley, EnergyConsistent, Float32, Sine>,
     Configuration<HuntCrossley, EnergyConsistent, Float32Plain, Sine>>;
-// In images of their own: what a compiler inlines depends on what else is there. Impacts at an instant in floating
-// point are for cores with an FPU.
+// These have their own images, since the compiler's inlining depends on the rest of an image. Impulsive in floating
+// point is for cores with an FPU.
 using BudgetedWithParts =
     List<Configuration<HuntCrossley, Moment, Fixed32, Sine, Gravity>,
          Configuration<HuntCrossley, Moment, Fixed32, Sine, BaseAcceleration>,

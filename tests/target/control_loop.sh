@@ -1,11 +1,11 @@
 #!/bin/sh
 # The example firmware on an emulated board: control_loop.sh PROJECT TARGET IMAGE
-# Prints its load and longest step in thousandths of the period as rows for within_budget.sh, and fails unless
-#   - the output in every step is what the same sources compute on this machine, bit for bit,
-#   - the drive beyond bounds in the second second, and nothing else, raises faults, and the output then rests as long as
-#     main.cpp says,
-#   - no step overruns at 31.25 million instructions per second, about those of a Cortex-M0 at 48 MHz, and steps in
-#     contact do once the processor is slow enough.
+# Prints its load and longest step in thousandths of the period, as rows for within_budget.sh. Fails unless
+#   - the output of every step has the bits that the same sources compute on this machine,
+#   - only the drive beyond bounds in the second second raises faults, and the output then rests for the time in
+# main.cpp,
+#   - no step overruns at 31.25 million instructions per second, about those of a Cortex-M0 at 48 MHz,
+#   - steps in contact overrun on a processor that is slow enough.
 set -eu
 project=$1 target=$2 image=$3
 folder=$(mktemp -d)
@@ -13,7 +13,7 @@ trap 'rm -r "$folder"' EXIT
 
 run() { sh "$project/toolchains/emulate.sh" "$target" "$image" "$1"; }
 outputs() { grep '^output' "$1"; }
-# A line "load 6.6 %, longest step 12.5 %, overruns 0, faults 0" has them in fields 2, 5, 7 and 9.
+# A line "load 6.6 %, longest step 12.5 %, overruns 0, faults 0" has the numbers in fields 2, 5, 7 and 9.
 reports() { grep '^load' "$1" | awk -F'[ ,%]+' "$2"; }
 fail() { echo "# $1" && cat "$folder/target" && exit 1; }
 
@@ -24,13 +24,13 @@ c++ -std=c++17 -O2 -ffp-contract=off -I "$project/kernel/include" -I "$project/k
 "$folder/on_host" >"$folder/host"
 run 5 >"$folder/target"
 
-[ "$(outputs "$folder/target" | wc -l)" = 3 ] || fail "three seconds were expected"
+[ "$(outputs "$folder/target" | wc -l)" = 3 ] || fail "the output must have a line for each of three seconds"
 [ "$(outputs "$folder/target")" = "$(outputs "$folder/host")" ] || fail "the output differs from this machine's"
 reports "$folder/target" '{ if ($7 > 0 || (NR == 2) != ($9 > 0)) wrong = 1 } END { exit NR != 3 || wrong }' ||
-  fail "overruns, or faults that were not provoked, or none where they were"
+  fail "no second may overrun, and only the second one must raise faults"
 faults=$(reports "$folder/target" 'NR == 2 { print $9 }')
 [ "$(outputs "$folder/target" | sed -n 's/.*at 0 for //p' | awk 'NR > 1 { sum += $1 } END { print sum }')" = "$((1000 * faults))" ] ||
-  fail "the output did not rest after a fault"
+  fail "the output must rest after a fault"
 
 for shift in 6 7 8 9; do
   run $shift >"$folder/slow"
@@ -38,9 +38,9 @@ for shift in 6 7 8 9; do
   overruns=$(reports "$folder/slow" '{ sum += $7 } END { print sum + 0 }')
   [ "$overruns" = 0 ] || break
 done
-[ "$overruns" != 0 ] || fail "a processor that is too slow was not noticed"
+[ "$overruns" != 0 ] || fail "steps on a processor that is too slow must overrun"
 
-# On a busy host QEMU may see that a timer is due some dozen instructions late: of four runs the shortest counts.
+# On a busy host QEMU may notice a timer some dozen instructions late. The shortest of four runs counts.
 longest='{ if ($5 > longest) longest = $5 } END { print 10 * longest }'
 shortest=$(reports "$folder/target" "$longest")
 for again in 1 2 3; do

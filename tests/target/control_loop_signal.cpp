@@ -1,7 +1,7 @@
-// The converters of the example kernel/examples/control_loop and the signal at their input: a triangle at 40 rad/s, in
-// the second second a square wave of full scale at the main mass's own 31.62 rad/s, which drives the model beyond its
-// bounds, then the triangle again. It ends the run after that, and prints what the output showed in each second: a
-// fingerprint of all its values so far and for how many steps it was 0.
+// The converters of the example kernel/examples/control_loop and their input signal. It is a triangle at 40 rad/s, then
+// for a second a square wave of full scale at the main mass's own 31.62 rad/s. That drives the model beyond its bounds.
+// Then the triangle returns, and the run ends. Prints for each second a fingerprint of all outputs so far, and the
+// number of steps with output 0.
 
 #include <control_loop/board.hpp>
 
@@ -18,14 +18,14 @@ constexpr int32_t full_scale = INT32_MAX;
 uint32_t step = 0, fingerprint = 0, fingerprints[seconds] = {}, steps_at_0[seconds] = {};
 void (*serve)();
 
-// 40 rad/s: 1571 steps of 0.1 ms, counted as 4 * 393.
+// 40 rad/s are 1571 steps of 0.1 ms, here 4 * 393.
 int32_t triangle() {
   static int32_t level = 0, rise = full_scale / 393;
   level += rise;
   if (level > full_scale - full_scale / 393 || level < full_scale / 393 - full_scale) rise = -rise;
   return level;
 }
-// 31.62 rad/s: half a period is 993.5 steps.
+// Half a period at 31.62 rad/s is 993.5 steps.
 int32_t square() {
   static uint32_t count = 0;
   static int32_t level = full_scale;

@@ -1,4 +1,4 @@
-// The smallest firmware around one absorber. What a configuration takes is this image's size less that of the one
+// The smallest firmware with one absorber. A configuration's memory is this image's size minus that of the image
 // without an absorber.
 
 #ifdef IMPACT_LABEL
@@ -7,7 +7,7 @@
 
 namespace impact::target {
 
-// Of those that have a budget the one with this label.
+// The budgeted configuration with this label.
 template <class First, class... Others>
 constexpr auto labelled(List<First, Others...>) {
   if constexpr (First::label == IMPACT_LABEL)

@@ -1,8 +1,9 @@
 #!/bin/sh
-# The memory of one configuration, in the columns of step_cost: footprint.sh TOOLS TARGET LABEL IMAGE EMPTY STACK_USAGE
-# Flash and RAM are what IMAGE has more than EMPTY. Stack is the sum over every function that the compiler left in the
-# step's file, main() apart: no chain of calls is deeper. Helpers of the compiler's library are counted in flash, not in
-# the stack. Fails when a function is linked that the format must do without.
+# The memory of one configuration, in the columns of step_cost:
+#   footprint.sh TOOLS TARGET LABEL IMAGE EMPTY STACK_USAGE
+# Flash and RAM are the sizes of IMAGE minus those of EMPTY. Stack is the sum over every function in the step's file,
+# except main(). No chain of calls is deeper. Functions of the compiler's library count as flash, but not as stack.
+# Fails if the image contains a function that the format must not use.
 set -eu
 tools=$1 target=$2 label=$3 image=$4 empty=$5 stack_usage=$6
 ls "$image" "$empty" "$stack_usage" >/dev/null
@@ -23,4 +24,4 @@ forbidden=$double
 case $label in *,fixed32,*) forbidden="$forbidden|$float" ;; esac
 case $target in cortex-m0*) case $label in *,fixed32,*) forbidden="$forbidden|$long" ;; esac ;; esac
 helpers=$("${tools}nm" "$image" | awk '{ print $3 }' | grep -E "^__($forbidden)" || true)
-[ -z "$helpers" ] || { echo "# must not be linked:" $helpers && exit 1; }
+[ -z "$helpers" ] || { echo "# the format must not link:" $helpers && exit 1; }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Clang compiles the kernel for a target with no C and no C++ library, where its own <stdint.h>, <stddef.h>, <float.h>
-# and <limits.h> are all that there is: every header (each alone: tests/host/headers.sh), and a third of the configurations
-# that the targets run, in which each law, stepper and drive meets each other.
+# Clang compiles the kernel for a target without a C and a C++ library, where only its own <stdint.h>, <stddef.h>,
+# <float.h> and <limits.h> exist. It compiles every header (tests/host/headers.sh: each alone) and a third of the
+# targets' configurations, in which each law, stepper and drive meets each other.
 #   freestanding.sh TRIPLE PROJECT
 set -eu
 triple=$1 project=$2

@@ -1,4 +1,4 @@
-// The timer of a board, on a host: an interrupt whenever the program sleeps, that takes no time.
+// The timer of a board, on a host. Whenever the program sleeps, an interrupt comes, which takes no time.
 
 #include <board/timer.hpp>
 

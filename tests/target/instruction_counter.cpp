@@ -13,7 +13,7 @@ constexpr uint32_t reading_and_call = 3;  // 1 and 2 cycles on Hazard3
 constexpr uint32_t reading_and_call = 2;
 #endif
 
-// The counter's advance across a call: the reading itself, the call, and the function.
+// The counter's advance across a call, which includes the reading itself, the call, and the function.
 [[gnu::naked, gnu::noinline]] uint32_t advance_across(void (*)(void*), void*) {
   asm(".option push\n"
       ".option arch, +zicsr\n"
@@ -36,7 +36,7 @@ constexpr uint32_t reading_and_call = 2;
 }
 void start() {
 #if defined(IMPACT_COUNTS_CYCLES)
-  asm volatile(".option push\n.option arch, +zicsr\ncsrw mcountinhibit, zero\n.option pop");  // still after a reset
+  asm volatile(".option push\n.option arch, +zicsr\ncsrw mcountinhibit, zero\n.option pop");  // stopped after a reset
 #endif
 }
 uint32_t instructions_in(uint32_t advance) { return advance; }

@@ -1,5 +1,5 @@
-// The instruction counter against code whose length is known: straight lines, loops, calls, both ways of a branch, and
-// what longest_path.sh is to follow or to refuse (longest_path_test.sh).
+// The instruction counter with code of known length: straight lines, loops, calls, and both ways of a branch. Also code
+// that longest_path.sh must follow or reject (longest_path_test.sh).
 
 #include "instruction_counter.hpp"
 
@@ -40,7 +40,8 @@ using impact::target::instructions_of;
 [[gnu::naked]] void return_from_stack(void*) { asm(RETURN_FROM_STACK); }
 [[gnu::naked]] void jumps_by_register(void*) { asm(TO_REGISTER STRAIGHT(20) RETURN ".balign 4\n"); }
 #if defined(__ARM_ARCH_6M__)
-// By a table behind the call, as GCC makes a switch smaller: to the second entry, past the 20.
+// A jump by a table behind the call, as GCC makes a switch smaller. It goes to the second entry, past the 20
+// instructions.
 [[gnu::naked]] void jumps_by_table(void*) {
   asm("push {lr}\n mov r0, #1\n bl __gnu_thumb1_case_uqi\n 1: .byte (2f - 1b) / 2, (3f - 1b) / 2\n"
       "2:\n" STRAIGHT(20) "3: pop {pc}\n");
@@ -75,7 +76,7 @@ int main() {
   instructions_of(jumps_by_table, nullptr);
 #endif
 
-  // Whatever the phase between instructions and ticks, and across the wrap of the 24-bit counter.
+  // The count is right at any phase between instructions and ticks, and across the wrap of the 24-bit counter.
   uint32_t wrong = 0;
   for (uint32_t i = 0; i < 20000; ++i) wrong += instructions_of(straight_10, nullptr) != 11;
   check_equal("wrong_of_20000", wrong, 0);

@@ -1,5 +1,5 @@
-// What the energy-consistent step costs at stiff stops, as rows with the phase `iterating` that within_budget.sh
-// judges: the steps in contact of one second at h = 0.1 ms of the paper's scene with k1 and c1 10^4 times as large.
+// The cost of EnergyConsistent at stiff stops, as rows with the phase `iterating` for within_budget.sh. They cover the
+// steps in contact of one second at h = 0.1 ms of the paper's scene with k1 and c1 10^4 times as large.
 
 #include "configurations.hpp"
 #include "step_cost.hpp"

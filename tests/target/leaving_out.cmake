@@ -1,5 +1,5 @@
-# Images of scenes side by side, for leaving_out.sh. Sets leaving_out_numerics, leaving_out_scenes, and for each format
-# and scene an image leaving_out_NUMERIC_SCENE. Needs add_image(NAME SOURCE...).
+# The images of similar scenes, for leaving_out.sh. Sets leaving_out_numerics, leaving_out_scenes, and for each format
+# and scene an image leaving_out_NUMERIC_SCENE. Requires add_image(NAME SOURCE...).
 
 set(leaving_out_numerics Fixed32)
 if(IMPACT_CPU_FLAGS MATCHES "-mfpu")

@@ -1,5 +1,5 @@
-// One scene of leaving_out.cmake: the paper's, less or more what the macros say. What a feature takes is the difference
-// of two such images.
+// One scene of leaving_out.cmake: the paper's, with parts added or removed by macros. The cost of a feature is the
+// difference of two such images.
 
 #include <impact/absorber.hpp>
 

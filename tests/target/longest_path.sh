@@ -1,15 +1,16 @@
 #!/bin/sh
-# The longest way through a function of a linked image and all that it calls, in instructions and in estimated cycles:
+# The longest path through a function of a linked image and all functions that it calls, in instructions and in
+# estimated cycles:
 #   longest_path.sh TOOLS TARGET LABEL IMAGE FUNCTION
-# The instructions are an upper bound of what any input can make it take, and what instruction_counter.hpp counts: every
-# one from the first to the return, those of an IT block included. It takes every branch both ways, also ways that no
-# input can take one after the other. Where a function has no end it goes on into the next one. Fails on what it cannot
-# follow, and then knows no bound: a loop, a recursion, a jump to where a register points that is no return, one by a
-# table (of __gnu_thumb1_case_* too), an instruction that traps, and a way into data.
-# The cycles are an estimate, not a bound: the upper ends of the costs in Arm's Technical Reference Manuals, without wait
-# states of the flash. A Cortex-M7 is taken for a Cortex-M4 that issues one instruction at a time. None for RISC-V.
+# The instructions are an upper bound for any input. They are counted as in instruction_counter.hpp: from the first to
+# the return, with those of an IT block. Every branch is taken both ways, even if no input can combine these ways. A
+# function without an end continues into the next one. Fails, without a bound, at a loop, a recursion, a jump by a table
+# (of __gnu_thumb1_case_* too), or a path into data. It also fails at an instruction that traps, and at a jump to a
+# register that is no return.
+# The cycles are an estimate, not a bound: the largest costs in Arm's Technical Reference Manuals, without wait states
+# of the flash. A Cortex-M7 counts as a Cortex-M4 that issues one instruction at a time. RISC-V has no estimate.
 set -eu
-[ $# = 5 ] || { echo "longest_path.sh TOOLS TARGET LABEL IMAGE FUNCTION" >&2 && exit 2; }
+[ $# = 5 ] || { echo "usage: longest_path.sh TOOLS TARGET LABEL IMAGE FUNCTION" >&2 && exit 2; }
 "${1}objdump" -d -C --no-show-raw-insn "$4" | awk -v core="$2" -v label="$3" -v entry="<$5>:" '
   /^[0-9a-f]+ <.*>:$/ { address = $1; sub(/^0+/, "", address); name = substr($0, index($0, "<")); begin = address
     name_at[begin] = name
@@ -42,7 +43,7 @@ set -eu
   operation ~ /^b/ && target != "" { jump[address] = target; next }
   operation ~ /^(jr|jalr|tail|ecall|ebreak|unimp|[ms]ret)$/ || operation ~ /^b([^if]|$)/ { unknown[address] = 1; next }
 
-  # What follows is no code: a way that goes on here is one into data.
+  # No code follows, so a path that continues here is one into data.
   function leave() {
     if (before != "" && !ends[before]) next_to[before] = "the end of " function_of[before]
     before = ""
@@ -57,7 +58,7 @@ set -eu
     on_way[node] = 1
     return 1
   }
-  # What a taken branch, a call and a return cost beyond the table below: filling the pipeline.
+  # A taken branch, a call and a return cost more than the table below, since they fill the pipeline.
   BEGIN {
     if (core == "cortex-m0") { taken = 2; called = 3; returned = 3 }
     else if (core == "cortex-m0plus") { taken = 1; called = 2; returned = 2 }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# longest_path.sh on the functions of instruction_counter_test.cpp, whose length is known: straight lines, a branch past
-# seven instructions, a function that goes on into the next; and a loop and jumps by a register or a table, of which it
-# must say that it knows no bound: longest_path_test.sh TOOLS TARGET IMAGE
+# longest_path.sh with the functions of instruction_counter_test.cpp, whose length is known: straight lines, a branch
+# past seven instructions, and a function that continues into the next. For a loop, and for jumps by a register or a
+# table, it must report that it knows no bound: longest_path_test.sh TOOLS TARGET IMAGE
 set -eu
 path() { sh "$(dirname "$0")/longest_path.sh" "$1" "$2" , "$3" "(anonymous namespace)::$4(void*)" | sed '/cycles/d; /^#/!s/.*,//'; }
 case $2 in  # one instruction or two before the seven, and the return
@@ -14,7 +14,7 @@ while read -r function expected; do
   [ -n "$function" ] || continue
   found=$(path "$1" "$2" "$3" "$function")
   echo "$function $found"
-  case "$found" in $expected) ;; *) echo "expected $expected" && failures=1 ;; esac
+  case "$found" in $expected) ;; *) echo "$function: found $found, expected $expected" && failures=1 ;; esac
 done <<END_OF_LIST
 nothing 1
 straight_10 11

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What the compiled kernel calls, in every format, beside the compiler's own helpers: memcpy, memset and memmove, and
-# nothing of libm: no_library.sh PROJECT COMPILER FLAG...
+# The compiled kernel calls, in every format, only the compiler's own helpers, memcpy, memset and memmove. It does not
+# call libm: no_library.sh PROJECT COMPILER FLAG...
 set -eu
 project=$1 compiler=$2 && shift 2
 command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
@@ -30,4 +30,4 @@ END
 "$compiler" -std=c++17 -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffreestanding "$@" \
   -I "$project/kernel/include" -c "$folder/kernel.cpp" -o "$folder/kernel.o"
 called=$(nm -u "$folder/kernel.o" | awk '{ print $NF }' | grep -vE '^(__.*|_GLOBAL_OFFSET_TABLE_|mem(cpy|set|move))$' || true)
-[ -z "$called" ] || { echo "calls" $called && exit 1; }
+[ -z "$called" ] || { echo "the kernel must not call" $called && exit 1; }

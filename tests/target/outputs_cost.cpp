@@ -1,6 +1,6 @@
-// Instructions of what a loop may call beside a step, the largest over two seconds of the paper's scene at 1 ms,
-// with the sine drive, in the formats that a core is for: what the tables of tests/README.md say. All of the
-// self-test's steps are counted together. Prints rows that within_budget.sh judges.
+// Instructions of the calls that a loop may make beside a step, for the tables of tests/README.md. Each is the largest
+// over two seconds of the paper's scene at 1 ms, with the sine drive, in the formats that suit a core. All steps of the
+// self-test count together. Prints rows for within_budget.sh.
 
 #include <board/console.hpp>
 #include <impact/self_test.hpp>

@@ -1,17 +1,17 @@
 // Cycles of the steps that step_cost.cpp measures, on an emulated RP2040: rp2040_cycles.js STEP_COST_IMAGE
 //
-// Runs that very image in rp2040js (npm; found through NODE_PATH), one instruction at a time, and stands in for its
-// SysTick with a counter of cycles. Prints step_cost's rows, as of the target rp2040. Fails when a configuration has
-// not made its 11000 steps, or when a step takes fewer cycles than instructions.
+// Runs the same image in rp2040js (npm; found through NODE_PATH), one instruction at a time. A counter of cycles takes
+// the place of SysTick. Prints step_cost's rows, with the target rp2040. Fails unless every configuration has made
+// 11000 steps, or if a step takes fewer cycles than instructions.
 //
-// What is counted: from the first instruction of the step to its return, by rp2040js's table of the Cortex-M0+. 1 for
-// an instruction, and for MULS, as the RP2040 has the single-cycle multiplier; 2 for a load, a store, a taken branch,
-// BX and BLX; 3 for BL; 1 + N for LDM, STM, PUSH and POP of N registers, 3 + N for a POP with PC. Its N leaves out LR
-// and PC, which Arm's counts: each PUSH with LR and each POP with PC is one cycle short.
+// The count runs from the first instruction of the step to its return, by rp2040js's table of the Cortex-M0+. An
+// instruction takes 1 cycle, MULS too, since the RP2040 has the single-cycle multiplier. A load, a store, a taken
+// branch, BX and BLX take 2, and BL takes 3. LDM, STM, PUSH and POP of N registers take 1 + N, and a POP with PC 3 + N.
+// Its N omits LR and PC, which Arm's counts, so each PUSH with LR and each POP with PC is one cycle short.
 //
-// What is not: wait states. The image lies at 0, as on the other emulated boards, in a memory that answers at once, as
-// the RP2040's RAM does; what runs from its flash also waits where the cache misses. Nor interrupts, nor DMA and the
-// other core, which share the bus.
+// Wait states are not counted. The image is at 0, as on the other emulated boards, in a memory without delay, like the
+// RP2040's RAM. Code in its flash also waits when the cache misses. Interrupts, DMA and the other core, which share the
+// bus, are not counted either.
 "use strict";
 const fs = require("fs");
 
@@ -27,7 +27,7 @@ try {
 const chip = new RP2040();
 const core = chip.core;
 
-// The image, by its ELF program headers, where rp2040js has its boot ROM.
+// The image, by its ELF program headers, at the address of rp2040js's boot ROM.
 const memory = new Uint8Array(256 * 1024);
 chip.bootrom = new Uint32Array(memory.buffer);
 const elf = fs.readFileSync(process.argv[2]);
@@ -37,7 +37,7 @@ for (let header = headers; header < headers + count * size; header += size) {
   if (type === 1) memory.set(elf.subarray(offset, offset + bytes), address);
 }
 
-// instruction_counter.cpp reads SysTick before and after a step, takes 16.384 ticks for one instruction, and takes off
+// instruction_counter.cpp reads SysTick before and after a step, divides by 16.384 ticks per instruction, and subtracts
 // 2: the first reading and the call, which are 2 cycles each.
 const top = 0xffffff;
 let instructions = 0, begin = null, steps = 0;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The trajectories and the self-test on a host, compiled by any compiler with any flags, those of a big-endian PowerPC
-# under an emulator: same_bits.sh PROJECT COMPILER FLAG...
+# The trajectories and the self-test on a host, with any compiler and any flags. Those of a big-endian PowerPC run in an
+# emulator: same_bits.sh PROJECT COMPILER FLAG...
 set -eu
 project=$1 compiler=$2 && shift 2
 emulator="" && [ "$compiler" != powerpc-linux-gnu-g++ ] || emulator=qemu-ppc

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A Cortex-M0+ runs a Cortex-M0's code: the same image compiled for either has the same bytes, and budgets.csv the same
-# rows, cycles apart: sed -n s/^cortex-m0,/cortex-m0plus,/p makes them.
+# A Cortex-M0+ runs a Cortex-M0's code. The same image compiled for either has the same bytes, and budgets.csv has the
+# same rows, except for cycles. sed -n s/^cortex-m0,/cortex-m0plus,/p makes them.
 #   same_code.sh TOOLS BUDGETS IMAGE IMAGE_FOR_CORTEX_M0PLUS
 set -eu
 tools=$1 budgets=$2 image=$3 other=$4

@@ -1,6 +1,6 @@
-// A reader and a writer of snapshots, one interrupting the other at every instruction that a timer reaches: first an
-// interrupt steps once, twice or three times under a reader, then an interrupt reads under a writer. Every copy must be
-// whole, and one step's. Getters read without a snapshot are torn in the same places, so that the test can fail.
+// A reader and a writer of snapshots interrupt each other at every instruction that a timer reaches. First an interrupt
+// steps once, twice or three times under a reader, then an interrupt reads under a writer. Every copy must be whole,
+// and of one step. Getters without a snapshot are torn at the same instants, which shows that the test can fail.
 
 #include <board/console.hpp>
 #include <board/timer.hpp>
@@ -23,7 +23,7 @@ using Kernel = Absorber<Rig, HuntCrossley, Moment, Sine, Fixed32, ContactForce, 
 using Seen = Snapshot<Kernel::Value>;
 
 constexpr uint32_t length = 64;
-Seen expected[length];  // by the number of steps
+Seen expected[length];  // by number of steps
 Kernel kernel;
 
 bool is_same(const Seen& a, const Seen& b) {
@@ -42,7 +42,7 @@ volatile bool has_come, is_inside;
 volatile uint32_t steps_of_interrupt;
 Counts counts;
 
-// Some ten milliseconds of instructions, when all is done.
+// Some ten milliseconds later, when everything else is done.
 void call_later(void (*interrupt)()) { board::start_timer(100, interrupt); }
 
 void step_in_interrupt() {
@@ -64,7 +64,7 @@ void wait() {
   while (!has_come) board::sleep();
 }
 
-// `act` is interrupted after some `ticks` of the timer, one longer each time.
+// The timer interrupts `act` after some `ticks`, one tick later each time.
 template <class Act>
 Counts at_every_tick(uint32_t last_tick, uint32_t stride, void (*interrupt)(), Act act) {
   counts = {};
@@ -133,7 +133,7 @@ int main() {
   target::print("an interrupt steps under getters", torn);
   passes = passes && torn.wrong > 0;
 
-  // A fault is seen by whoever waits for it.
+  // A task that waits for the flag sees the fault.
   has_come = false;
   call_later([] { has_come = true; });
   wait();

@@ -1,6 +1,6 @@
-// The cost of a step of every configuration that has a budget, as rows that within_budget.sh judges. How much the
-// compiler inlines depends on what else is in the image, so that a configuration is measured in this image only; those
-// with parts of a scene (IMPACT_WITH_PARTS) are in one of their own.
+// The cost of a step of every budgeted configuration, as rows for within_budget.sh. The compiler's inlining depends on
+// the rest of an image, so each configuration is measured in this image only. Those with parts of a scene
+// (IMPACT_WITH_PARTS) have their own image.
 
 #include "step_cost.hpp"
 

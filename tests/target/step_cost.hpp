@@ -1,10 +1,10 @@
 #pragma once
-// What one step costs: instructions from the first of a function that steps a model to its return, a sample read from
-// memory among them. A step is in contact when the ball touches a stop before or after it. A row is
+// The cost of a step: instructions from the first of a function that steps a model to its return. The function also
+// reads a sample from memory. A step is in contact if the ball touches a stop before or after it. A row is
 // target,LABEL,phase,mean,largest, with the columns law,newmark,numeric,drive as its label.
 //
-// How much the compiler inlines, and with it a count, depends on what else is in an image and on a function's linkage:
-// everything here is static, and a configuration is measured in one image only, by whoever needs its count.
+// The compiler's inlining, and so the count, depends on the rest of an image and on a function's linkage. Everything
+// here is static, and a configuration is measured in one image only, by the program that needs its count.
 
 #include <stdint.h>
 
@@ -25,7 +25,7 @@ struct Cost {
   }
 };
 
-// Over `steps` of a Configuration at a step length (configurations.hpp).
+// The cost over `steps` steps of a Configuration of this length (configurations.hpp).
 template <class Configuration, int microseconds>
 static void measure(Cost& free, Cost& contact, uint32_t steps) {
   struct Run {

@@ -1,4 +1,4 @@
-// Cycles of a step, as rows that within_budget.sh judges, for a simulator of the core that counts them.
+// Cycles of a step, as rows for within_budget.sh, in a simulator of the core that counts them.
 
 #include "configurations.hpp"
 #include "step_cost.hpp"

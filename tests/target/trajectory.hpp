@@ -1,7 +1,7 @@
 #pragma once
-// A trajectory's fingerprint: FNV-1a, 64 bits, over the values of x1, dx1, x2, dx2, the contact's phase and the fault
-// after every step, with eight of its bits kept every 16 steps, so that a difference shows where it began. How they lie
-// in memory does not matter: neither the order of bytes nor what else the state has.
+// A trajectory's fingerprint: FNV-1a, 64 bits, over x1, dx1, x2, dx2, the contact's phase and the fault after every
+// step. Every 16 steps eight of its bits are kept, so that a difference shows where it began. Neither the order of
+// bytes in memory nor the rest of the state matters.
 
 #include <stdint.h>
 
@@ -11,7 +11,7 @@ constexpr uint32_t steps_per_block = 16, blocks = 64;
 
 struct Fingerprint {
   uint64_t hash = 0xcbf29ce484222325;
-  char digits[2 * blocks + 1] = {};  // two hexadecimal digits a block
+  char digits[2 * blocks + 1] = {};  // two hexadecimal digits per block
 };
 
 struct Values {
@@ -20,7 +20,7 @@ struct Values {
   void add(uint32_t word) { words[count++] = word; }
 };
 
-// A machine that makes steps, whatever its type: what the type adds to an image is its step alone.
+// A machine that makes steps, for any type, so that a type adds only its step to an image.
 struct Trajectory {
   const char* label;
   void (*restart)();
@@ -44,7 +44,7 @@ inline Fingerprint fingerprint(const Trajectory& trajectory) {
   return result;
 }
 
-// The block where the digits first differ; the last one when only the hash does.
+// The block in which the digits first differ, or the last one if only the hash differs.
 inline uint32_t first_difference(const char* digits, const char* golden) {
   uint32_t digit = 0;
   while (digit < 2 * blocks - 1 && digits[digit] == golden[digit]) ++digit;

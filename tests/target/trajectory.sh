@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs trajectory_test on a target; when a trajectory differs from its golden value, finds the first step at which the
+# Runs trajectory_test on a target. If a trajectory differs from its golden value, finds the first step at which the
 # target and this machine differ, and prints the state of both: trajectory.sh PROJECT NUMERIC COMMAND...
 set -eu
 project=$1 numeric=$2 && shift 2
@@ -8,7 +8,7 @@ trap 'rm -r "$folder"' EXIT
 
 "$@" >"$folder/target" && status=0 || status=$?
 cat "$folder/target"
-# The first that differs: its label, then the states of the block of 16 steps where it began.
+# The first difference: its label, then the states of the block of 16 steps where it began.
 awk -F'"' '/^{/ { label = $2 } /^# step/ && found == "" { found = label; print label }
   /^# step/ && label == found' "$folder/target" >"$folder/differing"
 [ -s "$folder/differing" ] || exit $status

@@ -1,6 +1,6 @@
-// Every configuration computes the same bits here as everywhere else. Prints each fingerprint as
-// golden_trajectories.inc holds it, so that the file is this program's output; after a difference, prints the states of
-// the block where it began. On a host, `trajectory_test LABEL BLOCK` prints the states to compare those with.
+// Every configuration computes the same bits on all targets. Prints each fingerprint as in golden_trajectories.inc, so
+// that this output is the file. After a difference, prints the states of the block where it began. On a host,
+// `trajectory_test LABEL BLOCK` prints the states for comparison.
 
 #include "trajectory.hpp"
 
@@ -23,7 +23,7 @@ struct Golden {
 };
 constexpr Golden golden_trajectories[] = {
 #include "golden_trajectories.inc"
-    {"", 0, ""}  // ends the list
+    {"", 0, ""}  // end of the list
 };
 
 bool is_same(const char* one, const char* other) {
@@ -101,7 +101,7 @@ bool passes(const Trajectory& trajectory) {
   return false;
 }
 
-// The power-on test agrees with the golden bits, format by format.
+// The power-on test agrees with the golden bits in each format.
 template <class... Formats>
 bool self_tests() {
   return (self_test<Formats>() && ...);

@@ -1,8 +1,10 @@
 #!/bin/sh
-# Runs a command that prints rows target,law,newmark,numeric,drive,quantity,mean,largest, and fails when a row's largest
-# is over its budget or has none: within_budget.sh BUDGETS COMMAND...
-# A budget may only go down; a row that has become cheaper says to what. A new configuration's rows of BUDGETS:
-#   ctest --test-dir BUILD -V -R '_cost|worst_case|footprint|longest_path|control_loop' | sed -nE 's/^[0-9]+: (.*),[0-9.]*,([0-9]+),  # has no.*/\1,\2/p'
+# Runs a command that prints rows target,law,newmark,numeric,drive,quantity,mean,largest. Fails if a row's largest is
+# over its budget or has none: within_budget.sh BUDGETS COMMAND...
+# A budget may only go down. A row that has become cheaper prints its new value. This makes a new configuration's rows
+# of BUDGETS:
+#   ctest --test-dir BUILD -V -R '_cost|worst_case|footprint|longest_path|control_loop' |
+#     sed -nE 's/^[0-9]+: (.*),[0-9.]*,([0-9]+),  # has no.*/\1,\2/p'
 set -eu
 budgets=$1 && shift
 rows=$("$@") && status=0 || status=$?

@@ -1,8 +1,8 @@
-// A search for a step that takes longer than those of the paper's scene: random states, set directly, with penetrations
-// and speeds from an LSB to the bounds, on either side, apart, touching and let go, each followed for some
-// steps; for every budgeted configuration on the paper's scene, and on generated scenes, whose constants shift by
-// other amounts. Prints rows that within_budget.sh judges, and where the longest step was; fails when it has missed a
-// way from one phase of the contact to another, or a fault.
+// A search for a step that takes longer than those of the paper's scene. It sets random states directly, with
+// penetrations and speeds from an LSB to the bounds, at either side, apart, touching and released. Each is followed for
+// some steps. It covers every budgeted configuration on the paper's scene, and generated scenes, whose constants shift
+// by other amounts. Prints rows for within_budget.sh and where the longest step was. Fails unless it has found every
+// change of the contact's phase, and every fault.
 
 #include <board/console.hpp>
 
@@ -12,7 +12,7 @@
 namespace impact::target {
 namespace {
 
-constexpr uint32_t instructions_to_spend = 6000000;  // on one scene in one configuration
+constexpr uint32_t instructions_to_spend = 6000000;  // per scene of a configuration
 constexpr int steps_from_a_state = 8;
 
 class Random {
@@ -25,7 +25,7 @@ class Random {
   }
   uint32_t below(uint32_t count) { return (bits() >> 8) % count; }
   double fraction() { return static_cast<int32_t>(bits() >> 1) * constant::power_of_two(-31); }
-  // Of either sign, and any order of magnitude down to 2^-24 of the bound.
+  // A number of either sign and any order of magnitude down to 2^-24 of the bound.
   double scattered(double bound) {
     const double size = bound * (1 - 0.5 * fraction()) * constant::power_of_two(-static_cast<int>(below(24)));
     return below(2) != 0 ? size : -size;
@@ -37,11 +37,11 @@ class Random {
 
 struct Longest {
   uint32_t steps = 0, sum = 0, largest = 0;
-  Phase before{}, after{};  // around the longest step
+  Phase before{}, after{};  // before and after the longest step
 };
 struct Found {
-  Longest sound, faulty;        // steps that raise no fault, and that do
-  uint32_t ways[2][3][3] = {};  // steps by stop, phase before and phase after
+  Longest sound, faulty;        // steps without and with a fault
+  uint32_t ways[2][3][3] = {};  // counts by stop, phase before and phase after
   uint32_t faults[4] = {};
 
   void add(uint32_t instructions, uint32_t left, Phase from, Phase to, Fault fault) {
@@ -55,8 +55,8 @@ struct Found {
   }
 };
 
-// Up to twice the bounds, because formats hold up to twice as much before they raise a fault. False when the absorber
-// refuses the state.
+// States reach twice the bounds, which formats represent before they raise a fault. Returns false if the absorber
+// rejects the state.
 template <class Absorber>
 bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool can_be_released, Random& random) {
   const auto& plan = Absorber::plan;
@@ -77,7 +77,7 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
     state.by_field = in<unit::Field>(Absorber::Field::at_end(plan, sample));
   }
   if constexpr (Absorber::Friction::is_friction) {
-    // Sliding either way, on or from a turn of the sliding.
+    // The ball slides in either direction, with or without a reversal.
     DryFriction::slide(plan, state, random.below(2) != 0);
     if (random.below(3) == 0) state.lasting = in<unit::Position>(Absorber::Format::largest_sample(1e30));
   }
@@ -105,7 +105,7 @@ void search(Found& found) {
     for (int i = 0; i < steps_from_a_state; ++i) {
       const Phase before = run.absorber.state().contact.phase;
       Configuration::sample(run.index);
-      // As in firmware the compiler knows the absorber's address.
+      // The compiler knows the absorber's address, as in firmware.
       const uint32_t instructions = instructions_of([](void*) { Configuration::advance(run.absorber); }, nullptr);
       spent += instructions;
       ++run.index;
@@ -147,7 +147,7 @@ bool is_covered(uint32_t count, const char* what, uint32_t which) {
   board::print("\n");
   return false;
 }
-// At both stops, all ways between phases that the law knows: 0 apart, 1 touching, 2 released; in fixed point every
+// At both stops, every change of phase that the law has: 0 apart, 1 touching, 2 released. In fixed point also every
 // fault.
 bool has_every_transition(const Found& found, bool can_be_released, bool can_fault) {
   bool has = true;
@@ -156,13 +156,13 @@ bool has_every_transition(const Found& found, bool can_be_released, bool can_fau
       for (uint32_t to = 0; to < 3; ++to)
         if ((from < 2 && to < 2) || (can_be_released && from != 0))
           has = is_covered(ways[from][to], "the way between phases", 10 * from + to) && has;
-  // Of a displacement and a speed either: both are found by one check and clamped by one function.
+  // A fault of displacement or of speed suffices, since one check finds and one function clamps both.
   if (can_fault) has = is_covered(found.faults[1] + found.faults[2], "fault", 1) && has;
   if (can_fault) has = is_covered(found.faults[3], "fault", 3) && has;
   return has;
 }
 
-// A scene of random masses, stiffnesses and step; the same at every compilation.
+// A scene of random masses, stiffnesses and step, the same in every compilation.
 constexpr double spread(uint32_t& seed, double least, double most) {  // logarithmic
   seed = seed * 1664525 + 1013904223;
   const double octaves = constant::exponent_above(most / least) * static_cast<double>(seed >> 8) / (1 << 24);
@@ -190,11 +190,11 @@ struct GeneratedRig {
     return spread(seed, 2e-5, 1e-3);
   }
   static constexpr Scene scene = make_scene();
-  static constexpr Bounds bounds{0.1, 2, 0.03, 10};  // the default, with a penetration of its own
+  static constexpr Bounds bounds{0.1, 2, 0.03, 10};  // the default bounds, with a stated penetration
   static constexpr double step = make_step();
 };
 
-// The same upright, on a base that shakes, with friction.
+// An upright scene on a base that shakes, with friction.
 template <uint32_t number>
 struct GeneratedRigWithParts : GeneratedRig<number> {
   static constexpr Scene make_scene() {

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Static analysis of the kernel through one translation unit that instantiates its main configurations:
 #   analyse.sh clang-tidy | cppcheck PROJECT
-# clang-tidy's checks are in .clang-tidy at the top; cppcheck's suppressions are in cppcheck.txt beside this file.
+# The checks of clang-tidy are in .clang-tidy at the top. The suppressions of cppcheck are in cppcheck.txt beside this
+# file.
 set -eu
 tool=$1 project=$2
 command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed" && exit 77; }

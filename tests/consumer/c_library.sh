@@ -1,11 +1,11 @@
 #!/bin/sh
-# A C program on the library of one scene: c_library.sh PROJECT
-# Compiled as C11 without a warning and linked by the C compiler, with nothing of a C++ runtime: on this machine, and for
-# a Cortex-M3 that runs it in an emulator to the same bits.
+# A C program with the library of one scene: c_library.sh PROJECT
+# It compiles as C11 without a warning, and the C compiler links it without a C++ runtime. It runs on this machine and
+# on an emulated Cortex-M3, with the same bits.
 set -eu
 project=$(cd "$1" && pwd)
 for tool in arm-none-eabi-gcc qemu-system-arm; do
-  command -v $tool >/dev/null || { echo "$tool is not installed" && exit 77; }
+  command -v $tool >/dev/null || { echo "skipped: $tool is not installed" && exit 77; }
 done
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
@@ -113,7 +113,7 @@ cmake --build on_host >log || { cat log && exit 1; }
 on_host/program >found
 set -- $(cat found)
 echo "on this machine: displacement $1, velocity $2, largest force $3"
-# A base that shakes, with and without samples of a force: the same bits as from C++.
+# A base that shakes, with and without samples of a force, has the same bits as from C++.
 cat >shaken.hpp <<'END'
 #include <impact/absorber.hpp>
 struct Rig {
@@ -171,10 +171,10 @@ for options in "-DDRIVE=NoDrive" "-DDRIVE=Sampled -DIMPACT_C_SAMPLED"; do
   cat in_c.out
   cmp in_c.out in_cpp.out
 done
-# A caller with other options than the library, of any of them, does not link.
+# A caller whose options differ from the library's in any one does not link.
 for change in "s/IMPACT_C_SAMPLED/X/" "s/IMPACT_C_BASE/X/" "s/DDRIVE/DIMPACT_C_FLOAT -DDRIVE/" "s/DDRIVE/DIMPACT_C_BYTES=512 -DDRIVE/"; do
   cc -std=c11 -w $(echo "$options" | sed "$change") -c shaken.c -o other.o 2>log || continue  # not even compiled
-  ! cc other.o shaken_c.o -o other 2>log || { echo "links, with $change" && exit 1; }
+  ! cc other.o shaken_c.o -o other 2>log || { echo "with the options changed by $change it links, but must not" && exit 1; }
   grep -q 'undefined reference to .impact_' log || { cat log && exit 1; }
 done
 
@@ -193,7 +193,7 @@ cmake -S . -B on_target -DIMPACT="$project/kernel" -DSOURCE=start.c -DCMAKE_BUIL
   -DCMAKE_TOOLCHAIN_FILE="$folder/toolchain.cmake" -DCMAKE_EXE_LINKER_FLAGS="-nostdlib -T $folder/memory.ld" \
   -DCMAKE_C_STANDARD_LIBRARIES=-lgcc "-DEXPECTED=DISPLACEMENT=$1;VELOCITY=$2;FORCE=$3" >log || { cat log && exit 1; }
 cmake --build on_target --verbose >log || { cat log && exit 1; }
-grep -q 'arm-none-eabi-gcc .*-o program' log || { echo "not linked by the C compiler" && cat log && exit 1; }
+grep -q 'arm-none-eabi-gcc .*-o program' log || { echo "the C compiler does not link the program; its commands:" && cat log && exit 1; }
 arm-none-eabi-size on_target/program
 timeout 60 qemu-system-arm -machine mps2-an385 -kernel on_target/program -display none -serial none -monitor none \
   -semihosting-config enable=on,target=native

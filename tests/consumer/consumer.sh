@@ -1,5 +1,5 @@
 #!/bin/sh
-# A project that uses the kernel as the README says, in one of three ways, with the README's program:
+# A project that uses the kernel in one of the README's three ways, with the README's program:
 #   consumer.sh WAY PROJECT [TOOLCHAIN_FILE]
 set -eu
 way=$1 project=$2 toolchain=${3-}
@@ -8,13 +8,13 @@ here=$project/tests/consumer
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 sh "$here/from_readme.sh" "$project" "$folder"
-# Every block: start.cpp is a target's, exact.cpp the host's.
+# All programs of the READMEs, except start.cpp, which is for a target, and exact.cpp, which is for the host.
 for example in "$folder"/*.cpp; do
   case $example in */start.cpp) continue ;; esac
   c++ -std=c++17 -fsyntax-only -I "$project" -I "$project/kernel/include" "$example"
 done
 
-# A copy without the host's side, so that nothing of it can be needed.
+# A copy without the host's side, which therefore cannot be required.
 mkdir "$folder/copy"
 cp -r "$project/CMakeLists.txt" "$project/kernel" "$folder/copy"
 case $way in

@@ -1,8 +1,9 @@
 #!/bin/sh
-# The tables of costs in README.md, kernel/README.md and tests/README.md are what tests/target/budgets.csv says: cost_tables.sh PROJECT [renew]
-# A table comes after a line <!-- budgets.csv | CELL | CELL.. -->, a cell being law,newmark,numeric,drive:quantity,quantity..
-# Its rows begin with a target. A number in a sentence comes before <!-- TARGET,law,newmark,numeric,drive:quantity -->.
-# `renew` writes them anew.
+# The tables of costs in README.md, kernel/README.md and tests/README.md agree with tests/target/budgets.csv:
+# cost_tables.sh PROJECT [renew]
+# A table follows a line <!-- budgets.csv | CELL | CELL.. -->. A cell is law,newmark,numeric,drive:quantity,quantity..
+# The table's rows begin with a target. A number in a sentence precedes <!-- TARGET,law,newmark,numeric,drive:quantity
+# -->. `renew` writes the numbers.
 set -eu
 cd "$1"
 renewed=$(mktemp)

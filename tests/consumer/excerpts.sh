@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the README and the manual show as an excerpt of a file is in that file, word for word: excerpts.sh PROJECT
+# Excerpts in the README and the manual are in their files, word for word: excerpts.sh PROJECT
 # An excerpt is a fenced block whose first line names a path: ```cpp kernel/examples/control_loop/main.cpp
 set -eu
 cd "$1"

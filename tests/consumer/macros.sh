@@ -1,7 +1,7 @@
 #!/bin/sh
-# No macro that a firmware's other headers define breaks the kernel's: macros.sh COMPILER PROJECT
-# The kernel is compiled after each name below has been defined as a stray character, and after every header of newlib and
-# X11's own where they are installed.
+# Macros of a firmware's other headers do not break the kernel's headers: macros.sh COMPILER PROJECT
+# The kernel is compiled after each name below has been defined as a stray character. It is also compiled after every
+# header of newlib and X11's own where they are installed.
 set -eu
 compiler=$1 project=$2
 command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
@@ -11,8 +11,8 @@ cd "$project/kernel/include"
 headers=$(find impact -name '*.hpp' | LC_ALL=C sort)
 include_kernel() { echo "$headers" | sed 's|.*|#include <&>|'; }
 
-# Any single letter with or without a digit is taken somewhere (E is the enable line of every LCD, B1 a binary number of
-# Arduino, C1 a capacitor); ctype's are newlib's.
+# Some header defines any single letter, with or without a digit: E is the enable line of LCDs, B1 a binary number of
+# Arduino, C1 a capacitor. Those of ctype are newlib's.
 letters=$(for letter in A B C D E F G H I J K L M N O P Q R S T U V W X Y Z; do
   echo "$letter"
   for digit in 0 1 2 3; do echo "$letter$digit"; done
@@ -47,8 +47,8 @@ others='BIT(n) MIN(a,b) MAX(a,b) CLAMP(x,a,b) ARRAY_SIZE(x) CONTAINER_OF(p,t,f) 
 check() {  # COMPILER WHAT FILE FLAG...
   unit=$3 what=$2 with=$1 && shift 3
   "$with" -std=gnu++17 -fsyntax-only -I . "$@" "$unit" 2>"$folder/errors" ||
-    { echo "broken by $what:" && head -n 20 "$folder/errors" && exit 1; }
-  echo "$what: nothing broken"
+    { echo "$what break the kernel:" && head -n 20 "$folder/errors" && exit 1; }
+  echo "$what: the kernel compiles"
 }
 check "$compiler" "$(grep -c define "$folder/names.cpp") names" "$folder/names.cpp"
 

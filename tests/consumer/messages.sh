@@ -1,13 +1,14 @@
 #!/bin/sh
 # Wrong programs, and the first message that each gets: messages.sh COMPILER PROJECT
-# A mistake in a value or a call gets one message and no other; one in an argument its own first, in under ten lines.
+# A mistake in a value or a call gets exactly one message. One in an argument gets its own message first, in under ten
+# lines.
 set -eu
 compiler=$1 project=$2
-command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
+command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 failures=0
-# What the programs begin with is read once, for those that are compiled without flags of their own.
+# The programs' common header is precompiled, for those that are compiled without flags of their own.
 mkdir "$folder/impact"
 echo '#include <impact/absorber.hpp>' >"$folder/read.hpp"
 "$compiler" -std=c++17 -I "$project/kernel/include" -x c++-header "$folder/read.hpp" -o "$folder/impact/absorber.hpp.gch"
@@ -16,24 +17,25 @@ case $compiler in
   *) read_before="-I $folder" ;;
 esac
 
-# wrong COUNT MESSAGE FLAG...: the program on the input has COUNT errors ("any", or "short": under ten lines of them), and the first says MESSAGE.
+# wrong COUNT MESSAGE FLAG...: the program on the input has COUNT errors ("any", or "short": under ten lines), and the
+# first contains MESSAGE.
 wrong() {
   count=$1 message=$2 && shift 2
   cat >"$folder/program.cpp"
   [ $# -gt 0 ] || set -- $read_before  # a list
   if "$compiler" -std=c++17 -fsyntax-only "$@" -I "$project/kernel/include" "$folder/program.cpp" 2>"$folder/errors"; then
-    echo "compiles, instead of: $message" && failures=1 && return
+    echo "compiles, but must fail with: $message" && failures=1 && return
   fi
   first=$(grep -E 'error: ' "$folder/errors" | head -n 1)
   echo "$first" >>"$folder/seen"
   errors=$(grep -cE 'error: ' "$folder/errors")
-  case $first in *"$message"*) ;; *) echo "instead of: $message" && echo "  $first" && failures=1 ;; esac
+  case $first in *"$message"*) ;; *) echo "expected first message: $message" && echo "  found: $first" && failures=1 ;; esac
   [ "$count" != short ] || {
     count=any lines=$(wc -l <"$folder/errors")
-    [ "$lines" -lt 10 ] || { echo "$lines lines for: $message" && cat "$folder/errors" && failures=1; }
+    [ "$lines" -lt 10 ] || { echo "$lines lines, expected fewer than 10, for: $message" && cat "$folder/errors" && failures=1; }
   }
   [ "$count" = any ] || [ "$count" = "$errors" ] || {
-    echo "$errors errors for: $message" && grep 'error: ' "$folder/errors" | sed 's/^/  /' && failures=1
+    echo "$errors errors, expected $count, for: $message" && grep 'error: ' "$folder/errors" | sed 's/^/  /' && failures=1
   }
 }
 
@@ -66,7 +68,7 @@ scene 1 'Rig::scene.main_damping: 0 to 1e9 N s/m' 's.main_damping = -1;'
 scene 1 'Rig::scene.ball_mass: 1e-9 to 1e9 kg' 's.ball_mass = 0;'
 scene 1 'Rig::scene.clearance: 0 to 1e12 m' 's.clearance = -0.02;'
 scene 1 'Rig::scene.clearance: no ball within Bounds::displacement reaches a stop' 's.clearance = 12;'
-grep -q "StopInReach<400000, false>" "$folder/errors" || { echo "no largest clearance is said" && failures=1; }
+grep -q "StopInReach<400000, false>" "$folder/errors" || { echo "the message lacks the largest clearance, StopInReach<400000, false>" && failures=1; }
 scene 1 'Rig::scene.contact_stiffness: 1e-3 to 1e18' 's.contact_stiffness = 0;'
 scene 1 'Rig::scene.contact_damping: 0 to 1e18' 's.contact_damping = -1;'
 scene 1 'Rig::scene.restitution: 0.01 to 1' 's.restitution = 1.5;'
@@ -82,12 +84,12 @@ scene 1 'Bounds::force: 0 to 1e9 N' '' HuntCrossley 1e-4 'b.force = -1;'
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCrossley 0.1
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' HuntCrossley 0
 scene 1 'Rig::step: too few steps per contact for this stepper' 's.main_stiffness = 100;' HuntCrossley 6e-3
-grep -Eq 'StepsPerContact<[0-9]+, false>' "$folder/errors" || { echo "no longest step is said" && failures=1; }
-# A restitution that the law does not read, and one that it does.
+grep -Eq 'StepsPerContact<[0-9]+, false>' "$folder/errors" || { echo "the message lacks the longest step, StepsPerContact<.., false>" && failures=1; }
+# A restitution that the law ignores, and one that it uses.
 scene 1 'Rig::scene.restitution is stated, but this law does not read it' 's.restitution = 0.7;'
 scene 1 'Rig::scene.restitution is stated, but this law does not read it' 's.restitution = 0.7; s.contact_damping = 0;' Hertz
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' 's.restitution = 0.7;' Exact 0.1
-# A field that is too much, and a weight that the spring holds beyond the bounds.
+# A field that is too large, and a weight by which the spring sags beyond the bounds.
 scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2. In Fixed32 it is too large for the other Bounds' '' HuntCrossley 1e-3 \
   'b.base_acceleration = 1e6;' BaseAcceleration
 scene 1 'Rig::scene.gravity: -1e6 to 1e6 m/s^2. In Fixed32 it is too large for these Bounds' 's.gravity = -1e6;' HuntCrossley 1e-3 '' Gravity
@@ -100,14 +102,15 @@ scene 1 "Rig::scene.ball_friction is stated: append DryFriction to the absorber'
 scene 1 "Gravity is among the absorber's parts: state Rig::scene.gravity, m/s^2" '' HuntCrossley 1e-4 '' Gravity
 scene 1 "BaseAcceleration is among the absorber's parts: state Rig::bounds.base_acceleration, m/s^2" '' HuntCrossley 1e-4 '' BaseAcceleration
 scene 1 "DryFriction is among the absorber's parts: state Rig::scene.ball_friction, N" '' HuntCrossley 1e-4 '' DryFriction
-# Another law's c1, and one that nobody stated beside a law or a stiffness that somebody did.
+# The c1 of another law, and an unstated c1 beside a stated law or stiffness.
 scene 1 'Rig::scene.contact_damping: more than ten times critical for HookeNewton' 's.contact_damping = 19560;' HookeNewton
 unstated='Rig::scene.contact_damping is not stated, and its default belongs to HuntCrossley with the default contact_stiffness. State c1'
 scene 1 "$unstated" '' HookeNewton
 scene 1 "$unstated" 's.contact_stiffness = 1e5;' HookeNewton
 scene 1 "$unstated" 's.contact_stiffness = 1e6;'
 
-# chosen MESSAGE CHANGES [LAW [STEP [BOUNDS [FORMAT]]]]: with the stepper of the rule and the manual's converters, the same message alone.
+# chosen MESSAGE CHANGES [LAW [STEP [BOUNDS [FORMAT]]]]: with the rule's stepper and the manual's converters, only this
+# message appears.
 chosen() {
   wrong 1 "$1" <<END
 #include <impact/absorber.hpp>
@@ -153,7 +156,7 @@ chosen 'Bounds::displacement: 1e-9 to 1e6 m' 's.x1 = 1;'
 chosen 'Bounds::force: 0 to 1e9 N' '' Exact 1e-4 'b.force = -1;'
 for step in 0 0.2 '__builtin_nan("")'; do chosen 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' '' Exact "$step"; done
 
-# absorber COUNT MESSAGE ARGUMENTS [STATEMENTS]: of the paper's rig.
+# absorber COUNT MESSAGE ARGUMENTS [STATEMENTS]: an absorber of the paper's rig.
 absorber() {
   wrong "$1" "$2" <<END
 #include <impact/absorber.hpp>
@@ -223,7 +226,7 @@ absorber 1 'impact_speed() requires the feature ImpactLog' 'Rig, HuntCrossley, M
 absorber 1 'peak_force() requires the feature ImpactLog' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.peak_force();'
 absorber 1 'snapshot() requires the feature Snapshots' 'Rig, HuntCrossley, Moment, Sine, Fixed32' 'absorber.snapshot();'
 
-# A number in braces, another quantity, and a value where a converter reads its own.
+# A number in braces, another quantity, and a value for which a converter takes its own type.
 sampled='Rig, HuntCrossley, Moment, Sampled, Fixed32'
 absorber 1 'step({..}): a number in braces, such as a converter' "$sampled" 'absorber.step({100});'
 absorber 1 'this sample is another quantity: for a force use FromCounts<Absorber>' "$sampled" \
@@ -235,7 +238,8 @@ absorber 1 'ToCounts reads its quantity itself: pass the absorber or its snapsho
 absorber 1 'FromCounts converts samples of a drive: name Sampled as the drive' 'Rig, HuntCrossley, Moment, Sine, Float32' \
   'FromCounts<decltype(absorber)> from({2048, 204.8, 0, 4095});'
 
-# constant MESSAGE FORMAT DECLARATION: a converter as its circuit cannot have it, a sample beyond its bound. Clang names the call in a note.
+# constant MESSAGE FORMAT DECLARATION: a converter that no circuit can have, or a sample beyond its bound. Clang names
+# the call in a note.
 constant() {
   message=$1
   case $compiler in *clang*) message='must be initialized by a constant expression' ;; esac
@@ -249,7 +253,7 @@ struct Rig {
 using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::$2>;
 constexpr $3;
 END
-  grep -q "$1" "$folder/errors" || { echo "nowhere named: $1" && failures=1; }
+  grep -q "$1" "$folder/errors" || { echo "no message contains: $1" && failures=1; }
   echo "$1" >>"$folder/seen"
 }
 for way in 'ToCounts<Absorber, impact::Quantity::displacement>' 'FromCounts<Absorber>'; do
@@ -261,7 +265,7 @@ for format in Fixed32 Float32; do  # 200 N where Bounds::force is 10
   constant a_sample_is_more_than_its_bound $format 'auto push = Absorber::sample_of(11.0)'
 done
 
-# Units that do not mix (impact/numeric/in.hpp). The same program compiles where they fit.
+# Units that do not mix (impact/numeric/in.hpp). With matching units the same program compiles.
 mixed() {
   cat <<END
 #include <impact/absorber.hpp>
@@ -288,7 +292,7 @@ for format in Fixed32 Float32; do
   "$compiler" -std=c++17 -fsyntax-only $read_before -I "$project/kernel/include" "$folder/fits.cpp" || failures=1
 done
 
-# The compiler's own setting.
+# A setting of the compiler.
 echo '#include <impact/absorber.hpp>' >"$folder/include.cpp"
 case $compiler in g++*) major=GNUC ;; *) major=clang_major ;; esac
 wrong 2 'impact needs GCC 9 or Clang 9' -U__${major}__ -D__${major}__=8 <"$folder/include.cpp"
@@ -299,11 +303,11 @@ case $compiler in *clang*) ;; *)
   wrong any 'without -fsingle-precision-constant' -fsingle-precision-constant <"$folder/include.cpp" ;;
 esac
 
-# The manual quotes what was seen here.
+# The manual quotes only messages that this test has seen.
 awk -F'`' '/^\| wrong \| first message/ { on = 1 } on && !/^\|/ { exit } on && NF > 2 { print $(NF - 1) }' "$project/kernel/README.md" \
   >"$folder/quoted"
-[ "$(wc -l <"$folder/quoted")" -ge 10 ] || { echo "the manual quotes too few messages" && failures=1; }
+[ "$(wc -l <"$folder/quoted")" -ge 10 ] || { echo "kernel/README.md quotes fewer than 10 messages in its table of wrong programs" && failures=1; }
 while read -r quoted; do
-  grep -qF -- "$quoted" "$folder/seen" || { echo "only in the manual: $quoted" && failures=1; }
+  grep -qF -- "$quoted" "$folder/seen" || { echo "kernel/README.md quotes a message that no program above gets: $quoted" && failures=1; }
 done <"$folder/quoted"
 exit $failures

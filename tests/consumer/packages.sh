@@ -1,8 +1,8 @@
 #!/bin/sh
-# kernel/ as a package by itself, from a copy of that folder alone: packages.sh PROJECT
-# What is checked without the systems themselves: every manifest parses, holds what its system requires, states the
-# version of kernel/CMakeLists.txt and the licence, and names files that exist; ESP-IDF's branch of CMakeLists.txt runs as CMake, against
-# a stand-in for idf_component_register; the Arduino layout compiles.
+# kernel/ as a package, from a copy of that folder alone: packages.sh PROJECT
+# The package systems themselves are not run. Every manifest parses, has what its system requires, and names files that
+# exist. It states the version of kernel/CMakeLists.txt and the licence. ESP-IDF's branch of CMakeLists.txt runs as
+# CMake, with a stand-in for idf_component_register. The Arduino layout compiles.
 set -eu
 project=$1
 command -v python3 >/dev/null || { echo "skipped: python3 is not installed" && exit 77; }
@@ -47,7 +47,7 @@ assert all(arduino[key] for key in required) and re.fullmatch(r"https?://\S+", a
 assert set(arduino["architectures"].split(",")) <= {"rp2040", "esp32", "stm32"}, "an architecture that brings GCC 7, or is AVR's"
 assert open("kernel/CHANGELOG.md").read().split("## ")[1].split()[0] == version, "CHANGELOG.md begins with another version"
 
-# The licence is with whatever is copied.
+# Each package contains the licence.
 assert pio["license"] == idf["license"] == "MIT" and "MIT" in arduino["paragraph"]
 assert open("kernel/LICENSE").read().startswith("MIT License")
 for folder, _, names in os.walk("kernel"):
@@ -77,6 +77,6 @@ END
 cmake -S esp_idf -B esp_idf/build -DESP_PLATFORM=1 >log || { cat log && exit 1; }
 cmake --build esp_idf/build >log || { cat log && exit 1; }
 
-# Arduino: the folder's include/ is called src/ there, and only src/ is searched.
+# In an Arduino library the folder include/ is called src/, and only src/ is searched.
 mv kernel/include kernel/src
 echo '#include <impact.h>' | c++ -std=gnu++17 -fsyntax-only -I kernel/src -x c++ -

@@ -1,9 +1,9 @@
 #!/bin/sh
-# The power-on self-test passes as the README compiles, and says so where a multiply-add is contracted, which no header
-# can see: self_test.sh COMPILER PROJECT
+# The power-on self-test passes as the README compiles. If a multiply-add is contracted, which no header can see, it
+# reports that: self_test.sh COMPILER PROJECT
 set -eu
 compiler=$1 project=$2
-command -v "$compiler" >/dev/null || { echo "$compiler is not installed" && exit 77; }
+command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 cat >"$folder/main.cpp" <<'END'
@@ -18,10 +18,10 @@ expect() {  # RESULT FLAG...
   result=$1 && shift
   "$compiler" -std=c++17 -Wall -Wextra -I "$project/kernel/include" "$@" "$folder/main.cpp" -o "$folder/main"
   found=$("$folder/main")
-  [ "$found" = "$result" ] || { echo "$found instead of $result with $*" && exit 1; }
+  [ "$found" = "$result" ] || { echo "with $* the self-tests print $found, expected $result" && exit 1; }
 }
 expect 111 -O0 -ffp-contract=off
 expect 111 -O2 -ffp-contract=off
 expect 111 -O3 -ffp-contract=off
-grep -qw fma /proc/cpuinfo || { echo "this processor has no FMA to contract with" && exit 0; }
+grep -qw fma /proc/cpuinfo || { echo "the contracted multiply-add was not tested: this processor has no FMA" && exit 0; }
 expect 100 -O2 -mfma -ffp-contract=fast

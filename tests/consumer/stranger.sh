@@ -1,7 +1,8 @@
 #!/bin/sh
-# A stranger's path, timed: an empty folder, a copy of kernel/, and what the manual says under "First image";
-# nothing else. Ends with a Cortex-M4F image that has stepped the paper's scene for a second, in an emulator, to the same
-# bits as on this machine.  stranger.sh PROJECT
+# A new user's first steps, timed: an empty folder, a copy of kernel/, and what the manual says under "First image".
+# They end with a Cortex-M4F image that steps the paper's scene for a second, in an emulator, with the same bits as on
+# this machine.
+#   stranger.sh PROJECT
 set -eu
 project=$(cd "$1" && pwd)
 . "$project/tests/consumer/readme_image.sh"
@@ -11,12 +12,12 @@ echo "from the files to an image: $((($(date +%s%N) - begin) / 1000000)) ms"
 arm-none-eabi-size scene.elf
 kilobytes=$(arm-none-eabi-size scene.elf | awk 'NR == 2 { printf "%.1f", ($1 + $2) / 1000 }')
 for readme in README.md kernel/README.md; do
-  grep -q "has $kilobytes kB of code, tables and data" "$project/$readme" || { echo "$readme: not $kilobytes kB" && exit 1; }
+  grep -q "has $kilobytes kB of code, tables and data" "$project/$readme" || { echo "$readme must state the size of this image, $kilobytes kB" && exit 1; }
 done
-# The plan is folded into the step: neither it nor what a change of plan needs is in the image.
+# The plan is folded into the step: the image contains neither the plan nor the code that changes it.
 ! arm-none-eabi-nm -C scene.elf | grep -E 'hand_over|::plan$' || exit 1
 
-# What comes next: force and displacement in a converter's counts; an interrupt and tasks; the same from C.
+# The next steps: force and displacement in a converter's counts; an interrupt and tasks; the same from C.
 begin=$(date +%s%N)
 echo 'extern "C" void timer_interrupt(); int main() { for (;;) timer_interrupt(); }' >loop.cpp
 sed 's/main.cpp/converters.cpp loop.cpp/; s/scene.elf/outputs.elf/' build.sh | sh -eu

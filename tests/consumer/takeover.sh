@@ -1,6 +1,6 @@
 #!/bin/sh
-# A host takes over a trajectory from a target: the README's image runs on an emulated Cortex-M4F, the state's bytes are
-# read out of its memory, and the host that goes on from them keeps to the bits of one that ran from the start.
+# A host continues a trajectory of a target. The README's image runs on an emulated Cortex-M4F, and the state's bytes
+# are read from its memory. A host that continues from them has the bits of one that ran from the start.
 #   takeover.sh PROJECT
 set -eu
 project=$(cd "$1" && pwd)

@@ -1,16 +1,16 @@
 #!/bin/sh
-# The example between an interrupt and tasks needs of its system what it says, and nothing else: no lock, no atomic
-# read-modify-write, nothing that runs before main: tasks.sh PROJECT
+# The example with an interrupt and tasks requires of its system only what it states. It has no lock, no atomic
+# read-modify-write, and no code that runs before main: tasks.sh PROJECT
 set -eu
 project=$1
-command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed" && exit 77; }
+command -v arm-none-eabi-g++ >/dev/null || { echo "skipped: arm-none-eabi-g++ is not installed" && exit 77; }
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 for core in cortex-m0 cortex-m3 cortex-m7; do
   arm-none-eabi-g++ -mcpu=$core -mthumb -std=c++17 -O2 -ffp-contract=off -ffreestanding -fno-exceptions -fno-rtti -Wall -Wextra \
     -Wconversion -Werror -I "$project/kernel/include" -c "$project/kernel/examples/tasks/tasks.cpp" -o "$folder/tasks.o"
   needed=$(arm-none-eabi-nm -u "$folder/tasks.o" | awk '{ print $2 }' | sort | xargs)
-  [ "$needed" = "memcpy memset start_timer vTaskDelay" ] || { echo "$core needs $needed" && exit 1; }
-  ! arm-none-eabi-objdump -h "$folder/tasks.o" | grep -q init_array || { echo "$core runs a constructor" && exit 1; }
+  [ "$needed" = "memcpy memset start_timer vTaskDelay" ] || { echo "$core: the example calls $needed, expected memcpy memset start_timer vTaskDelay" && exit 1; }
+  ! arm-none-eabi-objdump -h "$folder/tasks.o" | grep -q init_array || { echo "$core: the example runs a constructor before main" && exit 1; }
   ! arm-none-eabi-objdump -d "$folder/tasks.o" | grep -E 'ldrex|strex|cpsid' || exit 1
 done

@@ -1,5 +1,5 @@
-// What it costs that a plan may change while running: instructions of a step with the plan in RAM, and of a change. The
-// step with its plan in flash as a constant is step_cost's.
+// The cost of a plan that may change while running: instructions of a step with the plan in RAM, and of a change.
+// step_cost measures the step with a constant plan in flash.
 
 #include <board/console.hpp>
 #include <impact/absorber.hpp>
@@ -50,7 +50,7 @@ void measure(const char* format) {
       auto& [kernel, changes, is_done] = *static_cast<Run*>(argument);
       is_done = kernel.retune(plans[++changes % 2]);
     });
-    if (!run.is_done) impact::board::exit(1);  // refused
+    if (!run.is_done) impact::board::exit(1);  // rejected
   }
   print(format, "tuned_step", sums[0] / counts[0], largest[0]);
   print(format, "retune", sums[1] / counts[1], largest[1]);

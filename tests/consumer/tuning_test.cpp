@@ -1,5 +1,5 @@
-// A change of plan between two steps: nothing jumps, the drive keeps its phase, and what follows is the new scene's
-// motion.
+// A change of plan between two steps. Nothing jumps, the drive keeps its phase, and the motion that follows is the new
+// scene's.
 
 #include <gtest/gtest.h>
 
@@ -44,8 +44,8 @@ class Tuning : public testing::Test {};
 using Formats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(Tuning, Formats);
 
-// One rounding of a velocity, m/s: of the reading's own 32-bit terms, and in floating point of dx1 and of the
-// increment.
+// The rounding of a velocity, m/s. It is that of the reading's 32-bit terms, and in floating point also of dx1 and of
+// the increment.
 template <class Kernel>
 double velocity_lsb(const Kernel& kernel) {
   using Format = typename Kernel::Format;
@@ -72,7 +72,7 @@ TYPED_TEST(Tuning, LeavesPositionsAndVelocitiesWhereTheyAre) {
     ASSERT_TRUE(same_bits(state.x1, kernel.state().x1));
     ASSERT_TRUE(same_bits(state.x2, kernel.state().x2));
     ASSERT_TRUE(same_bits(state.dx2, kernel.state().dx2));
-    // Four terms are rounded in each reading and twelve in the change.
+    // Each reading rounds four terms, and the change rounds twelve.
     ASSERT_NEAR(after.v1, before.v1, 20 * velocity_lsb(kernel)) << "after " << i << " steps";
   }
   EXPECT_GT(in_contact, 100);
@@ -97,18 +97,18 @@ TYPED_TEST(Tuning, KeepsTheDrivesPhase) {
     const double force = 2 * kernel.plan.units.fraction(kernel.state().drive.force(kernel.plan.drive));
     worst = host::larger(worst, std::fabs(force - std::sin(phase)));
   }
-  // A change rounds sine and cosine, each from two products, and value and slope of the oscillator: eight roundings of
-  // half an LSB, whose signs are random. Plain float's oscillator adds its own, 6e-8 sqrt(steps).
+  // A change rounds sine and cosine, each from two products, and the oscillator's value and slope. These are eight
+  // roundings of half an LSB with random signs. The oscillator of a plain float adds 6e-8 sqrt(steps).
   const double lsb = std::is_same_v<TypeParam, Fixed32>   ? std::ldexp(1.0, -29)
-                     : std::is_same_v<TypeParam, Float64> ? std::ldexp(1.0, -31)  // the step count's own phase
+                     : std::is_same_v<TypeParam, Float64> ? std::ldexp(1.0, -31)  // the phase by the step count
                                                           : std::ldexp(1.0, -24);
   const double own = std::is_same_v<TypeParam, Float32Plain> ? 6e-8 * std::sqrt(200000.0) : 0;
   EXPECT_LT(worst, 8 * lsb * std::sqrt(changes) + own);
 }
 
-// Of an impact without loss, at whatever step of it the stop becomes harder or softer: the ball leaves with what both
-// masses had and the stop stored then, but for 3.2e-4, by which a ledger of 8 steps is off (README.md), and in 32 bits
-// 1e-4 of it. An energy-consistent contact may lose some of it: its prediction starts anew.
+// The stop becomes harder or softer at any step of an elastic impact. The ball then leaves with the energy that both
+// masses had and the stop stored. The error is 3.2e-4, that of a ledger at 8 steps (README.md), and 1e-4 more in 32
+// bits. EnergyConsistent may lose some energy, since its prediction restarts.
 template <class Kernel>
 void expect_energy_kept(double softer, double harder) {
   const auto scene_of = [](double stiffness) {
@@ -153,8 +153,8 @@ TYPED_TEST(Tuning, OfAStopUnderWayCreatesNoEnergy) {
   expect_energy_kept<Tunable<TypeParam, EnergyConsistent>>(1e9, 1e10);
 }
 
-// A drive that may press harder asks of a lasting contact to be stepped as a stiff one, which remembers other numbers.
-// Both ways to step this contact differ by 2e-5 m in the step in which it begins, and by less in a later one.
+// With a drive that may press harder, a lasting contact is stepped as a stiff one, which saves other numbers. Both ways
+// differ by 2e-5 m in the contact's first step, and by less in later ones.
 TYPED_TEST(Tuning, OfADriveThatMakesAContactStiffLeavesTheBallInPlace) {
   using Kernel = Tunable<TypeParam, EnergyConsistent>;
   const auto plan_under = [](double force) {
@@ -185,8 +185,8 @@ TYPED_TEST(Tuning, OfADriveThatMakesAContactStiffLeavesTheBallInPlace) {
     }
 }
 
-// A stop twice as hard counts penetrations in another unit in Fixed32: what a contact remembers of them is not read in
-// it, and the ball stays where it is, also where Hooke-Newton has let go of it inside the stop.
+// In Fixed32 a stop twice as hard changes the unit of penetrations. The numbers that a contact has saved are invalid in
+// the new unit, so they are dropped. The ball stays in place, even if Hooke-Newton has released it inside the stop.
 template <class Kernel>
 void expect_ball_left_in_place(const Scene& softer, const Scene& harder, double step, double place) {
   const auto from = Kernel::PlanType::make(softer, Bounds{}, step), to = Kernel::PlanType::make(harder, Bounds{}, step);
@@ -211,7 +211,7 @@ TEST(TuningOfAStopInFixed32, LeavesTheBallInPlace) {
   harder.contact_damping = 42;
   expect_ball_left_in_place<Absorber<AtRunTime, HookeNewton, Moment, Sine, Fixed32>>(softer, harder, h, 0);
   expect_ball_left_in_place<Absorber<AtRunTime, HookeNewton, SubsteppedMoment<4>, Sine, Fixed32>>(softer, harder, h, 0);
-  // On an impulsive stop the ball lies whole LSBs of a penetration deep.
+  // On an impulsive stop the ball lies deep by a whole number of LSBs of a penetration.
   for (Scene* scene : {&softer, &harder}) {
     scene->gravity = -9.81;
     scene->drive_amplitude = 0;
@@ -223,7 +223,7 @@ TEST(TuningOfAStopInFixed32, LeavesTheBallInPlace) {
                                                                                                     1e-3, 1e-10);
 }
 
-// The motion after the change against a fine Runge-Kutta integration of the scene's own equation, in free flight.
+// The motion after the change is compared with a fine Runge-Kutta integration of the scene's equation, in free flight.
 TEST(TuningInFreeFlight, FollowsTheNewScene) {
   Scene scenes[] = {first_scene(), second_scene()};
   for (Scene& scene : scenes) scene.clearance = 0.4;
@@ -254,8 +254,8 @@ TEST(TuningInFreeFlight, FollowsTheNewScene) {
       v += dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
     }
     phase += scene.drive_pulsation * h;
-    // Runge-Kutta's own error is (w dt)^4 of the amplitude, 1e-13; a change's amplitude is right to 2^-53 times some
-    // ten.
+    // The error of Runge-Kutta is (w dt)^4 of the amplitude, 1e-13. The amplitude after a change has an error of some
+    // ten times 2^-53.
     ASSERT_NEAR(kernel.reading().x1, x, 1e-12) << "after " << i + 1 << " steps";
   }
 }
@@ -271,7 +271,7 @@ TEST(TuningOfADriveThatWasOff, StartsAtPhaseZero) {
     kernel.step();
     fresh.step();
   }
-  // Its amplitude is rounded to 2^-31 by the change; 2^-28 of the displacement is eight times that.
+  // The change rounds the amplitude to 2^-31. The tolerance, 2^-28 of the displacement, is eight times that.
   EXPECT_NEAR(kernel.reading().x1, fresh.reading().x1, std::ldexp(0.05, -28));
 }
 

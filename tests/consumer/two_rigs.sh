@@ -1,6 +1,6 @@
 #!/bin/sh
-# Two files of one program, each with a rig of its own of the same name, step two machines: two_rigs.sh COMPILER PROJECT
-# What they print in one program is what each prints in a program of its own.
+# Two files of one program step two machines, each with its own rig of the same name: two_rigs.sh COMPILER PROJECT
+# In one program they print what each prints in its own program.
 set -eu
 compiler=$1 project=$2
 command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
@@ -50,6 +50,6 @@ failures=0
 for options in -O0 -Os -O2 "-O2 -flto"; do
   [ "$compiler $options" != "clang++ -O2 -flto" ] || options="$options -fuse-ld=lld"
   build $options a.cpp b.cpp both.cpp -o both && ./both >found
-  cmp -s right found || { echo "with $options:" $(cat found) && failures=1; }
+  cmp -s right found || { echo "with $options it prints" $(cat found), expected $(cat right) && failures=1; }
 done
 exit $failures

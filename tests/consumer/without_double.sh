@@ -1,5 +1,5 @@
 #!/bin/sh
-# Fails when an image holds the compiler's arithmetic for double: without_double.sh NM IMAGE
+# Fails if an image contains the compiler's arithmetic for double: without_double.sh NM IMAGE
 set -eu
 helpers=$("$1" "$2" | awk '{ print $NF }' | grep -E '^__(aeabi_(d|cd|[a-z]+2d)|[a-z]+df)' || true)
-[ -z "$helpers" ] || { echo "must not be linked:" $helpers && exit 1; }
+[ -z "$helpers" ] || { echo "the image contains arithmetic for double:" $helpers && exit 1; }

@@ -1,4 +1,4 @@
-// A headless Chromium over the DevTools protocol, spoken through a pipe: messages of JSON, each ended by a zero.
+// A headless Chromium, controlled by the DevTools protocol through a pipe: messages in JSON, each ended by a zero.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -19,7 +19,7 @@ export class Browser {
 
   constructor(command) {
     this.profile = mkdtempSync(join(tmpdir(), 'explorer-'));
-    // Without a sandbox: a container's root has none. Without acceleration: a test's machine has no graphics.
+    // Root in a container has no sandbox, and a test's machine has no graphics.
     this.child = spawn(command, ['--headless', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--no-first-run',
       `--user-data-dir=${this.profile}`, '--remote-debugging-pipe'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
     this.waiting = new Map();
@@ -50,7 +50,7 @@ export class Browser {
       if (await this.value(expression)) return;
     throw new Error(`not within ${seconds} s: ${expression}; ${this.complaints}`);
   }
-  // A key as a person presses it.
+  // Presses and releases a key.
   async press(key, code = key, text = undefined) {
     const codes = { ArrowRight: 39, ArrowLeft: 37, ArrowUp: 38, ArrowDown: 40, Home: 36, End: 35, Enter: 13, Tab: 9, ' ': 32, '.': 190 };
     const event = { key, code, windowsVirtualKeyCode: codes[key] ?? 0, ...(text && { text }) };

@@ -1,4 +1,4 @@
-// What a test says of each check, and its exit code in the end.
+// Prints the result of each check, and sets the exit code in the end.
 let failures = 0;
 
 export function check(holds, what) {

@@ -1,4 +1,4 @@
-// The explorer's costs against tests/target/budgets.csv, of which the largest counts are those of the report's table:
+// The explorer's costs agree with tests/target/budgets.csv, which has the largest counts of the report's table:
 // cost_test.mjs FOLDER_OF_EXPLORER BUDGETS.csv PARTS.json
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
@@ -34,7 +34,7 @@ for (const part of targets) {
   check(most(shown(part, { law: 'hertz', gravity: 1 }, 'moment')['In contact']) === own('hertz', 'moment', 'sine', 'contact') + added, `${part.target}, Hertz: ${added} more with weight`);
   check(most(shown(part, {}, 'energy')['Stiff stops']) === own('hunt-crossley', 'energy', 'sine', 'iterating'), `${part.target}: a stiff stop`);
 }
-// What no row is of is said to be so, and not taken from another.
+// A configuration without a row is shown as not measured. It does not take the row of another.
 for (const [scene, stepper] of [[{ gravity: 1 }, 'impulsive'], [{}, 'moment-8'], [{ 'damping-by': 'exact' }, 'energy']])
   check('Not measured' in shown(targets[0], scene, stepper), `${JSON.stringify(scene)}, ${stepper}: ${shown(targets[0], scene, stepper)['Not measured']}`);
 finish();

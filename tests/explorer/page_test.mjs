@@ -1,6 +1,6 @@
-// The explorer in a headless Chromium, used as a person would: sliders by the keyboard, numbers typed, buttons clicked.
-// What it shows is compared with impact-sim, by the command that the page itself gives:
-// page_test.mjs CHROMIUM EXPLORER.html IMPACT_SIM GOLDEN_TRAJECTORIES
+// The explorer in a headless Chromium, used as a person would: sliders by the keyboard, typed numbers, clicked buttons.
+// Its results are compared with impact-sim, run by the command that the page shows: page_test.mjs CHROMIUM
+// EXPLORER.html IMPACT_SIM GOLDEN_TRAJECTORIES
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -16,7 +16,7 @@ const runsAreDone = "explorer.due.size === 0 && Object.values(explorer.runs).eve
 const text = (page, id) => page.value(`document.getElementById('${id}').textContent`);
 const settled = (page) => page.until(runsAreDone);
 
-// The tool at the command that the page shows, in a folder with the files of samples that it names.
+// Runs the tool with the command that the page shows, in a folder with the sample files that the command names.
 const folder = mkdtempSync(join(tmpdir(), 'page-'));
 function toolAt(command) {
   const { status, stdout, stderr } = spawnSync(tool, command.split(' ').slice(1), { cwd: folder, encoding: 'utf8', maxBuffer: 1 << 28 });
@@ -35,7 +35,7 @@ async function checkAgainstTool(page, letter, what) {
   check(status === 0 && csv.length > 1000 && csv === stdout, `${what}: the ${csv.split('\n').length} lines of ${command}`);
 }
 
-// How many pixels of a canvas have each of the page's colours, and how much the picture says.
+// The number of pixels of a canvas in each of the page's colours, and the picture itself.
 const inkOf = (page, id) => page.value(`(() => {
   const canvas = document.querySelector('#${id} canvas'), { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
   const pen = document.createElement('canvas').getContext('2d'), style = getComputedStyle(document.documentElement), ink = {};
@@ -50,7 +50,7 @@ const inkOf = (page, id) => page.value(`(() => {
   for (const name of ['a', 'b', 'lost', 'rubbed', 'moving']) ink[name] = count(name);
   return { ink, picture: canvas.toDataURL() };
 })()`);
-// `wanted`: the least number of pixels of a colour, by plot.
+// `wanted` has the least number of pixels of each colour, by plot.
 async function checkDrawn(page, wanted, what) {
   for (const [id, colours] of Object.entries(wanted)) {
     const { ink } = await inkOf(page, id);
@@ -104,14 +104,14 @@ async function refusals(page) {
     if (name === 'restitution') await page.value(`(() => { const it = document.getElementById('value-damping-by'); it.value = 'restitution'; it.dispatchEvent(new Event('change')); })()`);
     await page.until('explorer.due.size === 0');
     await typeInto(page, `value-${name}-number`, value);
-    // On a busy machine the page says so some frames later.
+    // On a busy machine the message appears some frames later.
     await page.until(`document.querySelector('#value-${name}-refusal button') !== null`, 20);
     const words = await text(page, `value-${name}-refusal`);
     check(/is refused\. Allowed: \S+/.test(words), `${name} ${value}: ${words}`);
     await page.click(`#value-${name}-refusal button`);
     await page.until('explorer.due.size === 0');
     check((await text(page, `value-${name}-refusal`)) === '', `${name}: the button sets ${await page.value(`document.getElementById('value-${name}-number').value`)}`);
-    // What is allowed by itself may require another value of the rest.
+    // A value within its own range may still require a change of another value.
     for (let i = 0; i < 4 && !(await page.value('explorer.runs.a.isReady')); ++i) {
       await page.click('.refusal button');
       await page.until('explorer.due.size === 0');
@@ -119,7 +119,7 @@ async function refusals(page) {
     check(await page.value('explorer.runs.a.isReady'), `${name}: buttons lead to a run`);
     await page.click('[data-preset="paper"]');
   }
-  // The tool's own words for a step that the kernel refuses.
+  // If the kernel rejects a step, the page shows the tool's message.
   await typeInto(page, 'value-step-number', '0.05');
   const { status, stderr } = toolAt('impact-sim --step=0.05 --duration=2');
   const allowed = stderr.match(/allowed: (.*)/)?.[1];
@@ -143,7 +143,7 @@ async function parts(page) {
   }
   await typeInto(page, 'value-ball-friction-number', '0.5');
   await settled(page);
-  // A ledger that closes: to a thousandth of what was lost.
+  // The ledger balances to a thousandth of the dissipated energy.
   const { energyError, dissipated, rubbed } = await page.value('explorer.runs.a.totals()');
   check(rubbed > 0 && energyError < 1e-3 * (dissipated + rubbed), `the ledger is open by ${energyError} J, ${rubbed} J lost to friction`);
   await checkDrawn(page, { 'plot-energy-a': { rubbed: 1000 } }, 'friction');
@@ -202,7 +202,7 @@ async function parts(page) {
   await page.until('explorer.due.size === 0 && explorer.runs.a.isReady');
 }
 
-// But for the command in its comment, the header that the tool writes.
+// Except for the command in its comment, this is the header that the tool writes.
 async function rigs(page) {
   const file = join(folder, 'rig.hpp'), code = (rig) => rig.replace(/^\/\/ {5}impact-sim.*$/m, '');
   for (const preset of ['paper', 'stiff', 'laws', 'upright', 'fixed']) {
@@ -246,8 +246,8 @@ async function playing(page) {
   await frameTimes(page);
 }
 
-// Said, not judged: playing, and a slider in motion while all plots live. By the clock, which other programs slow down,
-// and by the processor time of the page's thread.
+// Frame times are printed, not checked: playing, and a moving slider while all plots update. They are by the clock,
+// which other programs slow down, and by the processor time of the page's thread.
 async function frameTimes(page) {
   await page.call('Performance.enable', { timeDomain: 'threadTicks' });
   const used = async () => 1000 * (await page.call('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration').value;
@@ -278,7 +278,7 @@ async function link(page) {
   await second.close();
 }
 
-// A reader who prefers reduced motion begins with a page that stands still, and may play it.
+// For a reader who prefers reduced motion the page starts without motion, but may be played.
 async function stillness() {
   const page = await Browser.open(chromium, url, { still: true });
   await page.until('!!window.explorer');

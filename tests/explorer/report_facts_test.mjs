@@ -1,4 +1,4 @@
-// What the report says, on tables that are made here: report_facts_test.mjs FOLDER_OF_PAGE
+// The report's sentences, for tables that this test makes: report_facts_test.mjs FOLDER_OF_PAGE
 import { pathToFileURL } from 'node:url';
 import { check, finish } from './check.mjs';
 
@@ -42,7 +42,7 @@ const step = (newmark, phase, most, drive = 'sine') => ({ target: 'cortex-m3', l
 const both = (newmark, free, contact, drive) => [step(newmark, 'free', free, drive), step(newmark, 'contact', contact, drive)];
 const part = { target: 'cortex-m3', name: 'STM32F103, 72 MHz', clock: 72e6, cycles: 1.4, has_fpu: false };
 const choice = (budget, stability) => chooserOf(budget, stability)(part, 'hunt-crossley', 1e4, 1e4);
-// Half of 0.1 ms at 72 MHz and 1.4 cycles an instruction: 2571.4 instructions.
+// Half of 0.1 ms at 72 MHz and 1.4 cycles per instruction are 2571.4 instructions.
 const costs = (contact) => [...both('moment', '10', contact), ...both('impulsive', '1', '1'), ...both('average', '100', '2572'), ...both('moment', '9999', '9999', 'sine+gravity')];
 const accepted = [impact('moment', 'fixed32', '0', '1'), impact('impulsive', 'fixed32', '0', '0', 'impulsive'), impact('average', 'fixed32', '0', '1')];
 const chosen = choice(costs('2571'), accepted);

@@ -1,4 +1,4 @@
-// The report's page in a headless Chromium, with tables that are made here: what can be seen there only.
+// The report's page in a headless Chromium, with tables that this test makes, for what only a browser shows.
 // report_page_test.mjs CHROMIUM CMAKE FOLDER_OF_HOST_REF
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -50,7 +50,7 @@ const modules = [`${source}/explorer/numbers.mjs`, ...['facts', 'chart', 'view']
 const made = spawnSync(cmake, ['-D', `FOLDER=${page}`, '-D', `MODULES=${modules.join(';')}`, '-D', `TABLES=${tables.join(';')}`, '-D', `FILES=parts=${page}/parts.json;facts=${facts}`, '-D', `OUTPUT=${file}`, '-P', `${source}/page.cmake`], { encoding: 'utf8' });
 check(made.status === 0, `the page is put together ${made.stderr}`);
 
-// Boxes of texts that lie on each other, which a reader could not read: [text, text]... of an element's parts.
+// Pairs of texts that overlap and so are unreadable: [text, text]..., among the parts of an element.
 const overlaps = (selector, parts) => `[...document.querySelectorAll('${selector}')].flatMap((whole) => {
   const boxes = [...whole.querySelectorAll('${parts}')].map((part) => ({ text: part.textContent, box: part.getBoundingClientRect() })).filter(({ box }) => box.width > 0);
   return boxes.flatMap((a, i) => boxes.slice(i + 1).filter((b) => a.box.left < b.box.right - 1 && b.box.left < a.box.right - 1 && a.box.top < b.box.bottom - 1 && b.box.top < a.box.bottom - 1).map((b) => [a.text, b.text]));

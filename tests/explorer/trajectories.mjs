@@ -1,4 +1,4 @@
-// The golden trajectories in WebAssembly, run by node: wasm_trajectories.mjs FOLDER_OF_EXPLORER MODULE.wasm
+// Runs the golden trajectories in WebAssembly under node: trajectories.mjs FOLDER_OF_EXPLORER MODULE.wasm
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a fuzzer's bytes stand for: numbers of every size, and the ones that break things.
+// Turns a fuzzer's bytes into numbers of every size, and into special ones.
 
 #include <stddef.h>
 #include <stdint.h>
@@ -21,7 +21,7 @@ class Bytes {
     --size_;
     return *data_++;
   }
-  // Any bits at all; zeros beyond the end.
+  // A value of any bits. Bits beyond the end are zero.
   template <class Plain>
   Plain bits() {
     Plain value{};
@@ -33,7 +33,7 @@ class Bytes {
   }
   size_t below(size_t count) { return byte() % count; }
 
-  // Mostly within the range, evenly by order of magnitude; at times its ends, beyond, or no number.
+  // Mostly a number within the range, log-uniform. Sometimes one of its ends, a number outside it, or a NaN.
   double number(Range range) {
     const double least = range.least > 1e-12 ? range.least : 1e-12;
     const uint8_t kind = byte();

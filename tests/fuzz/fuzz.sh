@@ -1,10 +1,10 @@
 #!/bin/sh
-# Builds a fuzzer with Clang and runs it for IMPACT_FUZZ_SECONDS (10), first over the inputs that once found something:
+# Builds a fuzzer with Clang and runs it for IMPACT_FUZZ_SECONDS (10), first over the inputs that once failed:
 #   fuzz.sh PROJECT FOLDER kernel FORMAT
 #   fuzz.sh PROJECT FOLDER tool LIBRARY...
-# A run whose seconds are stated is compiled at -O1, three times as long, for three times as many inputs a second, and
-# with the lines of a stack trace; UBSan names the line of a finding in any case.
-# FOLDER keeps the fuzzer and what it has learnt; a finding is left there as crash-*, to be given to the fuzzer again.
+# If the seconds are stated, it is compiled at -O1, which takes three times as long and runs three times as many inputs
+# per second. Findings then have stack traces with lines. UBSan names the line of a finding in any case. FOLDER keeps
+# the fuzzer and its corpus. A finding is left there as crash-*. To repeat it, pass that file to the fuzzer.
 set -eu
 project=$(cd "$1" && pwd) folder=$2 kind=$3 && shift 3
 command -v clang++ >/dev/null || { echo "skipped: clang++ is not installed" && exit 77; }
@@ -21,7 +21,7 @@ case $kind in
     sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) ;;
 esac
 compiled="-O0 -Dalways_inline=unused" && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || compiled="-O1 -gline-tables-only"
-# $compiled, $sources and $libraries are lists.
+# $compiled, $sources and $libraries are lists of words.
 clang++ -std=c++17 $compiled -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize-recover=all \
   $flags -I "$project" -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
 ./fuzzer "$project/tests/fuzz/found/$kind"/* >found.log 2>&1 || { cat found.log && exit 1; }

@@ -1,7 +1,7 @@
-// Any scene, bounds and step, under every law, in one number format (IMPACT_NUMERIC): planned or refused, and where
-// planned stepped with any drive, from saved states of any bytes, through changes of plan. Whatever comes, states stay
-// finite and in range, the first fault sticks, and no sanitizer has anything to say; and from a state of the absorber's
-// own nothing wraps in Fixed32 but in a step that raises a fault.
+// Any scene, bounds and step, under every law, in one number format (IMPACT_NUMERIC). An accepted plan is stepped with
+// any drive, from saved states of any bytes, through changes of plan. States stay finite and in range, the first fault
+// stays, and no sanitizer reports anything. From an absorber's own state nothing wraps in Fixed32, except in a step
+// that raises a fault.
 
 #include <cstdio>
 #include <cstdlib>
@@ -24,7 +24,7 @@ void expect(bool condition, const char* what) {
   std::abort();
 }
 
-// The last number drawn decides most about a scene, so that a change of one byte changes one thing.
+// The last number decides most about a scene, so that a change of one byte changes one property.
 template <class Kernel>
 Scene scene_from(Bytes& bytes) {
   Scene scene;
@@ -56,8 +56,8 @@ Bounds bounds_from(Bytes& bytes) {
   return bounds;
 }
 
-// Whether nothing changes a rate in a step by more than both masses' bounds. (Beyond that the terms of a rate may wrap
-// one by one, modulo 2^32 like their sum.)
+// True if no step changes a rate by more than both masses' bounds. Otherwise single terms of a rate may wrap modulo
+// 2^32, like their sum.
 bool is_within_steps(const Scene& scene, const Bounds& bounds, double h) {
   const double drive = std::fmax(scene.drive_amplitude, bounds.force),
                field = std::fabs(scene.gravity) + bounds.base_acceleration + scene.ball_friction / scene.ball_mass;
@@ -70,11 +70,11 @@ void check(const Absorber& absorber) {
   expect(std::isfinite(now.x1) && std::isfinite(now.v1) && std::isfinite(now.x2) && std::isfinite(now.v2),
          "the state is finite");
   typename Numeric::Value read[] = {absorber.velocity(), absorber.ball_velocity(), absorber.displacement()};
-  asm volatile("" : : "r"(read) : "memory");  // for the sanitizers: they compute within their ranges
+  asm volatile("" : : "r"(read) : "memory");  // the sanitizers check these computations
   if (absorber.fault() == Fault::none) {
     const auto& units = absorber.plan.units;
     auto state = absorber.state();
-    // What friction has done at the step's end is judged in the next one.
+    // The next step checks what friction has done by the end of this one.
     if constexpr (Absorber::Friction::is_friction) state.dx1 = state.dx2 = {};
     expect(units.is_within(state.x1, units.limits.main) && units.is_within(state.x2, units.limits.ball) &&
                units.is_within(state.dx1, units.limits.way) && units.is_within(state.dx2, units.limits.way),
@@ -82,7 +82,7 @@ void check(const Absorber& absorber) {
   }
 }
 
-// Since it was called last.
+// Checks the steps since the last call.
 template <class Absorber>
 void check_wraps(const Absorber& absorber) {
   if (absorber.fault() == Fault::none) expect(host::broken.count == 0, host::broken.condition);
@@ -145,7 +145,7 @@ void kernel(Bytes& bytes) {
     typename Kernel::Saved saved = absorber.save();
     saved.state = bytes.bits<typename Kernel::State>();
     is_own = !absorber.restore(saved) && is_own;
-    host::broken.count = 0;  // what a refused state of somebody else's wraps is not the absorber's
+    host::broken.count = 0;  // a rejected state from outside may wrap
     check(absorber);
   }
   if (what & 2) {

@@ -1,5 +1,5 @@
-// The tool's command line, sweep files and files of samples from any bytes: parsed or refused with BadInput, and where
-// parsed run for a few steps.
+// The tool's command line, sweep files and sample files from any bytes. They are rejected with BadInput, or parsed and
+// run for a few steps.
 
 #include <unistd.h>
 
@@ -37,7 +37,7 @@ void run_quietly(const Request& request) {
   run(*outcome_of(request).simulation, request, 1000, [](long, const double*, long) {});
 }
 
-// As many samples as a name says; nothing of another name.
+// As many samples as the name says, or nothing for another name.
 std::string samples_named(const std::string& name) {
   for (const int lines : {3, 20, 1000}) {
     if (name != std::to_string(lines)) continue;
@@ -48,7 +48,7 @@ std::string samples_named(const std::string& name) {
   return {};
 }
 
-// One argument a line. Of files that it may name, some without end, only those of samples_named() are read here.
+// One argument per line. Only files of samples_named() are read, since others may be endless.
 void command_line(const std::string& text) {
   std::vector<std::string> lines = {"impact-sim"};
   for (size_t start = 0; start < text.size();) {
@@ -69,13 +69,13 @@ void command_line(const std::string& text) {
   run_quietly(settings.request);
 }
 
-// A drive's, or a base's displacements or accelerations.
+// Samples of a drive, or of a base's displacements or accelerations.
 void sample_file(const char* option, const std::string& text) {
   const Settings settings = settings_from({{option, file_of("samples", text)}, {"step", "1e-3"}});
   run_quietly(settings.request);
 }
 
-// Step and duration are given, so that a line that names them is refused and no run is long.
+// Step and duration are fixed. A line that names them is rejected, so that no run is long.
 void sweep_file(const std::string& text) {
   const std::string rows = (folder() / "rows").string();
   fs::remove(rows);

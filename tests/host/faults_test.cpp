@@ -79,7 +79,7 @@ constexpr Scene resonant(double force) {
   scene.contact_damping = 20;
   scene.clearance = 0.2;
   scene.stops = Stops::right;
-  scene.x2 = -0.09;  // out of the stop's reach
+  scene.x2 = -0.09;  // beyond the reach of the stop
   return scene;
 }
 
@@ -354,7 +354,7 @@ TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   Kernel absorber = made<Kernel>(scene, bounds, 1e-3);
   const auto saved = absorber.save();
   auto forged = saved;
-  if constexpr (!std::is_same_v<TypeParam, Fixed32>) {  // where every number is a fraction of its unit
+  if constexpr (!std::is_same_v<TypeParam, Fixed32>) {  // in which every number is a fraction of its unit
     const auto replace = [](auto& number, double by) {
       number = std::decay_t<decltype(number)>(static_cast<typename TypeParam::Value>(by));
     };
@@ -490,7 +490,7 @@ TYPED_TEST(Faults, AStateThatNoStepLeavesIsRefused) {
   EXPECT_FALSE(restores<TypeParam>([&](auto& state) { beyond_any_sum(state.drive_work); }));
 }
 
-// The numbers that a contact keeps are not checked. For any of them the state stays clamped.
+// The numbers that a contact saves are not checked. For any of them the state stays clamped.
 TYPED_TEST(Faults, AContactThatRemembersNonsenseIsSurvived) {
   restores<TypeParam>([](auto& state) {
     state.contact.phase = Phase::touching;
@@ -535,7 +535,7 @@ TYPED_TEST(Faults, APlanThatCannotBeIsRefused) {
     EXPECT_NE(Plan::make(Scene{}, {0.1, 2, 0.03, bad}, 1e-3).status, PlanStatus::ok);
     EXPECT_NE(Plan::make(Scene{}, Bounds{}, bad).status, PlanStatus::ok);
   }
-  Scene slow;  // slower than its oscillator can turn
+  Scene slow;  // below what its oscillator represents
   slow.drive_pulsation = 1e-300;
   EXPECT_EQ(Plan::make(slow, Bounds{}, 1e-3).status, PlanStatus::drive_pulsation);
   Scene small;  // below the smallest normal number
@@ -543,7 +543,7 @@ TYPED_TEST(Faults, APlanThatCannotBeIsRefused) {
   EXPECT_EQ(Plan::make(small, Bounds{}, 1e-3).status, PlanStatus::ok);
 }
 
-// One stop without clearance: a ball that leaves it is free, to the LSB.
+// A ball that leaves a single stop without clearance is free, to the LSB.
 TYPED_TEST(Faults, AStopThatIsNotThereDoesNotAct) {
   for (const Stops stops : {Stops::left, Stops::right}) {
     Scene scene;
@@ -571,8 +571,8 @@ TEST(Exponents, EndForEveryNumber) {
   EXPECT_EQ(constant::exponent_above(no_number), 0);
 }
 
-// A contact begins at a thousandth of the speed with which the ball is then driven into the stop. Its damping, set at
-// the impact, exceeds the range of Fixed32. It is clamped there, and still opposes the motion.
+// A contact begins at a thousandth of the speed at which the ball is then driven into the stop. Its damping, set at the
+// impact, exceeds the range of Fixed32. It is clamped there, and still opposes the motion.
 TEST(DampingPerImpact, IsClampedInFixedPoint) {
   const Fixed32::Gain damping = Fixed32::gain_over(Fixed32::gain(1.5 * 0.3, 0, 2), {1 << 20});
   const Fixed32::ClampedGain gain = {damping};

@@ -19,8 +19,8 @@ using host::energy_with_weight;
 using host::kinetic_energy;
 using host::larger;
 
-// Two free masses, without momentum: the ball slides at v and is stopped by R/mu over v^2/(2 R/mu) (mu: the reduced
-// mass), which for a heavy main mass and R = f m g is v^2/(2 f g).
+// Two free masses without momentum. The ball slides at v, and friction stops it after v^2/(2 R/mu) with the reduced
+// mass mu. For a heavy main mass and R = f m g that is v^2/(2 f g).
 struct Slide {
   Scene scene;
   double rate = 0.13, deceleration = 0, way = 0, time = 0;
@@ -60,7 +60,7 @@ TYPED_TEST_SUITE(FrictionIn, Formats);
 template <class Format>
 constexpr double floor_of = sizeof(typename Format::Value) == sizeof(double) ? 1e-15 : 1e-8;
 
-// Exact while it slides; it stops within a step, and then nothing moves any more.
+// The motion is exact while the ball slides. It stops within a step, and then nothing moves.
 TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
   const Slide slide;
   const Bounds bounds{0.1, 0.3};
@@ -89,7 +89,7 @@ TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
   }
 }
 
-// A ball that friction holds against its weight, half way up an upright cavity.
+// Friction holds the ball against its weight, half way up an upright cavity.
 Scene half_way_up() {
   Scene scene;
   scene.gravity = 9.81;
@@ -100,7 +100,7 @@ Scene half_way_up() {
   return scene;
 }
 
-// Beside a main mass that vibrates it does not creep, nor does its rate chatter, in 10^6 steps.
+// Beside a main mass that oscillates, the ball neither creeps nor chatters in 10^6 steps.
 TYPED_TEST(FrictionIn, HeldBallDoesNotCreep) {
   Scene scene = half_way_up();
   scene.main_damping = 1;
@@ -116,8 +116,9 @@ TYPED_TEST(FrictionIn, HeldBallDoesNotCreep) {
   EXPECT_EQ(absorber.fault(), Fault::none);
 }
 
-// On a base that shakes by A sin(wt) the ball of a rigid main mass sticks until A sin(wt1) = R/m, slides with the rate
-// (A/w)(cos wt - cos wt1) + (R/m)(t - t1), and sticks again where that is zero: a closed form between two events.
+// The base shakes by A sin(wt), with a rigid main mass. The ball sticks until A sin(w t1) = R/m. It then slides with
+// the rate (A/w)(cos wt - cos w t1) + (R/m)(t - t1), and sticks again when that is 0. Between two events this is a
+// closed form.
 TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
   constexpr double amplitude = 8, pulsation = 50, sample_step = 1e-4, pi = 3.14159265358979323846;
   Scene scene;
@@ -141,7 +142,7 @@ TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
       amplitude / pulsation *
           ((std::sin(pulsation * t2) - std::sin(pulsation * t1)) / pulsation - std::cos(pulsation * t1) * (t2 - t1)) +
       limit * (t2 - t1) * (t2 - t1) / 2;
-  // It sticks then until the base turns as far the other way.
+  // It then sticks until the base moves as far in the other direction.
   const double t3 = pi / pulsation + t1;
   ASSERT_LT(t2, t3);
 
@@ -163,7 +164,7 @@ TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
       absorber.step(absorber.base_sample_of(run.base_samples[static_cast<size_t>(n) + 1]));
     reference.advance(n * sample_step);
   };
-  // The main mass gives by 8e-7 m under the base's acceleration.
+  // The main mass moves by 8e-7 m under the base's acceleration.
   const auto expect_way = [&](double expected) {
     EXPECT_NEAR(reference.sample().x2 - reference.sample().x1, expected, 2e-6 + 1e-3 * std::abs(expected));
     EXPECT_NEAR(absorber.reading().x2 - absorber.reading().x1, expected, 2e-6 + 1e-3 * std::abs(expected));
@@ -195,8 +196,8 @@ double error(double gravity, double friction, double step) {
   return largest_difference(run, absorber, step, ratio, 0.4, [&](int) { absorber.step(); });
 }
 
-// Second order where the sliding turns: over four halvings of the step, within each of which it depends on where the
-// turns fall.
+// The order is second if the sliding reverses. It is measured over four halvings of the step, since the error depends
+// on the phase of the reversals.
 TEST(Friction, IsOfSecondOrder) {
   for (const double gravity : {0.0, -9.81})
     for (const double friction : {0.5, 2.5}) {
@@ -215,8 +216,8 @@ TEST(Friction, IsOfSecondOrder) {
     }
 }
 
-// Without drive and without damping the energy of both masses, spring, weight and contact only falls, in random scenes
-// (Hertz, which loses nothing itself): by no more than what a contact without friction gains, 1e-5.
+// Without drive and damping, the energy of both masses, spring, weight and contact only falls, in random scenes. The
+// law is Hertz, which loses nothing. The tolerance is 1e-5, which a contact without friction may gain.
 template <class Stepper>
 double largest_gain() {
   Random random(7);
@@ -285,8 +286,8 @@ TYPED_TEST(FrictionIn, LedgerHasItsOwnLine) {
               right.energy_dissipated, 1e-4 * right.energy_dissipated);
 }
 
-// The average acceleration keeps the balance itself: what the drive and the weight put in is in the masses and the
-// spring, or on a line of the ledger. A step in which the ball touches and turns is of second order.
+// Average acceleration balances exactly: the energy of drive and weight is in the masses, in the spring, or in an entry
+// of the ledger. A step with both a touch and a reversal is of second order.
 TEST(Friction, LedgerClosesByTheAverageAcceleration) {
   Scene scene;
   scene.gravity = -9.81;
@@ -307,7 +308,7 @@ TEST(Friction, LedgerClosesByTheAverageAcceleration) {
   EXPECT_NEAR(by_drive - by_contact - absorber.friction_dissipated(), energy() - at_start, 1e-5 * by_contact);
 }
 
-// An observer's correction, a change of plan, a state that is kept: the motion goes on.
+// The motion continues after a correction, a change of plan and a saved state.
 TYPED_TEST(FrictionIn, GoesOnAfterCorrectionAndChangeOfPlan) {
   Scene scene;
   scene.ball_friction = 0.5;
@@ -325,13 +326,13 @@ TYPED_TEST(FrictionIn, GoesOnAfterCorrectionAndChangeOfPlan) {
   EXPECT_EQ(after.x2, before.x2);
   EXPECT_NEAR(after.v1, before.v1, 1e-6);
   EXPECT_NEAR(after.v2, before.v2, 1e-6);
-  EXPECT_FALSE(absorber.restore(saved));  // of another friction
+  EXPECT_FALSE(absorber.restore(saved));  // with another friction
   absorber.correct(typename TypeParam::Value{}, typename TypeParam::Value{});
   EXPECT_NEAR(absorber.reading().v2, after.v2, 1e-6);
 }
 
-// A correction of nothing at every step, or a change to the same plan, leaves a ball that slides, turns, sticks and
-// rubs in its stops where it would be: beside a swinging main mass to rounding.
+// Corrections of 0 in every step, or changes to the same plan, do not change the motion. The ball slides, reverses,
+// sticks and rubs in its stops, beside a main mass that oscillates, within rounding.
 template <class Format, class Law, class Change>
 double largest_change(double clearance, double step, const Change& change) {
   Scene scene;
@@ -357,8 +358,8 @@ double largest_change(double clearance, double step, const Change& change) {
 TYPED_TEST(FrictionIn, NothingChangesNothing) {
   const auto correct = [](auto& absorber, const auto&) { absorber.correct({}, {}); };
   const auto retune = [](auto& absorber, const auto& plan) { EXPECT_TRUE(absorber.retune(plan)); };
-  // Without a contact to the bit; a change of plan takes half an impulse out and adds it again. A contact reads its
-  // penetration anew, which rounds, and impacts amplify that.
+  // Without a contact the bits are the same. A change of plan subtracts half an impulse and adds it again. A contact
+  // recomputes its penetration, which rounds, and impacts amplify that.
   const bool is_double = sizeof(typename TypeParam::Value) == sizeof(double);
   for (const double step : {1e-3, 2.5e-4}) {
     EXPECT_EQ((largest_change<TypeParam, Hertz>(0.19, step, correct)), 0) << step;
@@ -368,8 +369,8 @@ TYPED_TEST(FrictionIn, NothingChangesNothing) {
   }
 }
 
-// A correction that turns the sliding round turns the friction as well, of whose last impulse half is still to come:
-// the ball goes on as in closed form, and the friction's line of the ledger has what both masses have lost since.
+// A correction that reverses the sliding also reverses the friction, half of whose last impulse is still to act. The
+// ball continues as in closed form. The friction's entry of the ledger is the energy that both masses have lost since.
 TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {
   Slide slide;
   const Bounds bounds{0.1, 0.5};
@@ -391,8 +392,8 @@ TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {
   }
 }
 
-// A ball that sticks under load goes on doing so: each correction begins with twice half an impulse, which the spring
-// makes (w0 h)^2 of g h^2 less or more than a whole one.
+// A ball that sticks under load keeps sticking. Each correction begins with twice half an impulse, which the spring
+// changes by (w0 h)^2 of g h^2.
 TYPED_TEST(FrictionIn, HeldBallDoesNotCreepUnderCorrections) {
   Scene scene = half_way_up();
   scene.drive_amplitude = 0;
@@ -406,7 +407,7 @@ TYPED_TEST(FrictionIn, HeldBallDoesNotCreepUnderCorrections) {
   EXPECT_NEAR(now.x2 - now.x1, 0.005, 100000 * 1e-14 + 4 * floor_of<TypeParam>);
 }
 
-// To a plan without friction and back: nothing of the last impulse is left.
+// A change to a plan without friction and back leaves nothing of the last impulse.
 TYPED_TEST(FrictionIn, EndsByAChangeOfPlan) {
   const Slide slide;
   const Bounds bounds{0.1, 0.3};
@@ -430,8 +431,8 @@ TYPED_TEST(FrictionIn, EndsByAChangeOfPlan) {
   EXPECT_NEAR(absorber.reading().v2, before.v2, 8 * floor_of<TypeParam> / 1e-3);
 }
 
-// Up to the largest friction, which takes the fastest way in a step; at 200 N a step's push is more than the half unit
-// that a displacement per step is clamped at.
+// Saved states are restored up to the largest friction, which stops the largest displacement in one step. At 200 N a
+// step's push exceeds half a unit, at which a displacement per step is clamped.
 TYPED_TEST(FrictionIn, StateIsTakenBack) {
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
   using PlanType = typename Absorber::PlanType;
@@ -463,8 +464,8 @@ TYPED_TEST(FrictionIn, StateIsTakenBack) {
   }
 }
 
-// A base presses the ball to a stop, which rubs until the main mass comes to its bound: a displacement per step has
-// room for what acts ahead in it.
+// The base presses the ball onto a stop, which rubs until the main mass reaches its bound. A displacement per step has
+// room for the friction that is predicted in it.
 TEST(Friction, APressedBallsStateIsTakenBack) {
   Scene scene;
   scene.main_mass = 0.138;

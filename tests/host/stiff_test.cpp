@@ -30,7 +30,7 @@ Scene hanging() {
   scene.gravity = 9.81;
   return scene;
 }
-// Fast beside a step of 1 ms: the drive's second derivative counts in a free flight.
+// At a step of 1 ms this drive is fast, so its second derivative matters in free flight.
 Scene fast() {
   Scene scene = driven();
   scene.main_stiffness = 4000;
@@ -38,7 +38,7 @@ Scene fast() {
   scene.drive_amplitude = 40;
   return scene;
 }
-// The ball crosses the cavity in six tenths of a step of 1 ms at the largest speed.
+// At the largest speed, the ball crosses the cavity in 0.6 steps of 1 ms.
 Scene narrow() {
   Scene scene = driven();
   scene.clearance = 2e-3;
@@ -48,7 +48,7 @@ Bounds bounds_of(const Scene& scene) {
   return scene.main_stiffness > 1000 || scene.gravity > 0 ? Bounds{0.09, 4} : Bounds{0.05, 1.6};
 }
 
-// e = 0.68 at 0.8 m/s, a damping ratio of 0.12, and an e of 0.7.
+// The damping for e = 0.68 at 0.8 m/s, for a damping ratio of 0.12, and e = 0.7.
 template <class ContactLaw>
 host::Case with_stop(const Scene& scene, double stiffness) {
   host::Case run;
@@ -93,7 +93,7 @@ double error_by_rule(const host::Case& run, double h, double duration) {
 
 constexpr double stiffnesses[] = {3e4, 3e5, 3e6, 1e8, 3e9, 1e11, 1e12}, of_springs[] = {1e3, 1e5, 3e6, 1e8, 3e10, 1e12};
 
-// `share` of the goals, and `more` by the format's LSBs.
+// The tolerance is `share` of the goals plus `more` for the format's LSBs.
 template <class Format, class ContactLaw>
 void expect_one_bound(const Scene& scene, double share = 1, double more = 0) {
   const auto expect = [&](double stiffness) {
@@ -116,7 +116,7 @@ TEST(StiffStop, IsAsExactAsASoftOne) {
     expect_one_bound<Float64, HookeNewton>(scene);
   }
 }
-// Where the impacts of Hertz, which loses nothing, do not amplify what is missed by more than ten times.
+// Hertz loses nothing. In these scenes its impacts amplify errors by at most ten.
 TEST(StiffStop, IsAsExactWithHertz) {
   for (const Scene& scene : {driven(), heavy(), hanging()}) expect_one_bound<Float64, Hertz>(scene, 10);
 }

@@ -1,6 +1,6 @@
-// Refusals are true. The value that a refusal names lies outside the range that it prints. Each end of that range is
-// accepted, together with the printed bounds, or another value is refused then. The commands are random, far beyond
-// what can be planned, with files of samples of any length. IMPACT_REFUSED_COMMANDS sets their number.
+// Messages of rejected commands are true. The named value is outside the printed range. Each end of that range is
+// accepted together with the printed bounds, or another value is then rejected. The commands are random, often far
+// outside the ranges, with sample files of any length. IMPACT_REFUSED_COMMANDS sets their number.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -49,7 +49,7 @@ std::optional<Said> refusal_of(const Command& command) {
   }
 }
 
-// The command with the bounds that the refusal prints.
+// The command with the bounds that the message prints.
 Command with_printed_bounds(Command command, const std::string& allowed) {
   const std::regex bound("--(bound-[a-z]+) ([-+.e0-9]+)");
   for (std::sregex_iterator found(allowed.begin(), allowed.end(), bound), none; found != none; ++found)
@@ -72,7 +72,7 @@ class Random {
   std::mt19937 engine_;
 };
 
-// Of files with as many samples as their names say.
+// A folder with sample files. Their names state their number of samples.
 const std::string& folder() {
   static const std::string made = [] {
     std::string name = (std::filesystem::temp_directory_path() / "refusal_limits_test.XXXXXX").string();
@@ -151,7 +151,7 @@ TEST(Refusal, ALimitThatIsTypedBackIsAccepted) {
       EXPECT_LE(*least, *most) << context;
       EXPECT_FALSE(*least <= *value && *value <= *most) << context;
       retyped_values = {limits[1].str(), limits[2].str()};
-      // "A number from": a value's own range, which is looked at before all others.
+      // "A number from" begins the range of a value alone, which is checked before all others.
       is_enough = said->allowed.find("another value") == said->allowed.npos && said->allowed[0] != 'a';
     } else if (said->allowed == "no value, if the others stay") {
       ++without_a_range;
@@ -162,7 +162,7 @@ TEST(Refusal, ALimitThatIsTypedBackIsAccepted) {
     for (const std::string& limit : retyped_values) {
       Command retyped = with_printed_bounds(command, said->allowed);
       retyped[said->option] = limit;
-      // Nobody waits for a run of more steps.
+      // Longer runs would take too much time.
       if (retyped.count("duration") && *number_from(retyped["duration"]) > 1e6 * *number_from(retyped["step"]))
         continue;
       ++typed;

@@ -27,10 +27,7 @@ Request pair_of(Law law, double e, Tension tension = Tension::clamp) {
   request.law = law;
   request.drive = DriveKind::none;
   request.bounds = bounds;
-  Impact impact;
-  impact.law = law;
-  impact.speed = speed;
-  impact.tension = tension;
+  const Impact impact{law, 32600, 0, 0.3 / 1.3, speed, tension};
   Scene& scene = request.scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
   // Equal masses, so that neither leaves the bounds after its rebound, with the paper's reduced mass.

@@ -16,11 +16,7 @@ void expect_ten_digits(std::optional<double> actual, double expected) {
 
 // The impact of all tables: k1 = 32600, M = 1 kg, m = 0.3 kg, v0 = 0.8 m/s.
 Impact table_impact(Law law, double damping, Tension tension = Tension::clamp) {
-  Impact impact;
-  impact.law = law;
-  impact.contact_damping = damping;
-  impact.tension = tension;
-  return impact;
+  return {law, 32600, damping, 0.3 / 1.3, 0.8, tension};
 }
 
 TEST(ClosedForm, HasTheKnownValues) {

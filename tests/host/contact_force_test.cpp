@@ -124,13 +124,8 @@ TYPED_TEST(ContactForces, OfAResolvedContactAreTheLawsOwnAtEveryRate) {
 template <class Format, class ContactLaw>
 void expect_closed_form(double stiffness, double damping) {
   using Model = Absorber<AtRunTime, ContactLaw, Impulsive, NoDrive, Format, ContactForce>;
-  host::Impact impact;
-  impact.law = ContactLaw::law;
-  impact.contact_stiffness = stiffness;
-  impact.contact_damping = damping;
-  impact.reduced_mass = 0.3 / 1.3;
   for (double speed = 0.02; speed <= 1.5; speed *= 1.4) {
-    impact.speed = speed;
+    const host::Impact impact{ContactLaw::law, stiffness, damping, 0.3 / 1.3, speed};
     const double e = *host::restitution(impact);
     if (e < 0.05) continue;
     Scene scene;

@@ -183,8 +183,7 @@ void expect_placement_at_the_other_stop(double depth) {
   scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = 0;
   scene.x2 = 0.01;
   scene.v2 = 0.5;
-  Bounds bounds;
-  auto kernel = accepted<Kernel>(scene, bounds, 1e-4);
+  auto kernel = accepted<Kernel>(scene, {}, 1e-4);
   const double gap = scene.clearance / 2;
   const auto energy = [&] {
     const auto now = kernel.reading();
@@ -321,9 +320,7 @@ TYPED_TEST(CorrectionsInEveryFormat, ToTwiceTheBoundEndAtIt) {
     for (const double side : {1.0, -1.0}) {
       Scene scene;
       scene.x1 = scene.x2 = side * bound;
-      Bounds bounds;
-      bounds.displacement = bound;
-      Kernel kernel(Kernel::PlanType::make(scene, bounds, 1e-4));
+      auto kernel = accepted<Kernel>(scene, {bound}, 1e-4);
       kernel.correct(Kernel::Format::sample(side * 1.003 * bound / kernel.displacement_unit()), {});
       EXPECT_EQ(kernel.fault(), Fault::displacement);
       EXPECT_NEAR(kernel.reading().x1, side * bound, 0.01 * bound);

@@ -70,10 +70,7 @@ void expect_start_inside_to_hold() {
     scene.clearance = 0.01;
     scene.v1 = -0.999 * random.share();
     scene.v2 = 0.999 * random.share();
-    Bounds bounds;
-    bounds.speed = 1;
-    bounds.displacement = 0.05;
-    bounds.force = 1e-9;
+    const Bounds bounds{0.05, 1, 0, 1e-9};
     const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
     scene.x2 = scene.clearance / 2 + terms.deepest_start * 0.999 * random.share();
     const auto plan = Kernel::PlanType::make(scene, bounds, 1e-4);

@@ -105,13 +105,8 @@ TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {
   for (const double steps : {1.5, 2.0, 3.0, 5.0, 10.0, 20.0})
     for (const double damping : {0.1, 0.5, 1.0, 1.5, 1.999, 2.001, 3.8}) {
       free.contact_stiffness = mu * std::pow(pi / (steps * free.step), 2);
-      Impact impact;
-      impact.law = free.law;
-      impact.reduced_mass = mu;
-      impact.speed = free.speed;
-      impact.contact_stiffness = free.contact_stiffness;
-      impact.contact_damping = damping * mu / free.step;
-      free.restitution = restitution(impact).value();
+      free.restitution =
+          restitution({free.law, free.contact_stiffness, damping * mu / free.step, mu, free.speed}).value();
       for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32}) {
         const auto found = rebounds(free, Stepper::energy, numeric,
                                     [](const Request& request) { return make_simulation(request).simulation; });

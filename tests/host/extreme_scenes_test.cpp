@@ -20,10 +20,7 @@ class ExtremeScene : public testing::TestWithParam<Kind> {
  protected:
   // A free pair of 1 kg and 0.3 kg with c1 for e = 0.68 at this speed.
   static Request free_pair(double contact_stiffness, double speed, double step) {
-    Impact impact;
-    impact.law = GetParam().law;
-    impact.contact_stiffness = contact_stiffness;
-    impact.speed = speed;
+    const Impact impact{GetParam().law, contact_stiffness, 0, 0.3 / 1.3, speed};
     Request request;
     request.law = GetParam().law;
     request.stepper = GetParam().stepper;

@@ -18,13 +18,8 @@ constexpr double ball_mass = 0.3, main_mass = 1;
 
 template <class ContactLaw>
 void expect_closed_form(double stiffness, double damping, double speed, Tension tension, double tolerance) {
-  Impact impact;
-  impact.law = ContactLaw::law;
-  impact.contact_stiffness = stiffness;
-  impact.contact_damping = damping;
-  impact.reduced_mass = ball_mass * main_mass / (ball_mass + main_mass);
-  impact.speed = speed;
-  impact.tension = tension;
+  const Impact impact{ContactLaw::law, stiffness, damping, ball_mass * main_mass / (ball_mass + main_mass),
+                      speed,           tension};
   ContactTerms terms;
   terms.stiffness = stiffness;
   terms.damping_time = damping / stiffness;

@@ -221,11 +221,7 @@ void expect_double_with_wide_displacements(double step, double most_off) {
     scene.v1 = -0.2;
     scene.v2 = 0.3;
     scene.x2 = scene.clearance / 2 - 1e-5;
-    Bounds bounds;
-    bounds.displacement = scene.clearance / 2 + 1e-4;
-    bounds.speed = 0.8;
-    bounds.force = 0;
-    bounds.penetration = 2e-5;
+    const Bounds bounds{scene.clearance / 2 + 1e-4, 0.8, 2e-5, 0};
     using Narrow = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Fixed32>;
     using Wide = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64>;
     const auto plan = Narrow::PlanType::make(scene, bounds, step);

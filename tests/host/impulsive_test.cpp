@@ -36,13 +36,8 @@ Scene free_scene() {
 
 template <class ContactLaw>
 Impact impact_of(const Scene& scene, double speed) {
-  Impact impact;
-  impact.law = ContactLaw::law;
-  impact.contact_stiffness = scene.contact_stiffness;
-  impact.contact_damping = scene.contact_damping;
-  impact.reduced_mass = scene.ball_mass * scene.main_mass / (scene.ball_mass + scene.main_mass);
-  impact.speed = speed;
-  return impact;
+  const double reduced_mass = scene.ball_mass * scene.main_mass / (scene.ball_mass + scene.main_mass);
+  return {ContactLaw::law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed};
 }
 
 template <class Simulated>

@@ -138,11 +138,8 @@ TEST(ReferenceFlight, PaperAmplitudeWithoutBall) {
 }
 
 void expect_single_impact(const Case& run, int side) {
-  Impact impact;
-  impact.law = run.law;
-  impact.contact_stiffness = run.scene.contact_stiffness;
-  impact.contact_damping = run.scene.contact_damping;
-  impact.tension = run.scene.tension;
+  const Impact impact{run.law,          run.scene.contact_stiffness, run.scene.contact_damping, 0.3 / 1.3, 0.8,
+                      run.scene.tension};
   const double duration = contact_time(impact).value(), start = 0.01 / 0.8;
   constexpr double tolerance = 1e-11;
 
@@ -185,10 +182,7 @@ TEST(ReferenceImpact, AgreesWithClosedFormsInStiffContact) {
       SCOPED_TRACE(testing::Message() << variant.name << ", k1 " << stiffness);
       Case run = free_pair(variant, 1);
       run.scene.contact_stiffness = stiffness;
-      Impact impact;
-      impact.law = run.law;
-      impact.contact_stiffness = stiffness;
-      impact.tension = run.scene.tension;
+      const Impact impact{run.law, stiffness, 0, 0.3 / 1.3, 0.8, run.scene.tension};
       run.scene.contact_damping = contact_damping(impact, 0.7).value_or(0);
       expect_single_impact(run, 1);
     }

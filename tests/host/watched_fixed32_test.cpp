@@ -142,6 +142,35 @@ TEST_P(WatchedFixed32, WrapsNowhereInFreePairs) {
   expect_nothing_found();
 }
 
+// The rate of penetration wrapped in such scenes with steppers that do not read it. A step is 0.7/w0 of the main mass,
+// or a force may change a speed in a step by far more than its bound.
+TEST_P(WatchedFixed32, WrapsNowhereInWideStepsAndUnderALargeForce) {
+  Request request;
+  request.law = GetParam().law;
+  request.damping = GetParam().damping;
+  request.stepper = GetParam().stepper;
+  request.numeric = Numeric::fixed32;
+  request.scene = paper_scene(request.law);
+  request.scene.drive_pulsation = 0.123;
+  Request wide = request;
+  wide.step = 0.0223;
+  wide.bounds = Bounds{0.006, 0.004, 0, 0};
+  Request pressed = request;
+  pressed.scene.ball_mass = 107;
+  pressed.scene.main_mass = 1.1e-3;
+  pressed.scene.drive_amplitude = 582640;
+  pressed.scene.contact_stiffness = 74347.5;
+  pressed.scene.v2 = -94;
+  pressed.step = 1.46e-4;
+  pressed.bounds = Bounds{2, 1500, 0, 0};
+  for (const Request& scene : {wide, pressed}) {
+    scene_now = text_of(scene);
+    const auto simulation = watched(scene);
+    for (int n = 0; simulation && n < 300 && !simulation->fault(); ++n) simulation->step(0, 0);
+  }
+  expect_nothing_found();
+}
+
 std::vector<Kind> kinds() {
   std::vector<Kind> result;
   for (const Stepper stepper : {Stepper::average, Stepper::central, Stepper::moment, Stepper::moment_4,

@@ -234,10 +234,10 @@ struct Step {
     reload_state<Model>(state);
     plan.contact.response.apply(plan.units, state, reaction, left);
     bool is_too_deep = false;
-    if constexpr (traits.keeps_penetration)
-      is_too_deep = plan.units.is_too_deep(contact.penetration);
-    else
+    if constexpr (traits.is_instantaneous || traits.keeps_force)
       is_too_deep = plan.units.is_too_deep(reaction.penetration);
+    else
+      is_too_deep = plan.units.is_too_deep(contact.penetration);
     if constexpr (traits.keeps_force)
       if (!is_too_deep && contact.is_beyond_reach(plan.contact, approach)) m.raise(Fault::speed);
     if ((is_too_deep || !m.contact_is_in_range()) && m.clamp()) return false;

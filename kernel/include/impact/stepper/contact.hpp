@@ -32,6 +32,7 @@ namespace impact {
 // The phase of a contact between steps. `released`: the force has come to zero, and the ball is still inside the stop.
 enum class Phase : uint32_t { apart, touching, released };
 
+// A contact keeps its `penetration` from step to step, unless it is_instantaneous or keeps_force.
 struct ContactTraits {
   bool is_instantaneous = false;  // impacts take no time: no check of the force's size; forces are in units of 2 mu
   bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step; one that
@@ -42,7 +43,6 @@ struct ContactTraits {
   bool keeps_force = false;       // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
                                   // share in the displacements of the coming one, dx1_share and dx2_share
   bool puts_back = false;         // a ball that is inside goes back to its stop before the touch
-  bool keeps_penetration = true;  // from step to step, as `penetration`
   bool knows_way = false;         // its force is constant in a step: reaction.way tells the work to rounding
 };
 

@@ -122,7 +122,6 @@ struct Impulsive {
     static constexpr ContactTraits traits = [] {
       ContactTraits own;
       own.is_instantaneous = own.sees_change = own.knows_way = true;
-      own.keeps_penetration = false;
       return own;
     }();
 

@@ -151,7 +151,6 @@ struct Pointwise {
     static constexpr ContactTraits traits = [] {
       ContactTraits own;
       own.keeps_force = true;
-      own.keeps_penetration = false;
       return own;
     }();
     constexpr bool is_beyond_reach(const Plan& plan, const Approach<Value>& step) const {

@@ -98,24 +98,13 @@ constexpr Choice choice_for(const Resolution& contact, double step, int most_sub
 }
 
 namespace detail {
-template <Choice>
-struct StepperOf;
-template <>
-struct StepperOf<Choice::moment> {
-  using Type = Moment;
-};
-template <>
-struct StepperOf<Choice::sub_steps> {
-  using Type = SubsteppedMoment<>;
-};
-template <>
-struct StepperOf<Choice::impulsive> {
-  using Type = Impulsive;
-};
-template <>
-struct StepperOf<Choice::energy> {
-  using Type = EnergyConsistent;
-};
+template <Choice choice>
+constexpr auto stepper_of() {
+  if constexpr (choice == Choice::moment) return Moment{};
+  if constexpr (choice == Choice::sub_steps) return SubsteppedMoment<>{};
+  if constexpr (choice == Choice::impulsive) return Impulsive{};
+  if constexpr (choice == Choice::energy) return EnergyConsistent{};
+}
 
 // Moment if a value is out of its own range: then the rule has no input, and the absorber's message names the value.
 template <class Rig, class ContactLaw>
@@ -133,7 +122,7 @@ constexpr Choice choice_of() {
     return Choice::moment;
 }
 template <class Rig, class ContactLaw>
-using ChosenFor = typename StepperOf<choice_of<Rig, ContactLaw>()>::Type;
+using ChosenFor = decltype(stepper_of<choice_of<Rig, ContactLaw>()>());
 }  // namespace detail
 
 // Chosen<> is the rule's stepper for the rig and the law of the absorber that names it. For an absorber AtRunTime name

@@ -114,12 +114,8 @@ constexpr Signed<bits> operator-(Signed<bits> x) {
   return {static_cast<int32_t>(0 - static_cast<uint32_t>(x.raw))};
 }
 
-template <int a, int b>
-constexpr Signed<a + b - 32> operator*(Signed<a> x, Signed<b> y) {
-  return {high_product(x.raw, y.raw)};
-}
-template <int a, int b>
-constexpr Unsigned<a + b - 32> operator*(Unsigned<a> x, Unsigned<b> y) {
+template <template <int> class Number, int a, int b>
+constexpr Number<a + b - 32> operator*(Number<a> x, Number<b> y) {
   return {high_product(x.raw, y.raw)};
 }
 template <int a, int b>
@@ -161,32 +157,20 @@ constexpr Energy work(Signed<a> x, Signed<b> y) {
 }
 
 // Factors that are powers of two cost nothing: they move the binary point.
-template <int bits>
-constexpr Signed<bits + 1> half(Signed<bits> x) {
+template <template <int> class Number, int bits>
+constexpr Number<bits + 1> half(Number<bits> x) {
   return {x.raw};
 }
-template <int bits>
-constexpr Unsigned<bits + 1> half(Unsigned<bits> x) {
-  return {x.raw};
-}
-template <int bits>
-constexpr Signed<bits + 2> quarter(Signed<bits> x) {
-  return {x.raw};
-}
-template <int bits>
-constexpr Unsigned<bits + 2> quarter(Unsigned<bits> x) {
+template <template <int> class Number, int bits>
+constexpr Number<bits + 2> quarter(Number<bits> x) {
   return {x.raw};
 }
 template <int bits>
 constexpr Unsigned<bits + 3> eighth(Unsigned<bits> x) {
   return {x.raw};
 }
-template <int bits>
-constexpr Signed<bits - 1> twice(Signed<bits> x) {
-  return {x.raw};
-}
-template <int bits>
-constexpr Unsigned<bits - 1> twice(Unsigned<bits> x) {
+template <template <int> class Number, int bits>
+constexpr Number<bits - 1> twice(Number<bits> x) {
   return {x.raw};
 }
 
@@ -201,12 +185,8 @@ constexpr Unsigned<2 * bits - 32> square(Signed<bits> x) {
 
 // A barrier for a factor of several products. Without it GCC extends the factor to 64 bits once for all of them, and
 // each product takes five instructions instead of one.
-template <int bits>
-constexpr Signed<bits> afresh(Signed<bits> x) {
-  return {opaque(x.raw)};
-}
-template <int bits>
-constexpr Unsigned<bits> afresh(Unsigned<bits> x) {
+template <template <int> class Number, int bits>
+constexpr Number<bits> afresh(Number<bits> x) {
   return {opaque(x.raw)};
 }
 

@@ -38,21 +38,8 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
 // An entry keeps all bits of its products. Fixed32 therefore does not round it, however slow the contact is compared
 // with the bounds. Float32 rounds each entry by 2^-24 of itself.
 //
-// Neither sum contains energy that the method itself gains or loses. With Impulsive that is (w0 t h)^4/12 of the main
-// mass's share in each impact (docs/impulsive.md). With EnergyConsistent in a field it is the energy of a stiff
-// contact's position correction.
-//
-// The dissipated energy should never fall. How well a stepper keeps that:
-//
-//     Impulsive           exactly, in every format. An entry is J (V - J) with 0 <= J <= V. Work that lifts a ball out
-//                         of its stop against a field counts as dissipated
-//     EnergyConsistent    within the rounding of the motion. An entry is the work of the damping. In a resolved contact
-//                         of a power law (docs/energy.md) it also contains the force times the residual of the
-//                         equation: 4e-4 of the contact's energy during an elastic contact of 20 steps
-//     the others          only over a whole contact, with an error of second order and of either sign. Within a step
-//     the
-//                         rate differs from a straight line by (h omega)^2/8 of itself. As much of the stored energy is
-//                         counted too early or too late
+// The dissipated energy never falls with Impulsive. With other steppers it may fall by what docs/energy.md says, which
+// also has the energy that a method itself gains or loses and neither sum contains.
 struct EnergyLedger {
   static constexpr uint32_t kind = 1;     // identifies the feature in a saved state
   static constexpr bool is_bound = true;  // during a contact the record is valid with that contact's plan only

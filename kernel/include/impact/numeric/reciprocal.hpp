@@ -3,13 +3,9 @@
 // Reciprocals and quotients without a divide instruction, in 32-bit integer arithmetic. Every target computes the same
 // bits.
 //
-// For d in [2^31, 2^32) a table of 16 parabolas (128 bytes) gives X = 2^48 / d, which has 17 bits. The error of X is at
-// most 2^32 / d. One pass of Newton's iteration squares the relative error:
-//
-//     e = 2^47 - d X / 2          |e| < 2^31, so 32 bits suffice
-//     r = 2^15 X + X e / 2^32  =  (2^63 / d) (1 - (e / 2^47)^2)
-//
-// All rounding is down, so r never exceeds 2^63 / d.
+// For d in [2^31, 2^32) a table of 16 parabolas (128 bytes) gives X = 2^48 / d within 2^32 / d. One pass of Newton's
+// iteration squares the relative error: r = 2^15 X + X e / 2^32 with e = 2^47 - d X / 2. All rounding is down, so r
+// never exceeds 2^63 / d. Derivation: docs/fixed_point.md.
 
 #include <stdint.h>
 

@@ -3,17 +3,9 @@
 // Square root by table, for fixed-point numbers and for the bits of a float. All arithmetic is in integers, so every
 // target computes the same bits.
 //
-// The argument is Y = 4^k U with U in [1/4, 1). That interval has 48 segments of equal width. In each, t in [-1, 1)
-// counts from the middle, and a cubic replaces sqrt(U). It equals sqrt(U) at Chebyshev nodes that are stretched to
-// reach both ends,
-//
-//     t_j = cos((2j+1) pi/8) / cos(pi/8),    j = 0..3,
-//
-// so neighbouring segments join, and a larger argument never has a smaller root. The relative error is largest at U =
-// 1/4, where it is |binomial(1/2, 4)| (2/64)^4 max|(t-t_0)..(t-t_3)| = 0.039 2^-20 0.172. Rounding adds less than
-// 2^-30. The relative error is at most 2^-27, and the table has 768 bytes.
-//
-// The root of a float is correctly rounded.
+// The argument is Y = 4^k U with U in [1/4, 1). In each of 48 segments of U a cubic in t from -1 to 1 replaces sqrt(U).
+// A larger argument never has a smaller root. The relative error is at most 2^-27, and the table has 768 bytes. The
+// root of a float is correctly rounded. Derivation: docs/fixed_point.md.
 
 #include <stddef.h>
 #include <stdint.h>

@@ -192,7 +192,7 @@ struct DryFriction : ScenePart {
     state.main_push = mirrored(plan.friction.main_sliding, back);
     state.ball_push = mirrored(plan.friction.ball_sliding, back);
     state.impulse = mirrored(plan.friction.full, back);
-    state.lasting = plan.friction.lasting;
+    state.lasting = in<unit::Position>(bare(plan.friction.lasting));  // compiler.hpp
     push(state, state.main_push, state.ball_push);
   }
 

@@ -251,8 +251,8 @@ class AbsorberOf
   }
   // The contact's force on the main mass along x, in native numbers of force_unit(). The ball feels the opposite. With
   // a stepper that resolves the contact it is the average over the last step. With Impulsive, whose impacts take no
-  // time, it is the law's peak in an impact of the last step, at every rate, or the force on a ball at rest. It needs
-  // the feature ContactForce.
+  // time, it is the law's peak in an impact of the last step, at every rate. On a ball at rest it is the static force.
+  // It requires the feature ContactForce.
   constexpr Value contact_force() const {
     static_assert(has_force, "contact_force() requires the feature ContactForce: append it to the absorber's type");
     if constexpr (!has_force)
@@ -328,11 +328,12 @@ class AbsorberOf
   }
 
   // save() and restore() save and restore the state. The bytes are the same on every little-endian target and on a
-  // 64-bit host, so a host that restores them continues bit for bit. restore() returns false and changes nothing in
-  // these cases: the layout's version, the scene, the bounds, the step or a type differs; displacements, drive or kind
-  // of contact are out of range; a contact under way is inconsistent; the next step would clamp the state. It does not
-  // authenticate. With forged bytes that pass, every step is defined and ends in range or with a fault. But it is no
-  // motion of this absorber, and the features' records may be anything.
+  // 64-bit host, so a host that restores them continues bit for bit. restore() returns false and changes nothing if
+  //     - the layout's version, the scene, the bounds, the step or a type differs,
+  //     - displacements, drive or kind of contact are out of range, or a contact under way is inconsistent,
+  //     - the next step would clamp the state.
+  // It does not authenticate. With forged bytes that pass, every step is defined and ends in range or with a fault. But
+  // it is no motion of this absorber, and the features' records may be anything.
   static constexpr uint32_t state_version = 5;
   struct Saved {
     uint32_t version, plan_identity;
@@ -376,8 +377,8 @@ class AbsorberOf
     return true;
   }
 
-  // For a host, in double arithmetic, with the feature ImpactLog: the closing speed of the last impact, m/s, and the
-  // largest contact_force() since the start, N.
+  // The closing speed of the last impact, m/s, and the largest contact_force() since the start, N. They are for a host,
+  // in double arithmetic, and require the feature ImpactLog.
   constexpr double impact_speed() const {
     static_assert(has_log, "impact_speed() requires the feature ImpactLog: append it to the absorber's type");
     if constexpr (has_log)

@@ -21,8 +21,8 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
   return state;
 }
 
-// Energies since the start or the last reset(): the energy that contacts have dissipated, the energy that the stop
-// stores now, and the work of the drive.
+// The energy that contacts have dissipated and the work of the drive, both since the start or the last reset(). Also
+// the energy that the stop stores now.
 //
 //     work on a contact in a step     = J1/h v0 + (J0 - J1/h) v1      if the rate is linear in time; exact for a free
 //     pair

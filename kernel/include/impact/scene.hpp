@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The physical scene, in SI units: a main mass on a spring and a damper, driven by F(t), with a ball that moves
-// freely in a cavity of the main mass and hits its left and right stops.
+// The physical scene, in SI units. A main mass on a spring and a damper is driven by F(t). A ball moves freely in a
+// cavity of the main mass and hits its left and right stops.
 //
 //     M x1'' + c x1' + k x1 = F(t) + Fc        m x2'' = -Fc        y = x2 - x1
 //     right stop: penetration =  y - d/2       left stop: penetration = -y - d/2       contact while it is > 0
@@ -9,7 +9,7 @@
 // Fc > 0 pushes the main mass towards the stop that is hit. The clearance d is the ball's whole free travel: the stops
 // stand at +-d/2 from the middle of the cavity, where the ball starts. The equations are (2.1) to (2.8) of
 // Chehaibi, Mrad & Nasri, "Collision modeling of single unit impact absorber for mechanical systems vibration
-// attenuation"; the defaults below are that paper's Hunt-Crossley scene (Table 2), driven at 40 rad/s.
+// attenuation". The defaults below are that paper's Hunt-Crossley scene (Table 2), driven at 40 rad/s.
 
 #include <impact/requirements.hpp>
 
@@ -31,8 +31,8 @@ enum class Tension { clamp, allow };
 // default contact_stiffness it means 19560. With another stiffness or with HookeNewton the plan is rejected.
 inline constexpr double unstated_damping = 19560.0 + 0x1p-38;
 
-// The values that a scene states, in SI units. status.hpp has the range of each, 1e-9 to 1e9 kg for a mass; a value
-// outside its range does not compile, or at run time has its PlanStatus.
+// The values that a scene states, in SI units. values.hpp has the range of each, such as 1e-9 to 1e9 kg for a mass. A
+// value outside its range does not compile. At run time the plan then has the value's PlanStatus.
 struct Scene {
   double main_mass = 1.0;                     // M, kg
   double main_stiffness = 1000.0;             // k, N/m; 0 for a free main mass

@@ -26,8 +26,9 @@ template <int64_t longest_step_in_nanoseconds, bool is_in_range>
 struct StepsPerContact {
   static_assert(
       is_in_range,
-      "Rig::step: too few steps per contact for this stepper. For impacts at 2 Bounds::speed "
-      "it allows at most the longest_step_in_nanoseconds named here. Take a shorter step or impact::Chosen<>");
+      "Rig::step: too few steps per contact for this stepper, or with sub-steps per crossing of the clearance. "
+      "At 2 Bounds::speed it allows at most the longest_step_in_nanoseconds named here. Take a shorter step or "
+      "impact::Chosen<>");
 };
 
 template <int64_t largest_clearance_in_micrometres, bool is_in_range>

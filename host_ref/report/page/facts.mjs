@@ -188,7 +188,7 @@ export function stiffText(stiff) {
   return [1e-6, 1e-8].map((error) => {
     const all = stiffDuels(stiff, error), ratios = all.filter(({ kernel, peer }) => kernel < Infinity && peer < Infinity).map(({ kernel, peer }) => peer / kernel);
     const wins = (side) => all.filter((both) => both[side] < both.peer).length;
-    return `For ${error.toExponential()} m the kernel takes less time than event-rk4 at ${wins('kernel')} of ${all.length} stiffnesses, each with its best settings, and at ${wins('auto')} with the rule's stepper.`
+    return `For ${error.toExponential()} m the kernel takes less time than event-rk4 at ${wins('kernel')} of ${all.length} stiffnesses, each with its best settings. With the rule's stepper that is so at ${wins('auto')}.`
       + (ratios.length > 0 ? ` With the best settings event-rk4 takes ${short(Math.min(...ratios), 2)} to ${short(Math.max(...ratios), 2)} times as long.` : '');
   }).join(' ');
 }

@@ -62,8 +62,8 @@ constexpr bool accepts() {
       "friction");
   static_assert(
       together != PlanStatus::contact_stiffness,
-      "Rig::scene.contact_stiffness: Fixed32 cannot resolve such a stop with this step and these Bounds. Take "
-      "another step, most often a longer one, or Float32. impact-sim prints the accepted range");
+      "Rig::scene.contact_stiffness: Fixed32 cannot resolve such a stop with this step and these Bounds. Take tighter "
+      "Bounds, another step, most often a longer one, or Float32. impact-sim prints the accepted range");
   static_assert(
       together != PlanStatus::contact_damping,
       "Rig::scene.contact_damping: more than ten times critical for HookeNewton, whose c1 is in N s/m. State at "

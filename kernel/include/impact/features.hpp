@@ -24,8 +24,8 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
 // The energy that contacts have dissipated and the work of the drive, both since the start or the last reset(). Also
 // the energy that the stop stores now.
 //
-//     work on a contact in a step     = J1/h v0 + (J0 - J1/h) v1      if the rate is linear in time; exact for a free
-//     pair
+//     work on a contact in a step     = J1/h v0 + (J0 - J1/h) v1      if the rate is linear in time; of a free pair
+//                                                                     it is exact
 //                                     = f (d1 - d0)                   if the force is constant over the step; exact
 //     dissipated in a step            = work - change of the stored energy
 //     work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule, second order in h

@@ -7,6 +7,7 @@
 #include <impact/law/resolution.hpp>
 #include <impact/law/terms.hpp>
 #include <impact/motion/field.hpp>
+#include <impact/motion/friction.hpp>
 #include <impact/motion/handover.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/numeric/constant_math.hpp>

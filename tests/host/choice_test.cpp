@@ -15,6 +15,7 @@
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
+#include "kinds.hpp"
 
 namespace impact::host {
 namespace {
@@ -75,7 +76,7 @@ Rebounds rebounds(Request request) {
   request.scene.v2 = speed / 2;
   request.scene.x2 = request.scene.clearance / 2 - speed * request.step * (1 + 0.5 / phases_of_impact);
   const long steps = std::lround(4 * resolution(request).contact_time / request.step) + 20;
-  const auto found = rebounds(request, steps, [](const Request& asked) { return make_simulation(asked).simulation; });
+  const auto found = rebounds(request, steps, simulation_of);
   EXPECT_TRUE(found) << "refused";
   if (!found) return {};
   EXPECT_TRUE(found->is_apart);

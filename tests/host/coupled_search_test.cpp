@@ -15,6 +15,7 @@
 #include "coupled_limits.hpp"
 #include "host_ref/coupled_scenes.hpp"
 #include "host_ref/energies.hpp"
+#include "kinds.hpp"
 #include "search.hpp"
 
 namespace impact::host {
@@ -28,50 +29,23 @@ int evaluations() {
 constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::sampled};
 
-struct Searched {
-  Law law;
-  bool is_damped_per_impact;
-  Stepper stepper;
-  Numeric numeric;
-
-  CoupledScene scene(Edge edge, DriveKind drive, Parts parts, const Place& at) const {
-    CoupledScene result = coupled_scene(law, edge, drive, parts, at);
-    result.request.numeric = numeric;
-    result.request.stepper = stepper;
-    if (is_damped_per_impact) result.request.damping = Damping::hunt_crossley;
-    return result;
-  }
-};
-void PrintTo(const Searched& searched, std::ostream* out) {
-  *out << name_of(searched.law) << (searched.is_damped_per_impact ? " per impact " : " ") << name_of(searched.stepper)
-       << " " << name_of(searched.numeric);
-}
-
-std::vector<Searched> all() {
-  std::vector<Searched> result;
-  for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32})
-    for (const Stepper stepper : {Stepper::automatic, Stepper::moment, Stepper::moment_4, Stepper::moment_8,
-                                  Stepper::moment_n, Stepper::energy, Stepper::impulsive}) {
-      for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
-        result.push_back({law, false, stepper, numeric});
-      result.push_back({Law::hunt_crossley, true, stepper, numeric});
-    }
-  return result;
-}
-
 // Three further coordinates select the edge, the drive, and whether the scene has parts. The tool has no parts in
 // Float32Plain.
 using Everywhere = std::array<double, coordinates + 3>;
-template <class Kind, size_t n>
-Kind one_of(const Kind (&kinds)[n], double u) {
-  return kinds[std::min(n - 1, static_cast<size_t>(u * n))];
+template <class Value, size_t n>
+Value one_of(const Value (&values)[n], double u) {
+  return values[std::min(n - 1, static_cast<size_t>(u * n))];
 }
-CoupledScene scene_at(const Searched& searched, const Everywhere& at) {
+CoupledScene scene_at(const Kind& kind, const Everywhere& at) {
   Place place;
   std::copy_n(at.begin(), coordinates, place.begin());
-  const bool has_parts = searched.numeric != Numeric::float32_plain && at[coordinates + 2] > 0.5;
-  return searched.scene(one_of(edges, at[coordinates]), one_of(drives, at[coordinates + 1]),
-                        has_parts ? Parts::some : Parts::none, place);
+  const bool has_parts = kind.numeric != Numeric::float32_plain && at[coordinates + 2] > 0.5;
+  CoupledScene result = coupled_scene(kind.law, one_of(edges, at[coordinates]), one_of(drives, at[coordinates + 1]),
+                                      has_parts ? Parts::some : Parts::none, place);
+  result.request.numeric = kind.numeric;
+  result.request.stepper = kind.stepper;
+  result.request.damping = kind.damping;
+  return result;
 }
 
 // The energy gain beyond rounding. A fault counts more than any gain.
@@ -159,7 +133,7 @@ struct KeptPoint {
   Law law;
   Stepper stepper;
   Everywhere at;
-  bool is_damped_per_impact = false;
+  Damping damping = Damping::constant;
 };
 void PrintTo(const KeptPoint& kept, std::ostream* out) { *out << kept.what; }
 template <class... Numbers>
@@ -173,7 +147,7 @@ constexpr KeptPoint kept_points[] = {
 class KeptPointIn : public testing::TestWithParam<std::tuple<KeptPoint, Numeric>> {};
 TEST_P(KeptPointIn, IsRejectedOrWithinTheLimits) {
   const auto& [kept, numeric] = GetParam();
-  EXPECT_LE(badness(scene_at({kept.law, kept.is_damped_per_impact, kept.stepper, numeric}, kept.at)), 1);
+  EXPECT_LE(badness(scene_at({kept.law, kept.stepper, numeric, kept.damping}, kept.at)), 1);
 }
 INSTANTIATE_TEST_SUITE_P(Found, KeptPointIn,
                          testing::Combine(testing::ValuesIn(kept_points),
@@ -250,24 +224,27 @@ TEST(FoundInAField, TheGainOfABallPlacedInItsStopIsRemovedToSecondOrder) {
       at(1, 0.9869875330067599, 1, 0.64729916253687747, 1, 0, 1, 1, 0, 0.35744453478244798, 0.99237002075362835, 1,
          0.99734956338331215, 0.94163691008981298, 0.30209607280327472, 0.18031668536024631, 0.92473774659018393,
          0.29490809602390566, 0.23092883313144685, 0.97648966748162846, 0.98157180543121925);
-  const CoupledRun run = run_coupled(scene_at({Law::hunt_crossley, false, Stepper::energy, Numeric::float64}, point));
+  const CoupledRun run = run_coupled(scene_at({Law::hunt_crossley, Stepper::energy, Numeric::float64}, point));
   EXPECT_TRUE(run.is_accepted);
   EXPECT_LE(run.gain, 4 * 0.05 * 0.05 * 0.05 * 0.05);
 }
 
-class CoupledSearch : public testing::TestWithParam<Searched> {};
+class CoupledSearch : public testing::TestWithParam<Kind> {};
 
 TEST_P(CoupledSearch, FindsNoSceneThatGainsEnergyOrRaisesAFault) {
-  const Searched& searched = GetParam();
-  const auto worst =
-      search<coordinates + 3>(1, evaluations(), [&](const Everywhere& at) { return badness(scene_at(searched, at)); });
-  const CoupledScene scene = scene_at(searched, worst.at);
+  const auto worst = search<coordinates + 3>(1, evaluations(),
+                                             [&](const Everywhere& at) { return badness(scene_at(GetParam(), at)); });
+  const CoupledScene scene = scene_at(GetParam(), worst.at);
   std::printf("  worst %.3g of what is allowed: {", worst.value);
   for (const double x : worst.at) std::printf("%.17g, ", x);
   std::printf("}\n");
   EXPECT_LE(worst.value, 1) << text_of(scene.request);
 }
-INSTANTIATE_TEST_SUITE_P(Every, CoupledSearch, testing::ValuesIn(all()));
+INSTANTIATE_TEST_SUITE_P(Every, CoupledSearch,
+                         testing::ValuesIn(kinds({Stepper::automatic, Stepper::moment, Stepper::moment_4,
+                                                  Stepper::moment_8, Stepper::moment_n, Stepper::energy,
+                                                  Stepper::impulsive},
+                                                 Damping::hunt_crossley)));
 
 }  // namespace
 }  // namespace impact::host

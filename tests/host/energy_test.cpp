@@ -12,6 +12,7 @@
 #include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
 #include "host_ref/reference.hpp"
+#include "kinds.hpp"
 
 namespace impact::host {
 namespace {
@@ -32,8 +33,7 @@ Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) 
     free.contact_stiffness *= std::pow(free.step / 1e-3, 2.5);
     free.step = 1e-3;
   }
-  const auto found = rebounds(free, Stepper::energy, numeric,
-                              [](const Request& request) { return make_simulation(request).simulation; });
+  const auto found = rebounds(free, Stepper::energy, numeric, simulation_of);
   EXPECT_TRUE(found) << "refused";
   if (!found) return {};
   EXPECT_FALSE(found->has_fault);
@@ -108,8 +108,7 @@ TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {
       free.restitution =
           restitution({free.law, free.contact_stiffness, damping * mu / free.step, mu, free.speed}).value();
       for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32}) {
-        const auto found = rebounds(free, Stepper::energy, numeric,
-                                    [](const Request& request) { return make_simulation(request).simulation; });
+        const auto found = rebounds(free, Stepper::energy, numeric, simulation_of);
         EXPECT_EQ(found.has_value(), damping < 2) << steps << ' ' << damping;
         if (!found) continue;
         const double error = 0.6 / (steps * steps) + 1e-4;

@@ -1,6 +1,9 @@
 #pragma once
-// All laws and formats with every stepper whose contacts create no energy. Hunt-Crossley also has a damping per impact.
+// What suites of random scenes vary: every law with the given steppers and formats. Hunt-Crossley also has a damping
+// per impact.
 
+#include <initializer_list>
+#include <memory>
 #include <ostream>
 #include <vector>
 
@@ -19,15 +22,25 @@ inline void PrintTo(const Kind& kind, std::ostream* out) {
        << name_of(kind.damping);
 }
 
-inline std::vector<Kind> kinds() {
+inline std::vector<Kind> kinds(std::initializer_list<Stepper> varied, Damping per_impact,
+                               std::initializer_list<Numeric> formats = {Numeric::float64, Numeric::float32,
+                                                                         Numeric::float32_plain, Numeric::fixed32}) {
   std::vector<Kind> result;
-  for (const Stepper stepper : {Stepper::automatic, Stepper::energy, Stepper::impulsive})
-    for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32}) {
+  for (const Stepper stepper : varied)
+    for (const Numeric numeric : formats) {
       for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
         result.push_back({law, stepper, numeric});
-      result.push_back({Law::hunt_crossley, stepper, numeric, Damping::exact});
+      result.push_back({Law::hunt_crossley, stepper, numeric, per_impact});
     }
   return result;
 }
+
+// With every stepper whose contacts create no energy.
+inline std::vector<Kind> passive_kinds() {
+  return kinds({Stepper::automatic, Stepper::energy, Stepper::impulsive}, Damping::exact);
+}
+
+// For rebounds() of free_pair.hpp: none if the request is refused.
+inline std::unique_ptr<Simulation> simulation_of(const Request& request) { return make_simulation(request).simulation; }
 
 }  // namespace impact::host

@@ -13,6 +13,7 @@
 #include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
 #include "host_ref/names.hpp"
+#include "kinds.hpp"
 
 namespace impact::host {
 namespace {
@@ -99,8 +100,7 @@ TEST(Laws, ReboundAsTheirFormulasSayAtAnySpeed) {
             const double detail = cell.stepper == Stepper::moment ? std::min(1.0, 4 * expected / (1 + expected)) : 1;
             free.step = contact_time(impact_of(free)).value() * detail / cell.steps_per_contact;
             if (free.step > 0.1) continue;
-            const auto found = rebounds(free, cell.stepper, numeric,
-                                        [](const Request& request) { return make_simulation(request).simulation; });
+            const auto found = rebounds(free, cell.stepper, numeric, simulation_of);
             ASSERT_TRUE(found) << name_of(law.damping) << " " << e << " " << speed << " " << name_of(cell.stepper)
                                << " " << cell.steps_per_contact << " " << name_of(numeric);
             EXPECT_FALSE(found->has_fault);

@@ -181,8 +181,10 @@ void write_law(Output& output, Progress& progress, long done, std::integer_seque
   ((progress.at(done++), write_step_length<law, steps_per_interval>(output, reference, run)), ...);
 }
 
-void write_accuracy(const std::string& path) {
-  Output output(path);
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
+  Output output(paths.at(0));
   output.write("law,newmark,numeric,step_s,error_m,method_error_m,rounding_error_m,host_ns_per_step,contact_share\n");
   using StepsPerInterval = std::integer_sequence<int, 1, 2, 4, 5, 10, 20, 50, 100, 200, 500, 1000>;
   constexpr long step_lengths = StepsPerInterval::size();
@@ -193,10 +195,4 @@ void write_accuracy(const std::string& path) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments,
-                                     [](const auto& paths) { impact::report::write_accuracy(paths.at(0)); });
-}

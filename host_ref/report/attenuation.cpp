@@ -56,8 +56,10 @@ double swing_without(const Request& request) {
   return swing(bare);
 }
 
-void write_attenuation(const std::string& path) {
-  Output output(path);
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
+  Output output(paths.at(0));
   output.write("rig,ball_friction_N,pulsation,swing_without_m,swing_m,attenuation\n");
   constexpr int slowest = 20, fastest = 60;  // rad/s
   Progress progress("runs", 4 * (fastest - slowest + 1));
@@ -77,10 +79,4 @@ void write_attenuation(const std::string& path) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments,
-                                     [](const auto& paths) { impact::report::write_attenuation(paths.at(0)); });
-}

@@ -40,8 +40,10 @@ void append_row(std::string& rows, Law law, Stepper stepper, Numeric numeric) {
   rows += "\n";
 }
 
-void write_coupled(const std::string& path) {
-  Output output(path);
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
+  Output output(paths.at(0));
   output.write("law,newmark,numeric,scenes,faults,energy_gain_max\n");
   const Law laws[] = {Law::hooke_newton, Law::hertz, Law::hunt_crossley};
   const Numeric numerics[] = {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32};
@@ -60,10 +62,4 @@ void write_coupled(const std::string& path) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments,
-                                     [](const auto& paths) { impact::report::write_coupled(paths.at(0)); });
-}

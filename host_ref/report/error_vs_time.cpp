@@ -36,7 +36,9 @@ bool costs_as_measured(const std::string& law, const std::string& newmark, doubl
   return *host::contact_time(fastest) > 20.2 * step;
 }
 
-void write_error_vs_time(const std::vector<std::string>& paths) {
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
   const std::vector<Row> accuracy = read_table(paths.at(1));
   std::map<std::string, std::map<std::string, double>> cost;  // by target,law,method,numeric and phase
   std::vector<std::string> targets;
@@ -74,9 +76,4 @@ void write_error_vs_time(const std::vector<std::string>& paths) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments, impact::report::write_error_vs_time);
-}

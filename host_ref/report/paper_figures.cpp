@@ -152,7 +152,9 @@ void write_figures(const std::string& path, const std::vector<Curves>& curves) {
   figures.commit();
 }
 
-void write_paper_figures(const std::vector<std::string>& arguments) {
+}  // namespace
+
+void write_report(const std::vector<std::string>& arguments) {
   const std::string& folder = arguments.at(0);
   const std::vector<Curve> kernel = kernel_curves(arguments.at(1));
   std::vector<Curves> curves;
@@ -167,9 +169,4 @@ void write_paper_figures(const std::vector<std::string>& arguments) {
   write_figures(folder + "/figures.csv", curves);
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments, impact::report::write_paper_figures);
-}

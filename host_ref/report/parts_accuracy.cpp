@@ -115,8 +115,10 @@ class PartsAccuracy {
   Samples reference_;
 };
 
-void write_parts_accuracy(const std::string& path) {
-  Output output(path);
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
+  Output output(paths.at(0));
   output.write("part,newmark,numeric,contact_stiffness,horizon_s,step_s,error_m,order,ledger_open_J\n");
   Progress progress("parts", std::size(all_parts));
   long done = 0;
@@ -132,10 +134,4 @@ void write_parts_accuracy(const std::string& path) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments,
-                                     [](const auto& paths) { impact::report::write_parts_accuracy(paths.at(0)); });
-}

@@ -15,8 +15,10 @@ namespace {
 
 using namespace host;
 
-void write_restitutions(const std::string& path) {
-  Output output(path);
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
+  Output output(paths.at(0));
   output.write("damping,stated,restitution_min,restitution_max,restitution_exact\n");
   Progress progress("laws", std::size(dampings));
   long done = 0;
@@ -39,10 +41,4 @@ void write_restitutions(const std::string& path) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments,
-                                     [](const auto& paths) { impact::report::write_restitutions(paths.at(0)); });
-}

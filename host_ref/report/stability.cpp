@@ -96,8 +96,10 @@ std::string column(size_t index) {
   return rows;
 }
 
-void write_stability(const std::string& path) {
-  Output output(path);
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
+  Output output(paths.at(0));
   output.write(
       "law,newmark,numeric,step_s,contact_stiffness,restitution_min,restitution_max,restitution_exact,energy_gain_max,"
       "accepted,machine_rule\n");
@@ -119,10 +121,4 @@ void write_stability(const std::string& path) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments,
-                                     [](const auto& paths) { impact::report::write_stability(paths.at(0)); });
-}

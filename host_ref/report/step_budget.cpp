@@ -18,7 +18,9 @@ std::string configuration_of(const Row& row) {
   return key;
 }
 
-void write_step_budget(const std::vector<std::string>& paths) {
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
   std::map<std::string, std::string> budget;  // by configuration and phase or quantity
   for (const Row& row : read_table(paths.at(1))) budget[configuration_of(row) + row.at("quantity")] = row.at("budget");
   std::vector<Row> costs;
@@ -54,9 +56,4 @@ void write_step_budget(const std::vector<std::string>& paths) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments, impact::report::write_step_budget);
-}

@@ -84,8 +84,10 @@ void for_each_number_of_sub_steps(const Scene& scene, double h, const std::vecto
   if constexpr (n < SubsteppedMoment<>::most) for_each_number_of_sub_steps<2 * n>(scene, h, reference, write);
 }
 
-void write_stiff(const std::string& path) {
-  host::Output output(path);
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
+  host::Output output(paths.at(0));
   output.write("contact_stiffness,step_s,method,numeric,contact_steps,error_m,ns_per_simulated_second\n");
   for (double tenths = 9; tenths <= 24; ++tenths) {
     const double stiffness = tenths == 9 ? 3.26e4 : std::pow(10, tenths / 2);  // the paper's, and to 1e12
@@ -115,10 +117,4 @@ void write_stiff(const std::string& path) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments,
-                                     [](const auto& paths) { impact::report::write_stiff(paths.at(0)); });
-}

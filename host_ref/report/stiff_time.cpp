@@ -19,7 +19,9 @@ auto displacement(const Kernel& kernel) -> decltype(kernel.reading().x1) {
 }
 double displacement(const EventRk4<float>& model) { return model.displacement(); }
 
-void write_stiff_time(const std::vector<std::string>& paths) {
+}  // namespace
+
+void write_report(const std::vector<std::string>& paths) {
   host::Case run;
   run.scene = stiff_scene(steel);
   const auto reference = host::reference_trajectory(run, stiff_interval, stiff_duration).samples;
@@ -58,9 +60,4 @@ void write_stiff_time(const std::vector<std::string>& paths) {
   output.commit();
 }
 
-}  // namespace
 }  // namespace impact::report
-
-int main(int count, char** arguments) {
-  return impact::report::run_program(count, arguments, impact::report::write_stiff_time);
-}

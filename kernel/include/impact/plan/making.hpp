@@ -83,7 +83,7 @@ class PlanMaking {
   static constexpr PlanStatus status_of_parts(const Scene& scene, const Bounds& bounds) {
     const auto is_stated = [](double x) { return x < 0 || x > 0; };
 #define IMPACT_CHECK(object, name, least, most, unit, its_status, meaning, part) \
-  if (!Plan::template has<part> && is_stated(object.name)) return PlanStatus::name##_not_named;
+  if (!Plan::template has<part> && is_stated((object).name)) return PlanStatus::name##_not_named;
     IMPACT_EACH_PART(IMPACT_CHECK)
 #undef IMPACT_CHECK
     return PlanStatus::ok;

@@ -133,7 +133,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
         fingerprint_of(scene, bounds, h, damping_ratio<ContactLaw>(scene), Stepper::longest_phase);
     for (uint32_t kind : kinds) fingerprint.add(kind);
 #define IMPACT_ADD(object, name, least, most, unit, its_status, meaning, part) \
-  if constexpr (has<part>) fingerprint.add_number(object.name);
+  if constexpr (has<part>) fingerprint.add_number((object).name);
     IMPACT_EACH_PART(IMPACT_ADD)
 #undef IMPACT_ADD
     return fingerprint.value;

@@ -312,13 +312,13 @@ class AbsorberOf
     Value du = units.per_step(dv);
     if (units.clamp(dx, units.correction_limit())) Machine::raise(Fault::displacement);
     if (units.clamp(du, units.rate_correction_limit())) Machine::raise(Fault::speed);
-    const auto excess = Rub::stop(machine());
+    const auto excess = FrictionStep::stop(machine());
     const Position<Value> x(dx);
     const Displacement<Value> u(du);
     units.add_position(Machine::state.x1, x);
     units.add_displacement(Machine::state.dx1, u);
     units.add(Machine::state.dx1, -(plan.handover.behind_by_u1 * u + plan.handover.behind_by_x1 * x));
-    Rub::start(machine(), excess);
+    FrictionStep::start(machine(), excess);
     if (!Machine::clamp_to_range()) {
       if (Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), true);
       if (Machine::state.contact.phase == Phase::apart) Begin::push_out(machine());
@@ -363,15 +363,15 @@ class AbsorberOf
         Contact::traits.keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
     if (is_bound && Machine::state.contact.phase != Phase::apart) return false;
-    const auto excess = Rub::stop(machine());
-    Rub::undo(machine());
+    const auto excess = FrictionStep::stop(machine());
+    FrictionStep::undo(machine());
     const bool is_other_contact = next.handover.contact != plan.handover.contact;
     hand_over<PlanType>(plan, next, Machine::state);
     if constexpr (!Source::is_constant) Source::go_on_under(next);
     Machine::clamp_to_range();
     (restart<Features>(), ...);
     if constexpr (counts_slid_way) Machine::state.slid = {};
-    Rub::start(machine(), excess);
+    FrictionStep::start(machine(), excess);
     if (is_other_contact && Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), false);
     publish();
     return true;
@@ -403,8 +403,8 @@ class AbsorberOf
   // DryFriction and EnergyLedger.
   constexpr double friction_dissipated() const {
     if constexpr (counts_slid_way) {
-      if (!Rub::acts(machine())) return 0;
-      const double taken = Machine::state.slid.total() - plan.units.fraction(Rub::still_to_work(machine()));
+      if (!FrictionStep::acts(machine())) return 0;
+      const double taken = Machine::state.slid.total() - plan.units.fraction(FrictionStep::still_to_work(machine()));
       return plan.friction.force * plan.units.si_penetration_unit() * taken;
     } else {
       return 0;
@@ -443,7 +443,7 @@ class AbsorberOf
   using Window = SnapshotWindow<Value, detail::is_one_of<Snapshots, Features...>>;
   static constexpr bool publishes = detail::is_one_of<Snapshots, Features...>;
   using Steps = Step<Machine>;
-  using Rub = FrictionImpulse<Machine>;
+  using FrictionStep = FrictionImpulse<Machine>;
   using Begin = Restart<Machine>;
   using Machine::counts_slid_way;
   constexpr Machine& machine() { return *this; }

@@ -116,7 +116,7 @@ template <class Contact, class Step>
 constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
   using Rate = decltype(step.rate);
   if constexpr (Contact::traits.is_instantaneous)
-    return contact.rests || !is_positive(step.force.j0) ? Rate{} : step.rate;
+    return contact.is_at_rest || !is_positive(step.force.j0) ? Rate{} : step.rate;
   else
     return Rate{};
 }

@@ -31,7 +31,7 @@ struct Step {
   using Increment = impact::Increment<Value>;
   using Penetration = impact::Penetration<Value>;
 
-  using Rub = FrictionImpulse<Model>;
+  using FrictionStep = FrictionImpulse<Model>;
 
   // The parts of the drive's change that the contact reads.
   struct ChangeAtEnd {
@@ -63,7 +63,7 @@ struct Step {
     } else if (!m.flight_is_in_range()) {
       m.clamp();
     } else if constexpr (Friction::is_friction) {
-      Rub::after_flight(m, main_travel);
+      FrictionStep::after_flight(m, main_travel);
     }
     m.record_step();
   }
@@ -119,7 +119,7 @@ struct Step {
     if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
       solve_contact(m, increment, main_travel, change);
-      if (Rub::acts(m)) Rub::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
+      if (FrictionStep::acts(m)) FrictionStep::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
     } else {
       solve_contact(m, increment, main_travel, change);
     }
@@ -140,7 +140,7 @@ struct Step {
     const bool left = m.contact_is_left();
     if constexpr (traits.keeps_force) apply_kept_force(m, mirrored(state.contact.force, left));
     StopApproach approach{};
-    if (!find_contact(m, approach, left)) return clamp_unchecked(m);
+    if (!find_contact(m, approach, left)) return clamp_if_out_of_range(m);
     if constexpr (traits.reads_rate || Model::records) approach.rate = m.relative_rate(left);
     approach.travel = mirrored(m.way_flown(main_travel), left);
     approach.before = approach.penetration - approach.travel;
@@ -213,7 +213,7 @@ struct Step {
         approach.before = Penetration{};
       } else if (!put_back(m, approach, left)) {
         reload_state<Model>(state);
-        clamp_unchecked(m);
+        clamp_if_out_of_range(m);
         return false;
       }
     }
@@ -289,7 +289,7 @@ struct Step {
                                  units.increment_of_rate(approach.increment), 0);
   }
   // The range check of a flight that was deferred to a contact, if no contact followed.
-  [[gnu::always_inline]] static constexpr void clamp_unchecked(Model& m) {
+  [[gnu::always_inline]] static constexpr void clamp_if_out_of_range(Model& m) {
     if (!m.flight_is_in_range()) m.clamp();
   }
 };

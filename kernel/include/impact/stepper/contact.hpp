@@ -92,7 +92,7 @@ struct Impulse {
 };
 // The nearest impulse of a force that never pulls: 0 <= J1 <= J0.
 template <class Format, class Value>
-[[gnu::always_inline]] constexpr Impulse<Value> of_push(const Impulse<Value>& impulse) {
+[[gnu::always_inline]] constexpr Impulse<Value> without_pull(const Impulse<Value>& impulse) {
   const Value j1(Format::value(positive_part(impulse.j1)));
   return {no_less(impulse.j0, j1), j1};
 }

@@ -10,8 +10,8 @@
 // Vi is the rate of free flight at that instant, A the acceleration towards the stop by spring and drive, and tau the
 // time from touch to centroid. An impact creates no energy, for any t and any restitution. If A presses the ball to its
 // stop, a force over the step, f = d/(b + h^2/2m), ends the step with the ball on the stop. From then on the ball
-// rests: the force keeps it there and does no work. In a field the ball is lifted only as far as the energy suffices
-// that the force has taken. There is one impact per step.
+// rests: the force keeps it there and does no work. In a field the ball is lifted only as far as the energy
+// suffices that the force has taken. There is one impact per step.
 
 #include <impact/law/impact_force.hpp>
 #include <impact/law/rebound.hpp>
@@ -58,7 +58,7 @@ struct Impulsive {
       [[gnu::always_inline]] constexpr void apply(const Units& units, State& state,
                                                   const Reaction<Format, Force>& reaction, bool left) const {
         Answer<Gain, unit::Force>::apply(units, state, reaction, left);
-        if (state.contact.rests) place_ball(units, state, left, state.contact.lies);
+        if (state.contact.is_at_rest) place_ball(units, state, left, state.contact.depth_at_rest);
       }
     };
     struct Plan {
@@ -75,14 +75,15 @@ struct Impulsive {
         typename Format::ClampedGain by_penetration, by_rate;  // f h that takes d, and V
         Gain displacement, rate;      // what it does to the main mass, over what an impulse at the step's start does,
         Gain penetration, half_rate;  // and to penetration and half its rate
-      } rest;
+      } support;
     };
     // Within the bounds no impact changes a speed by more than twice the bound, and no rest by more than the pressing
     // force. More is clamped at the push's unit; the speed is then beyond its bound.
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       const double rate = terms.largest_rate * terms.step;
       largest.force_factor = 1;
-      largest.penetration = (terms.crosses() ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
+      largest.penetration =
+          (terms.crosses() ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
       largest.push = rate + 2 * largest.increment;
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -126,33 +127,33 @@ struct Impulsive {
     }();
 
     Phase phase;
-    uint32_t rests;    // at rest on its stop after the last step
-    Penetration lies;  // and its depth in the stop
+    uint32_t is_at_rest;        // at rest on its stop after the last step
+    Penetration depth_at_rest;  // and its depth in the stop
 
     constexpr void start(const Plan&, const Units&, const Standing<Value>& at) {
       phase = Phase::touching;
-      lies = at.penetration;
+      depth_at_rest = at.penetration;
     }
     // A ball at rest lies no deeper than it lay.
     constexpr Penetration resume(const Plan&, const Units&, const Standing<Value>& at) {
-      if (!rests) return at.penetration;
-      if (is_positive(lies - at.penetration)) {
-        lies = at.penetration;
-        if (!is_positive(lies)) phase = Phase::apart;
+      if (!is_at_rest) return at.penetration;
+      if (is_positive(depth_at_rest - at.penetration)) {
+        depth_at_rest = at.penetration;
+        if (!is_positive(depth_at_rest)) phase = Phase::apart;
       }
-      return lies;
+      return depth_at_rest;
     }
 
     template <class Seen>
     [[gnu::always_inline]] constexpr Reaction<Format, Force> solve(const Plan& plan, const Units& units,
                                                                    const Seen& step) {
-      const SplitImpulse given = impulse_of(plan, units, step);
-      Reaction<Format, Force> reaction{as_forces(given.main), as_forces(given.ball), step.penetration, {}, {}, {}};
+      const SplitImpulse impulse = impulse_of(plan, units, step);
+      Reaction<Format, Force> reaction{as_forces(impulse.main), as_forces(impulse.ball), step.penetration, {}, {}, {}};
       if constexpr (Seen::is_recorded) {
         reaction.record.force = {reaction.ball.j0, Format::value(half(reaction.ball.j0))};
         // The work at the average rate; the change of the rate may be twice a Value.
-        reaction.record.way = Penetration(given.rate - given.ball.j0);
-        reaction.record.rate = Penetration(given.rate);
+        reaction.record.way = Penetration(impulse.rate - impulse.ball.j0);
+        reaction.record.rate = Penetration(impulse.rate);
       }
       return reaction;
     }
@@ -173,14 +174,15 @@ struct Impulsive {
       constexpr bool is_in_field = Seen::is_in_field;
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
-      const bool has_rested = rests && phase == Phase::touching;
-      rests = 0;
+      const bool has_rested = is_at_rest && phase == Phase::touching;
+      is_at_rest = 0;
       phase = Phase::apart;
       if (!is_positive(trial)) return {{}, {}, rate};
       phase = Phase::touching;
       // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
       if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
-        return rest(plan, trial, lies, {}, weight, support(plan, units, trial - bare(lies), rate));
+        return rest_on_stop(plan, trial, depth_at_rest, {}, weight,
+                            support(plan, units, trial - bare(depth_at_rest), rate));
       if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
@@ -225,12 +227,12 @@ struct Impulsive {
       const Value from = is_positive(before) ? before : Value{};
       const Support on_the_stop = support(plan, units, trial - from, rate);
       const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(half(quarter(half_rate))));
-      if (!sends_back) return rest(plan, trial, from, from - before, weight, on_the_stop);
-      rests = 1;
-      const Value force = clamped(plan, units, plan.rest.by_rate * rate),
-                  inside = trial - plan.rest.penetration * force;
-      lies = Penetration(left_inside(inside, weight, force, inside - before));
-      return given(plan, force, {}, inside - before);
+      if (!sends_back) return rest_on_stop(plan, trial, from, from - before, weight, on_the_stop);
+      is_at_rest = 1;
+      const Value force = clamped(plan, units, plan.support.by_rate * rate),
+                  inside = trial - plan.support.penetration * force;
+      depth_at_rest = Penetration(left_inside(inside, weight, force, inside - before));
+      return support_impulse(plan, force, {}, inside - before);
     }
 
     // The force that prevents the way `way`, and half of the rate after it.
@@ -239,22 +241,23 @@ struct Impulsive {
     };
     [[gnu::always_inline]] static constexpr Support support(const Plan& plan, const Units& units, Value way,
                                                             Value rate) {
-      const Value force = clamped(plan, units, plan.rest.by_penetration * way);
-      return {force, Format::value(half(rate)) - plan.rest.half_rate * force};
+      const Value force = clamped(plan, units, plan.support.by_penetration * way);
+      return {force, Format::value(half(rate)) - plan.support.half_rate * force};
     }
-    [[gnu::always_inline]] constexpr SplitImpulse rest(const Plan& plan, Value trial, Value from, Value way,
-                                                       Value weight, const Support& support) {
+    [[gnu::always_inline]] constexpr SplitImpulse rest_on_stop(const Plan& plan, Value trial, Value from, Value way,
+                                                               Value weight, const Support& support) {
       const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
-      rests = 1;
-      lies = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
-      return given(plan, support.force, last, way);
+      is_at_rest = 1;
+      depth_at_rest = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
+      return support_impulse(plan, support.force, last, way);
     }
     // A force over the step, against which the ball moves by `way`, and an impulse at its end. Both take the energy of
     // one impulse at the rate J + (f way + last^2)/J.
-    [[gnu::always_inline]] static constexpr SplitImpulse given(const Plan& plan, Value force, Value last, Value way) {
+    [[gnu::always_inline]] static constexpr SplitImpulse support_impulse(const Plan& plan, Value force, Value last,
+                                                                         Value way) {
       const Value impulse = force + last;
       const auto share = Format::quotient(positive_part(force), positive_part(impulse));
-      return {{plan.rest.rate * force + last, plan.rest.displacement * force},
+      return {{plan.support.rate * force + last, plan.support.displacement * force},
               {impulse, Format::value(half(force))},
               impulse + Format::value(share * way) + (last - Format::value(share * last))};
     }

@@ -121,7 +121,7 @@ struct MomentLinear : ContactDefaults {
 
  private:
   [[gnu::always_inline]] static constexpr Impulse<Force> felt(const Plan& plan, const Impulse<Force>& found) {
-    return plan.clamped ? of_push<Format>(found) : found;
+    return plan.clamped ? without_pull<Format>(found) : found;
   }
   [[gnu::always_inline]] constexpr Impulse<Force> settle(const Plan& plan, Penetration trial, Penetration trial_rate,
                                                          Impulse<Force> impulse) {

@@ -12,7 +12,7 @@
 //     leaving   the mirror image of entering, with r, d0 and -L
 //     predicted J0 = f + f'/2        J1 = f/2 + f'/6        f' = (3/2) r K (1 + C v) v + K C d0^(3/2) (g - f)
 //
-// One Newton step corrects the error of d1. No impulse pulls (of_push).
+// One Newton step corrects the error of d1. No impulse pulls (without_pull).
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/contact.hpp>
@@ -43,7 +43,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Gain back;                         // from a moment to the response of spring and damper in the next step
     GainOf<Gain, unit::Recoil, unit::Force> force;  // 1/K
     int travel_bits, change_bits;                   // from impulses to penetrations, from increments to impulses
-    int ahead_bits;  // K's shift to the left before it is multiplied by an impulse in a coarser unit
+    int raised_bits;  // K's shift to the left before it is multiplied by an impulse in a coarser unit
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -161,8 +161,8 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const Value mean = strength(plan, dd);
     if (!is_positive(mean)) return ended(plan, trial, {}, end);
     const auto factor = without_sign(mean);
-    const auto by_change = ahead(plan, Format::value(plan.stiffness)) * w;
-    const Recoil j0 = Recoil(Format::value(n * factor)) - behind(plan, Format::value(by_change * dv));
+    const auto by_change = raised(plan, Format::value(plan.stiffness)) * w;
+    const Recoil j0 = Recoil(Format::value(n * factor)) - lowered(plan, Format::value(by_change * dv));
     Recoil j1 = Format::value(half(j0)) - Recoil(Format::value(w * factor * bare(dd)));
     if constexpr (ContactLaw::is_damped) j1 = j1 - damped_sixth(plan, dv, half(n));
 
@@ -170,7 +170,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const Penetration missed = trial - travel(plan, j1) - d;
     const auto slope = p - quarter(root) + zz_5p;
     const Recoil correction =
-        by_missed(plan, slope * factor, n, missed) - behind(plan, Format::value(by_change * (taken - j0)));
+        by_missed(plan, slope * factor, n, missed) - lowered(plan, Format::value(by_change * (taken - j0)));
     return ended(plan, trial, {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))}, end);
   }
 
@@ -195,7 +195,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Recoil loss{};
     if constexpr (ContactLaw::is_damped) loss = part_damping(plan, s * d, trial);
     const Recoil j0 =
-        elastic - behind(plan, Format::value(ahead(plan, Format::value(su * b)) * (u * (g - elastic)))) + loss;
+        elastic - lowered(plan, Format::value(raised(plan, Format::value(su * b)) * (u * (g - elastic)))) + loss;
     const Recoil j1 = Format::value(half(j0)) - Format::value(b * (elastic + loss));
 
     const Penetration back = travel(plan, j1);
@@ -220,7 +220,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
       loss_later = Format::value(later * loss);
     }
     const Recoil j0 =
-        elastic - behind(plan, Format::value(ahead(plan, Format::value(ru * b)) * (u * (g - elastic + loss))));
+        elastic - lowered(plan, Format::value(raised(plan, Format::value(ru * b)) * (u * (g - elastic + loss))));
     const Recoil j1 = Format::value(half(j0)) + lever - loss + loss_later;
 
     // The end moves from the predicted one, and u with it.
@@ -234,7 +234,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   template <class Known>
   [[gnu::always_inline]] constexpr Impulse<Recoil> ended(const Plan& plan, Penetration trial, Impulse<Recoil> impulse,
                                                          const Known& known) {
-    impulse = of_push<Format>(impulse);
+    impulse = without_pull<Format>(impulse);
     change = change + Recoil(Format::term(plan.back, impulse.j1));
     penetration = trial - travel(plan, impulse.j1);
     if (is_positive(penetration))
@@ -251,11 +251,11 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   static constexpr Penetration travel(const Plan& plan, Recoil j1) {
     return Penetration(Format::moved(j1, plan.travel_bits));
   }
-  // K times an impulse. K is shifted to the left by ahead_bits first, and the product to the right by these and
+  // K times an impulse. K is shifted to the left by raised_bits first, and the product to the right by these and
   // travel's, so that no bits are lost.
-  static constexpr Value ahead(const Plan& plan, Value factor) { return Format::moved(factor, -plan.ahead_bits); }
-  static constexpr Recoil behind(const Plan& plan, Recoil product) {
-    return Recoil(Format::moved(product, plan.travel_bits + plan.ahead_bits));
+  static constexpr Value raised(const Plan& plan, Value factor) { return Format::moved(factor, -plan.raised_bits); }
+  static constexpr Recoil lowered(const Plan& plan, Recoil product) {
+    return Recoil(Format::moved(product, plan.travel_bits + plan.raised_bits));
   }
   // (steepness + K C d^(3/2)) missed: the error of J0 by that of the penetration at the end.
   template <class Steepness, class Shape>

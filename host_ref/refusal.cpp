@@ -19,25 +19,16 @@ std::string bounds_text(const Settled& settled) {
   return text.empty() ? text : " with" + text;
 }
 
-// A stepper with sub-steps also limits the step by the time in which the ball crosses the clearance.
-template <class Stepper>
-std::string limit_of_crossing(const Resolution& contact, const Request& request) {
-  const double most = constant::smaller(Stepper::most / Stepper::fewest_parts_across, 1 / Stepper::fewest_steps_across);
-  if (request.step <= most * contact.crossing) return {};
-  return "the ball may cross the clearance in " + short_text(contact.crossing) + " s, and " +
-         std::string(name_of(request.stepper)) + " allows steps of at most " + short_text(most) + " times that";
-}
+// Sub-steps also limit the step by the time in which the ball crosses the clearance. From four on, only the number of
+// steps across limits it.
 std::string limit_of_crossing(const Request& request) {
-  switch (request.stepper) {
-    case Stepper::moment_4:
-      return limit_of_crossing<SubsteppedMoment<4>>(resolution(request), request);
-    case Stepper::moment_8:
-      return limit_of_crossing<SubsteppedMoment<8>>(resolution(request), request);
-    case Stepper::moment_n:
-      return limit_of_crossing<SubsteppedMoment<>>(resolution(request), request);
-    default:
-      return {};
-  }
+  using SubSteps = SubsteppedMoment<>;
+  static_assert(4 >= SubSteps::fewest_parts_across / SubSteps::fewest_steps_across);
+  constexpr double most = 1 / SubSteps::fewest_steps_across;
+  const double crossing = resolution(request).crossing;
+  if (sub_steps(request) <= 1 || request.step <= most * crossing) return {};
+  return "the ball may cross the clearance in " + short_text(crossing) + " s, and " +
+         std::string(name_of(request.stepper)) + " allows steps of at most " + short_text(most) + " times that";
 }
 
 // The reason why a step is too long: status.hpp, law/resolution.hpp.

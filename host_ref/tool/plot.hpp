@@ -7,8 +7,8 @@
 
 namespace impact::host {
 
-// A curve of any length in about a thousand points, as many as the plot has pixels. They are the lowest and the highest value of each group of steps, so
-// that no peak is lost.
+// A curve of any length in about a thousand points, as many as the plot has pixels. They are the lowest and the highest
+// value of each group of steps, so that no peak is lost.
 class Curve {
  public:
   explicit Curve(long steps) : steps_per_run_(steps / 500 + 1) {}

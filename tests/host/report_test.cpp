@@ -52,9 +52,9 @@ struct Under {
 using Laws = testing::Types<Under<Law::hooke_newton>, Under<Law::hertz>, Under<Law::hunt_crossley>>;
 TYPED_TEST_SUITE(TextbookMethods, Laws);
 
-// The report's Newton's method stops at 1e-6 of the acceleration. The matrix one continues to rounding. Since convergence
-// is quadratic, 1e-12 of 100 m/s^2 remains in a step. That is below 1e-12 m in 5000 steps, and impacts amplify it by
-// less than 1000 in 0.5 s.
+// The report's Newton's method stops at 1e-6 of the acceleration. The matrix one continues to rounding. Since
+// convergence is quadratic, 1e-12 of 100 m/s^2 remains in a step. That is below 1e-12 m in 5000 steps, and impacts
+// amplify it by less than 1000 in 0.5 s.
 TYPED_TEST(TextbookMethods, NewmarkIsTheMatrixMethod) {
   constexpr Law law = TypeParam::law;
   EXPECT_LT(largest_difference(TextbookNewmark<double, Rig<law>, law, LibraryPower>{},

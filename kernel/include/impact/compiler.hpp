@@ -13,8 +13,7 @@
 //     small approach    StopApproach<Model> has only the members that a contact reads; Phase::apart is assigned where a
 //                       contact could be cleared as a whole. Otherwise each contact calls memset: Cortex-M0.
 //     lasting           of a friction is made from the plan's number. A copy of the plan's struct keeps the whole plan
-//     in
-//                       the image, 590 bytes by `ctest -R leaving_out`: Cortex-M.
+//                       in the image, 590 bytes by `ctest -R leaving_out`: Cortex-M.
 //     m.state = {}      start() clears the state by its machine: through a reference GCC calls memset.
 //     start()           writes the contact's phase again behind `state = {}`: without it GCC 12 cannot evaluate an
 //                       absorber's constructor as a constant expression.

@@ -46,7 +46,7 @@ std::string limit_of_step(const Settled& settled) {
              std::string(name_of(request.stepper)) +
              " requires more steps in it; auto takes a stepper that suits the step";
     case PlanStatus::step:
-      if (scene.drive_pulsation * request.step > 3) return "a step may span at most 3 rad of the drive";
+      if (scene.drive_pulsation * request.step > longest_turn) return "a step may span at most 2.95 rad of the drive";
       if (scene.main_damping * request.step > scene.main_mass) return "a step may be at most M/c, for the damper";
       return "a step must be a small part of a period of the main mass's own vibration, which has " +
              short_text(natural_pulsation(scene)) + " rad/s";

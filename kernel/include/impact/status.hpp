@@ -71,13 +71,18 @@ constexpr double largest_linear_damping(const Scene& scene) {
   return 20 * constant::square_root(scene.contact_stiffness * mu);
 }
 
-// The longest step, s: at most 0.1 s, 3 rad of the drive, `phase` rad of the main mass's own vibration, and M/c.
+// rad, the largest angle of a sine drive in a step. Above it a term of the drive's force exceeds the force's unit
+// (motion/sine.hpp).
+inline constexpr double longest_turn = 2.95;
+
+// The longest step, s: at most 0.1 s, M/c, `longest_turn` of the drive, and `phase` rad of the main mass's own
+// vibration.
 constexpr double longest_step(const Scene& scene, double phase) {
   double h = step_range.most;
   const double pulsation = constant::square_root(scene.main_stiffness / scene.main_mass);
   if (pulsation * h > phase) h = phase / pulsation;
   if (scene.main_damping * h > scene.main_mass) h = scene.main_mass / scene.main_damping;
-  if (scene.drive_pulsation * h > 3) h = 3 / scene.drive_pulsation;
+  if (scene.drive_pulsation * h > longest_turn) h = longest_turn / scene.drive_pulsation;
   return h;
 }
 

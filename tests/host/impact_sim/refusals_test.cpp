@@ -197,7 +197,7 @@ TEST_F(ImpactSim, ANameOfAnotherOptionIsSuggested) {
 }
 
 TEST_F(ImpactSim, ARefusedStepSaysWhatItIsTooLongFor) {
-  EXPECT_THAT(run("--step 0.09").err, HasSubstr("(a step may span at most 3 rad of the drive)"));
+  EXPECT_THAT(run("--step 0.09").err, HasSubstr("(a step may span at most 2.95 rad of the drive)"));
   EXPECT_THAT(
       run("--step 0.05").err,
       HasSubstr("(a step must be a small part of a period of the main mass's own vibration, which has 31.6228 rad/s)"));

@@ -34,7 +34,7 @@ double restitution_error(const Request& request) {
 }
 
 Stepper chosen(const Request& request, int most_sub_steps) {
-  most_sub_steps = std::min(most_sub_steps, most_sub_steps_in(request.numeric));
+  most_sub_steps = std::min(most_sub_steps, most_sub_steps_in(request.numeric, request.law));
   switch (choice_for(resolution(request), request.step, most_sub_steps)) {
     case Choice::moment:
       return Stepper::moment;

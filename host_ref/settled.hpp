@@ -27,8 +27,10 @@ double restitution_error(const Request& request);
 // The expected error of x1 in m, by the formula of the kernel's rule. NaN for a stepper that the rule never takes.
 double expected_error_of(const Request& request);
 // The largest useful number of sub-steps. With more, rounding adds more error than the sub-steps remove.
-constexpr int most_sub_steps_in(Numeric numeric) {
-  return numeric == Numeric::float64 ? SubsteppedMoment<>::most : 512;
+constexpr int most_sub_steps_in(Numeric numeric, Law law) {
+  if (numeric == Numeric::float64) return SubsteppedMoment<>::most;
+  if (numeric == Numeric::fixed32) return law == Law::hooke_newton ? 1024 : 4096;
+  return 512;
 }
 // The stepper that the kernel's rule chooses.
 Stepper chosen(const Request& request, int most_sub_steps = SubsteppedMoment<>::most);

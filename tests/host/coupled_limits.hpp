@@ -51,8 +51,8 @@ inline double largest_energy_gain(const CoupledScene& found) {
   const Scene& scene = found.request.scene;
   const int parts = sub_steps(found.request);
   const double swing = std::sqrt(scene.main_stiffness / scene.main_mass) * found.request.step;
-  const bool is_beyond_rule =
-      parts > 1 && (swing > longest_sub_stepped_phase || parts > most_sub_steps_in(found.request.numeric));
+  const bool is_beyond_rule = parts > 1 && (swing > longest_sub_stepped_phase ||
+                                            parts > most_sub_steps_in(found.request.numeric, found.request.law));
   return (is_beyond_rule ? 0.03 : 0.01) + energy_rounded(found);
 }
 

@@ -105,8 +105,8 @@ TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
   constexpr Kind kind = {4, 60, 0.01};
   expect_within<Moment>(6e-5, kind, scenes / 2);
   expect_within<EnergyConsistent>(1e-4, kind, scenes / 2);
-  expect_within<SubsteppedMoment<4>>(6e-4, kind, scenes / 2);
-  expect_within<SubsteppedMoment<8>>(2.4e-3, kind, scenes / 2);
+  expect_within<SubsteppedMoment<4>>(3e-4, kind, scenes / 2);
+  expect_within<SubsteppedMoment<8>>(5e-4, kind, scenes / 2);
 }
 
 // In the coupled machine the spring's force is rounded to LSBs of a position, which follow from the bounds. The law is

@@ -237,6 +237,25 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Value times(Value x, int k) {
     return {static_cast<int32_t>(static_cast<uint32_t>(x.raw) * static_cast<uint32_t>(k))};
   }
+  // x * 2^bits, clamped.
+  static constexpr Value raised(Value x, int bits) {
+    const int32_t most = INT32_MAX >> bits;
+    return {to_left(x.raw > most ? most : x.raw < -most ? -most : x.raw, bits)};
+  }
+  // A sum of numbers over 2^bits, with 32 bits below an LSB. It begins at half an LSB, so that taking the upper word
+  // rounds to nearest.
+  struct Sum {
+    int64_t raw = INT64_C(1) << 31;
+
+    constexpr void add(Value x, int bits) {
+      const uint32_t below = static_cast<uint32_t>(x.raw) << 1 << (31 - bits);
+      const auto part = static_cast<int64_t>(uint64_t{static_cast<uint32_t>(x.raw >> bits)} << 32 | below);
+      IMPACT_EXPECT(is_in_64_bits(Wide{raw} + part));
+      raw += part;
+    }
+    constexpr void add(Value x, int bits, Gain) { add(x, bits); }
+    constexpr Value value() const { return {upper_word(raw)}; }
+  };
   // By how many bits the numbers can be shifted to the left and stay below a quarter.
   template <class... Values>
   static constexpr int spare_bits(Values... x) {

@@ -311,6 +311,15 @@ struct RealFormat {
   static constexpr Real parts(int k, int, Gain part) { return static_cast<Real>(k) * part; }
   static constexpr int parts_of(Real x, int, Gain part) { return static_cast<int>(x / part); }
   static constexpr Real times(Real x, int k) { return x * static_cast<Real>(k); }
+  static constexpr Real raised(Real x, int) { return x; }
+  // A sum of parts of numbers, or without a part of whole numbers.
+  struct Sum {
+    Real total = 0;
+
+    constexpr void add(Real x, int) { total += x; }
+    constexpr void add(Real x, int, Gain part) { total += part * x; }
+    constexpr Real value() const { return total; }
+  };
   static constexpr int exponent_of(double) { return 0; }
   static constexpr Value power_of_two(int) { return 1; }
   // x / (x + a) for x >= 0

@@ -47,14 +47,15 @@ constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bou
   }
   return fingerprint;
 }
-// The units of a contact under way. With EnergyConsistent a resolved contact keeps other numbers than a stiff one
-// (is_sudden); which one it is also depends on the pressing forces.
-constexpr Fingerprint fingerprint_of_contact(const ContactTerms& terms, const UnitExponents& unit, bool is_sudden) {
+// The units of a contact under way: of the step, and the contact's own. With EnergyConsistent a resolved contact keeps
+// other numbers than a stiff one (is_sudden); which one it is also depends on the pressing forces.
+constexpr Fingerprint fingerprint_of_contact(const ContactTerms& terms, const UnitExponents& unit,
+                                             const UnitExponents& own, bool is_sudden) {
   const double numbers[] = {terms.ball_mass, terms.main_mass,    terms.main_stiffness, terms.main_damping,
                             terms.stiffness, terms.damping_time, terms.deepest};
   Fingerprint fingerprint{};
   for (double number : numbers) fingerprint.add_number(number);
-  const int units[] = {unit.penetration, unit.recoil, unit.force};
+  const int units[] = {unit.penetration, own.penetration, own.recoil, unit.force};
   for (int exponent : units) fingerprint.add(static_cast<uint32_t>(exponent));
   fingerprint.add(is_sudden);
   return fingerprint;

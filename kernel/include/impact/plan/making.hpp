@@ -278,7 +278,8 @@ class PlanMaking {
     plan.dx2 = units.state(scene.v2 * h + ball_in_field);
     plan.identity = Plan::identity_of(scene, bounds, h);
     const Fingerprint of_state = fingerprint_of_state<Field>(scene, bounds, h, exponents),
-                      of_contact = fingerprint_of_contact(terms, exponents, plan.contact.response.is_sudden);
+                      of_contact = fingerprint_of_contact(terms, exponents, Contact::units(terms, exponents),
+                                                          plan.contact.response.is_sudden);
     plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents, of_state.value, of_contact.value);
     if constexpr (Field::is_field)
       static_cast<typename Plan::FieldConstants&>(plan) =

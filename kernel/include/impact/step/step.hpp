@@ -234,7 +234,7 @@ struct Step {
     reload_state<Model>(state);
     plan.contact.response.apply(plan.units, state, reaction, left);
     bool is_too_deep = false;
-    if constexpr (traits.is_instantaneous || traits.keeps_force)
+    if constexpr (traits.is_instantaneous || traits.keeps_force || traits.starts_from_rate)
       is_too_deep = plan.units.is_too_deep(reaction.penetration);
     else
       is_too_deep = plan.units.is_too_deep(contact.penetration);

@@ -14,8 +14,9 @@
 //                                               the step then puts there
 //     valid         (plan, units)               whether a contact from elsewhere fits together
 //     change_rate   (plan, by)                  friction has changed the rate at the step's end
+//     units         (terms, exponents)          the units in which a contact under way keeps its numbers
 //
-// A new contact derives from ContactDefaults, which has the last two, traits, deepest(), and room() for a law's forces,
+// A new contact derives from ContactDefaults, which has the last three, traits, deepest(), and room() for a law's forces,
 // and defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact decides
 // how its force runs within the step, and the two masses may feel it differently.
 
@@ -32,7 +33,8 @@ namespace impact {
 // The phase of a contact between steps. `released`: the force has come to zero, and the ball is still inside the stop.
 enum class Phase : uint32_t { apart, touching, released };
 
-// A contact keeps its `penetration` from step to step, unless it is_instantaneous or keeps_force.
+// A contact keeps its `penetration` from step to step, unless it is_instantaneous or keeps_force. One that
+// starts_from_rate keeps it in a unit of its own.
 struct ContactTraits {
   bool is_instantaneous = false;  // impacts take no time: no check of the force's size; forces are in units of 2 mu
   bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step; one that
@@ -179,6 +181,7 @@ struct ContactDefaults {
   }
   template <class Plan, class Value>
   static constexpr void change_rate(const Plan&, Value) {}
+  static constexpr UnitExponents units(const ContactTerms&, const UnitExponents& unit) { return unit; }
 };
 
 // True if a root that is kept with a penetration belongs to it.

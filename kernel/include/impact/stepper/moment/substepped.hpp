@@ -78,7 +78,7 @@ struct SubsteppedMoment {
     // converted.
     static constexpr bool is_linear = ContactLaw::is_linear;
     static constexpr int exponent_of(int n) { return constant::exponent_above(n + 0.5) - 1; }
-    // The main mass's flow over k sub-steps, less (1 k/n; 0 1).
+    // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), into x in k n-ths.
     struct Stride {
       Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
     };
@@ -106,10 +106,13 @@ struct SubsteppedMoment {
       Gain quartic;                                                    // (w0 h)^2/24
       GainOf<Gain, unit::Increment, unit::Penetration> drive_quartic;  // and by what the drive adds in a step
       typename Inner::Plan inner;
-      int exponent;                                                   // n = 2^exponent
-      Gain part, square;                                              // 1/n, 1/n^2
-      Stride strides[static_cast<size_t>(exponent_of(most))];         // over 1, 2, 4, .. sub-steps
-      GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton
+      int exponent;                                            // n = 2^exponent
+      Gain part;                                               // 1/n
+      typename Format::ClampedGain rate;                       // 1/n, into a sub-step's own unit
+      Gain square;                                             // 1/n^2, likewise
+      Stride strides[static_cast<size_t>(exponent_of(most))];  // over 1, 2, 4, .. sub-steps
+      int depth_bits, moment_bits;  // its unit of penetrations is 2^depth_bits as fine, that of J1 2^moment_bits
+      GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton, from forces
       Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
       GainOf<Gain, unit::Recoil, unit::Force> force;                  // from the ball's impulse
       int travel_bits;
@@ -121,10 +124,14 @@ struct SubsteppedMoment {
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       Inner::room(in_a_part(terms), largest);
       // There is room for the sum of both masses' displacements.
-      if (terms.is_linear) largest.push *= constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
+      if (terms.is_linear) largest.push *= both_masses(terms);
       const double n = parts_for(resolution_of<ContactLaw>(terms), terms.step);
       largest.push = constant::larger(largest.push,
                                       2 * constant::smaller(2 * terms.largest_rate * terms.step, n * n * largest.push));
+    }
+    // The displacements of both masses over that of the lighter one.
+    static constexpr double both_masses(const ContactTerms& terms) {
+      return constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
     }
     // The way in a sub-step has 20 bits. With a bound of penetration far above that of an impact it has fewer, and then
     // the rounding of impulses creates energy.
@@ -135,8 +142,25 @@ struct SubsteppedMoment {
       terms.step /= parts_for(resolution_of<ContactLaw>(terms), terms.step);
       return terms;
     }
-    static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+    // The penetrations and impulses of a sub-step are small beside the ways of a step and the sums of impulses. They
+    // have finer units: with room for twice the largest penetration, and for what Inner asks. Spring and drive change
+    // the rate in a sub-step by 1/n^2 of what they do in a step, which leaves n for the course of their change.
+    static constexpr UnitExponents units(const ContactTerms& terms, UnitExponents unit) {
       const ContactTerms sub = in_a_part(terms);
+      const double n = terms.step / sub.step;
+      const int depth = Format::exponent_of(2 * (limit_of(terms.largest_penetration) + terms.largest_rate * sub.step));
+      if (!is_linear && depth < unit.penetration) unit.penetration = depth;
+      UnitBounds largest{};
+      largest.penetration = 0.999 * constant::power_of_two(unit.penetration);
+      largest.increment = constant::power_of_two(unit.increment) / n;
+      Inner::room(sub, largest);
+      const int impulse = Format::exponent_of(largest.push * (is_linear ? both_masses(sub) : 0.5)),
+                finest = unit.recoil - Format::exponent_of(0.5 * n);
+      if (impulse < unit.recoil) unit.recoil = impulse > finest ? impulse : finest;
+      return unit;
+    }
+    static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
+      ContactTerms sub = in_a_part(terms);
       const double n = terms.step / sub.step;
       Scene main{};
       main.main_mass = terms.main_mass;
@@ -150,8 +174,8 @@ struct SubsteppedMoment {
       for (int i = 0; i < plan.exponent; ++i) {
         const double k = constant::power_of_two(i);
         const LinearFlow over = exact_flow(main, k * sub.step);
-        plan.strides[i] = {Format::gain(k / n, 0, 0), Format::gain(over.e11, 0, 0),
-                           Format::gain((over.e12 - 1) * k / n, 0, 0), Format::gain(over.e21 / k * n, 0, 0),
+        plan.strides[i] = {Format::gain(k / n, 0, 0), Format::gain(over.e11 * n / k, 0, 0),
+                           Format::gain(over.e12 - 1, 0, 0), Format::gain(over.e21 / k * n, 0, 0),
                            Format::gain(over.e22, 0, 0)};
       }
       const Scaled<Format> gain{unit};
@@ -159,18 +183,23 @@ struct SubsteppedMoment {
       plan.start_rate = start_rate_of(flow, unit);
       plan.quartic = Format::gain(terms.main_stiffness * terms.step * terms.step / (24 * terms.main_mass), 0, 0);
       plan.drive_quartic = gain(terms.step * terms.step / (24 * terms.main_mass * flow.constant_increment()));
-      plan.inner = Inner::make_plan(sub, part, unit);
-      if constexpr (!is_linear) plan.inner.change_bits = unit.recoil - unit.penetration;
+      const UnitExponents own = units(terms, unit);
+      if constexpr (!is_linear) sub.force_unit = force_unit_of(traits, sub, own);
+      plan.inner = Inner::make_plan(sub, part, own);
+      if constexpr (!is_linear) plan.inner.change_bits = own.recoil - own.penetration;
       plan.part = Format::gain(1.0 / n, 0, 0);
-      plan.square = Format::gain(1.0 / (n * n), 0, 0);
+      plan.rate = {Format::gain(1.0 / n, unit.penetration, own.penetration)};
+      plan.square = Format::gain(1.0 / (n * n), unit.penetration, own.penetration);
+      plan.depth_bits = unit.penetration - own.penetration;
+      plan.moment_bits = unit.recoil - own.recoil;
       if constexpr (is_linear) {
         const double of_force = terms.force_unit * sub.step * sub.step * mobility;
         plan.by_impulse = gain(n * of_force);
-        plan.by_moment = gain(of_force);
+        plan.by_moment = Scaled<Format>{own}(of_force);
       }
       plan.main_x = Format::gain(answer.gx / mobility, 0, 0);
       plan.main_u = Format::gain(answer.g0 / mobility, 0, 0);
-      plan.main_u_by_moment = Format::gain(n * answer.hg1 / mobility, 0, 0);
+      plan.main_u_by_moment = Format::gain(n * answer.hg1 / mobility, own.recoil, unit.recoil);
       plan.ball = Format::gain(share, 0, 0);
       plan.force = gain(1 / (terms.force_unit * terms.step * terms.step * mobility));
       plan.travel_bits = unit.penetration - unit.recoil;
@@ -193,15 +222,15 @@ struct SubsteppedMoment {
     }
     constexpr Penetration resume(const Plan& plan, const Units& units, const Standing<Value>& at) {
       step_rate = at.rate;
-      return Inner::resume(plan.inner, units, of_a_part(plan, at));
+      return lowered(plan, Inner::resume(plan.inner, units, of_a_part(plan, at)));
     }
     static constexpr Standing<Value> of_a_part(const Plan& plan, const Standing<Value>& at) {
-      return {at.penetration, plan.part * at.rate, plan.square * at.load};
+      return {raised(plan, at.penetration), rate_in_a_part(plan, at.rate), plan.square * at.load};
     }
     constexpr bool valid(const Plan& plan, const Units& units) const { return Inner::valid(plan.inner, units); }
     constexpr void change_rate(const Plan& plan, Penetration by) {
       step_rate = step_rate + by;
-      Inner::change_rate(plan.inner, plan.part * by);
+      Inner::change_rate(plan.inner, rate_in_a_part(plan, by));
     }
 
     template <class Seen>
@@ -209,7 +238,7 @@ struct SubsteppedMoment {
                                                                     const Seen& step) {
       const Penetration trial = step.penetration;
       const bool begins = this->phase == Phase::apart;
-      Penetration at = begins ? step.before : this->penetration;
+      Penetration at = begins ? step.before : lowered(plan, this->penetration);
       const Penetration start_rate = begins ? step.rate_before : step_rate;
       Penetration by_spring = start_rate - step.rate;
       if constexpr (Seen::is_in_field) by_spring = by_spring + units.increment_of_rate(step.ball_increment);
@@ -246,14 +275,14 @@ struct SubsteppedMoment {
           if constexpr (Seen::is_recorded) work.begin(rate_now, sums.w);
         }
         Approach<Value> part{};
-        part.penetration = part_trial;
-        part.rate = plan.part * mirrored(rate_now, is_across);
-        part.travel = part_trial - at;
-        part.before = at;
+        part.penetration = raised(plan, part_trial);
+        part.rate = rate_in_a_part(plan, mirrored(rate_now, is_across));
+        part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
+        part.travel = part.penetration - part.before;
         const Penetration bending = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
         part.increment = Increment<Value>(bare(mirrored(bending, is_across)));  // as Inner reads it
         sums.add(plan, mirrored(Inner::impulse_of(plan.inner, units, part), is_across));
-        at = this->penetration;
+        at = lowered(plan, this->penetration);
         if constexpr (Seen::is_recorded)
           if (this->phase == Phase::apart) work.end((i == n ? free.rate : free.rate_at(s)) - sums.rate(plan), sums.w);
         if (this->phase == Phase::apart && !plan.crosses) {
@@ -266,14 +295,15 @@ struct SubsteppedMoment {
         }
       }
       step_rate = mirrored(free.rate - sums.rate(plan), (crossings & 1) != 0);
-      auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u, sums.x});
-      reaction.ball = {sums.w, sums.y};
+      auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u, Recoil(sums.x.value())});
+      reaction.ball = {sums.w, Recoil(sums.y.value())};
       reaction.crossings = crossings;
+      reaction.penetration = lowered(plan, this->penetration);
       if constexpr (Seen::is_recorded) {
         const Force<Value> force = plan.force * reaction.ball.j0;
         reaction.record.force = {force, Format::value(half(force))};
         if (this->phase == Phase::touching)
-          reaction.record.stored = ContactLaw::template stored<Format>(units, this->penetration);
+          reaction.record.stored = ContactLaw::template stored<Format>(units, reaction.penetration);
         reaction.record.rate = free.rate - sums.rate(plan);
         if (this->phase != Phase::apart) work.end(reaction.record.rate, sums.w);
         reaction.record.work = work.done;
@@ -283,6 +313,16 @@ struct SubsteppedMoment {
     }
 
    private:
+    // A penetration in a sub-step's unit, clamped, and back.
+    static constexpr Penetration raised(const Plan& plan, Penetration penetration) {
+      return Penetration(Format::raised(penetration, plan.depth_bits));
+    }
+    static constexpr Penetration lowered(const Plan& plan, Penetration penetration) {
+      return Penetration(Format::moved(penetration, plan.depth_bits));
+    }
+    static constexpr Penetration rate_in_a_part(const Plan& plan, Penetration rate) {
+      return Penetration(plan.rate * bare(rate));
+    }
     // A penetration of one stop as one of the other.
     static constexpr Penetration across(const Plan& plan, Penetration penetration) {
       return -penetration - plan.clearance;
@@ -337,29 +377,33 @@ struct SubsteppedMoment {
     // Displacements and rates per step: (x, u) of the main mass by its own flow, and (y, w) by the impulses on both
     // masses, of which the ball has its share.
     struct Sums {
-      Recoil x, u, y, w;
+      typename Format::Sum x, y;
+      Recoil u, w;
 
       constexpr void advance(const Plan& plan, int stride) {
         const Stride& flow = plan.strides[stride];
-        const Recoil moved = x + flow.part * u + flow.by_x_to_x * x + flow.by_u_to_x * u;
-        u = u + flow.by_x_to_u * x + flow.by_u_to_u * u;
-        x = moved;
-        y = y + flow.part * w;
+        const Recoil at(x.value());
+        const int bits = plan.exponent - stride;
+        x.add(u + flow.by_x_to_x * at + flow.by_u_to_x * u, bits, flow.part);
+        u = u + flow.by_x_to_u * at + flow.by_u_to_u * u;
+        y.add(w, bits, flow.part);
       }
       constexpr void add(const Plan& plan, const Impulse<Force<Value>>& by) {
         add_changes(plan, plan.by_impulse * by.j0, plan.by_moment * by.j1);
       }
       constexpr void add(const Plan& plan, const Impulse<Recoil>& by) {
-        add_changes(plan, Recoil(Format::times(by.j0, 1 << plan.exponent)), by.j1);
+        add_changes(plan, Recoil(Format::times(by.j0, 1 << (plan.exponent - plan.moment_bits))), by.j1);
       }
       constexpr void add_changes(const Plan& plan, Recoil j0, Recoil j1) {
-        x = x + plan.main_x * j1;
+        x.add(plan.main_x * j1, plan.moment_bits);
         u = u + plan.main_u * j0 + plan.main_u_by_moment * j1;
-        y = y + j1;
+        y.add(j1, plan.moment_bits);
         w = w + j0;
       }
       // The share of both in the penetration and in its rate.
-      constexpr Penetration way(const Plan& plan) const { return travel(plan, x + plan.ball * y); }
+      constexpr Penetration way(const Plan& plan) const {
+        return travel(plan, Recoil(x.value()) + plan.ball * Recoil(y.value()));
+      }
       constexpr Penetration rate(const Plan& plan) const { return travel(plan, u + plan.ball * w); }
       static constexpr Penetration travel(const Plan& plan, Recoil by) {
         return Penetration(Format::moved(by, plan.travel_bits));

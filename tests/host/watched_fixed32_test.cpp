@@ -163,6 +163,88 @@ TEST_P(WatchedFixed32, WrapsNowhereInWideStepsAndUnderALargeForce) {
   expect_nothing_found();
 }
 
+// Single scenes in which something wrapped, each a machine that is pressed hard.
+template <class Law, class Stepper, class Drive>
+std::vector<double> forces_in(const Scene& scene, const Bounds& bounds, double h, const std::vector<int32_t>& samples) {
+  using Pressed = Absorber<AtRunTime, Law, Stepper, Drive, Fixed32, EnergyLedger, ImpactLog, ContactForce>;
+  const auto plan = Pressed::PlanType::make(scene, bounds, h);
+  EXPECT_EQ(plan.status, PlanStatus::ok);
+  Pressed absorber(plan);
+  std::vector<double> forces;
+  for ([[maybe_unused]] const int32_t sample : samples) {
+    broken.count = 0;
+    if constexpr (Drive::is_sampled)
+      absorber.step(Fixed32::Value{sample});
+    else
+      absorber.step();
+    EXPECT_TRUE(broken.count == 0 || absorber.fault() != Fault::none) << broken.condition;
+    forces.push_back(plan.units.fraction(absorber.contact_force()) * plan.force_unit());
+  }
+  return forces;
+}
+Scene pair(double main_mass, double ball_mass, double clearance, double stiffness, double damping) {
+  Scene scene;
+  scene.main_mass = main_mass;
+  scene.ball_mass = ball_mass;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
+  scene.clearance = clearance;
+  scene.contact_stiffness = stiffness;
+  scene.contact_damping = damping;
+  return scene;
+}
+
+// A drive of three samples per cycle accelerates the main mass in a step by more than its speed.
+TEST(WatchedScenes, AnImpulsiveContactThatLastsMuchLongerThanAStep) {
+  Scene scene = pair(0.0618, 0.00355, 1.6345e-05, 1547.96, 264.4);
+  scene.drive_amplitude = 1524.43;
+  scene.drive_pulsation = 6875.28;
+  scene.x1 = 0.0010668;
+  scene.v1 = -0.318386;
+  scene.x2 = 0.00107287;
+  scene.v2 = 0.401718;
+  scene.stops = Stops::right;
+  forces_in<HuntCrossley, Impulsive, Sine>(scene, {0.00571, 0.701874, 0, 0}, 4.67576e-05, std::vector<int32_t>(4));
+}
+// The force changes the rate in a step by twice its bound, and a damper's force with it.
+TEST(WatchedScenes, AHookeNewtonContactAsTheForceTurns) {
+  Scene scene = pair(0.352996, 14.2256, 6.907e-07, 26657.56, 206.32);
+  scene.main_damping = 6.09e-05;
+  scene.x1 = -9.55467e-05;
+  scene.v1 = 0.00782696;
+  scene.x2 = -9.5869e-05;
+  scene.v2 = 0.00359095;
+  forces_in<HookeNewton, Moment, Sampled>(scene, {9.87984e-05, 0.0110391, 4.12165e-06, 55.2716}, 0.000135744,
+                                          {-2147483647, 2147483647});
+}
+// The sub-steps turn the rate of a ball and a main mass that approach at their bounds.
+TEST(WatchedScenes, SubStepsOfABallAsFastAsItsBound) {
+  Scene scene = pair(3.44038, 8.80236, 2.37409e-07, 4.92607e17, 1.39216e17);
+  scene.main_damping = 0.0342844;
+  scene.v1 = 0.637378;
+  scene.x2 = -8.34852e-08;
+  scene.v2 = -0.740076;
+  scene.stops = Stops::left;
+  forces_in<HuntCrossley, SubsteppedMoment<8>, Sampled>(scene, {8.57508e-07, 0.89358, 0, 3034257}, 3.91739e-07,
+                                                        {2147483647});
+}
+// The damping of a touch without speed is large. A force that then presses the ball in fast exceeds the force's unit,
+// where it is clamped. It was read as a pull.
+TEST(WatchedScenes, AForceBeyondItsUnitIsClamped) {
+  Scene scene = pair(1697.23, 1341.56, 0.001071, 7530.42, 0);
+  scene.main_stiffness = 71.3067;
+  scene.main_damping = 1.19986;
+  scene.x2 = -0.0005355;
+  scene.restitution = 0.486298;
+  scene.stops = Stops::right;
+  std::vector<int32_t> samples(31, -2147483647);
+  std::fill(samples.begin(), samples.begin() + 11, 0);
+  samples[1] = -2147483647;
+  const auto forces =
+      forces_in<Flores, Moment, Sampled>(scene, {0.0749757, 0.684451, 0.0633287, 3350.83}, 0.00999184, samples);
+  EXPECT_GT(forces[29], 1000);
+  EXPECT_GT(forces[30], forces[29]);
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, WatchedFixed32,
                          testing::ValuesIn(kinds({Stepper::average, Stepper::central, Stepper::moment,
                                                   Stepper::moment_4, Stepper::moment_8, Stepper::moment_n,

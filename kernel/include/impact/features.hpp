@@ -139,7 +139,8 @@ struct ImpactLog : SilentFeature {
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     using Contact = typename Plan::ContactType;
     auto& own = record_in<ImpactLog, Plan>(state);
-    if (step.begins) {
+    // A ball that a fault's clamp has left inside a stop begins a contact as it leaves, which is no impact.
+    if (step.begins && !is_negative(step.rate_at_touch)) {
       ++own.impacts;
       own.impact_rate = step.rate_at_touch;
     }

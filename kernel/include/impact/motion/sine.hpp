@@ -74,10 +74,11 @@ struct Sine {
   }
 
   // From sine and cosine of the drive's phase w t, each in halves. The cosine's two terms are up to 1/(2 cos(w h/2)),
-  // 5.3 at the longest turn, which is large where their sum is not. Above 2 rad they are in units of 8.
+  // 5.3 at the longest turn, which is large where their sum is not. Above 2 rad they are in units of 2^cosine_bits.
   template <class Format>
   struct Handover {
-    typename Format::Gain cosine_by_value, cosine_by_slope, cosine_unit;
+    typename Format::Gain cosine_by_value, cosine_by_slope;
+    int cosine_bits;
     typename Format::Gain value_by_sine, value_by_cosine, slope_by_sine, slope_by_cosine;
     typename Format::Gain ahead_by_sine, ahead_by_cosine, behind_by_sine, behind_by_cosine;
   };
@@ -92,12 +93,12 @@ struct Sine {
     const int value = Format::oscillator_exponent(oscillator),
               slope = value - Format::Oscillator::slope_bits(oscillator);
     const double by_slope = s.sine / size / sine, by_value = s.cosine / size - by_slope * (1 - cosine);
-    const int unit_of_cosine = turn > 2 ? 4 : 1;
+    const int cosine_bits = turn > 2 ? 3 : 0;
     const double P_sine = amplitude(scene) * flow.displacement.sine,
                  P_cosine = amplitude(scene) * flow.displacement.cosine;
-    return {Format::gain(by_value, value, unit_of_cosine),
-            Format::gain(by_slope, slope, unit_of_cosine),
-            Format::gain(1, unit_of_cosine, 1),
+    return {Format::gain(by_value, value, 1 + cosine_bits),
+            Format::gain(by_slope, slope, 1 + cosine_bits),
+            cosine_bits,
             Format::gain(s.sine, 1, value),
             Format::gain(s.cosine, 1, value),
             Format::gain(s.sine * (1 - cosine) - s.cosine * sine, 1, slope),
@@ -147,8 +148,9 @@ struct Sine {
     constexpr DriveShares<Value> hand_over(const Plan<Format>& from, const Handover<Format>& out,
                                            const Plan<Format>& to, const Handover<Format>& in) {
       Value sine = force(from);
-      Value cosine = out.cosine_unit * (out.cosine_by_value * Format::reading(oscillator.value_head()) +
-                                        out.cosine_by_slope * Format::reading(oscillator.slope_head(from.oscillator)));
+      Value cosine = Format::moved(out.cosine_by_value * Format::reading(oscillator.value_head()) +
+                                       out.cosine_by_slope * Format::reading(oscillator.slope_head(from.oscillator)),
+                                   -out.cosine_bits);
       const Value size = Format::value(sine * sine) + Format::value(cosine * cosine);
       if (is_positive(size)) {
         const Value missing = Format::value(Format::constant(0.25)) - size;

@@ -148,6 +148,11 @@ struct Fixed32Numbers {
 
     constexpr Value own(Value x) const { return {to_left(x.raw >> right, left)}; }
     constexpr Value common(Value x) const { return {to_left(x.raw >> left, right)}; }
+    // Clamped where the common unit has no room.
+    constexpr Value common_clamped(Value x) const {
+      const int32_t most = INT32_MAX >> right, raw = x.raw >> left;
+      return {to_left(raw > most ? most : raw < -most ? -most : raw, right)};
+    }
   };
   static constexpr OwnUnit own_unit(int bits) { return {bits > 0 ? bits : 0, bits > 0 ? 0 : -bits}; }
 

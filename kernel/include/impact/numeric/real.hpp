@@ -258,6 +258,7 @@ struct RealFormat {
   struct OwnUnit {
     static constexpr Value own(Value x) { return x; }
     static constexpr Value common(Value x) { return x; }
+    static constexpr Value common_clamped(Value x) { return x; }
   };
   static constexpr OwnUnit own_unit(int) { return {}; }
   static constexpr Gain at_most_one(Gain gain) { return gain; }

@@ -129,6 +129,10 @@ class PlanMaking {
         return PlanStatus::step;
       if (!(basis.friction_way <= way)) return PlanStatus::ball_friction;
     }
+    // The state keeps a position less a sample's share, and the check of its bound must not be wider by more than that.
+    if (Field::is_sampled &&
+        bounds.base_acceleration * basis.terms.step * basis.terms.step / 6 > 0.01 * bounds.displacement)
+      return PlanStatus::base_acceleration_bound;
     // Rejects a ball that is deeper than one that starts apart can get. Impacts that take no time store no energy and
     // place the ball on its stop.
     if (!Contact::traits.is_instantaneous && initial_penetration(scene) > basis.terms.deepest_start)
@@ -163,9 +167,10 @@ class PlanMaking {
     // step.
     const double largest_change = scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
     largest.penetration = larger(largest.penetration, largest_change);
-    // A contact reads the rate of free flight at the step's end.
+    // A contact reads the rate of free flight at the step's end, and sub-steps also what they change of it.
     if constexpr (Contact::traits.reads_rate)
-      largest.penetration = larger(largest.penetration, 1.01 * h * (terms.largest_rate + h * terms.pressing));
+      largest.penetration = larger(largest.penetration, (Contact::traits.starts_from_rate ? 2.02 : 1.01) * h *
+                                                            (terms.largest_rate + h * terms.pressing));
     if constexpr (Field::is_field) {
       const double in_field = h * h * Field::largest(scene, bounds);
       largest.way += in_field;

@@ -16,9 +16,9 @@
 //     change_rate   (plan, by)                  friction has changed the rate at the step's end
 //     units         (terms, exponents)          the units in which a contact under way keeps its numbers
 //
-// A new contact derives from ContactDefaults, which has the last three, traits, deepest(), and room() for a law's forces,
-// and defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact decides
-// how its force runs within the step, and the two masses may feel it differently.
+// A new contact derives from ContactDefaults, which has the last three, traits, deepest(), and room() for a law's
+// forces, and defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact
+// decides how its force runs within the step, and the two masses may feel it differently.
 
 #include <stdint.h>
 
@@ -161,7 +161,8 @@ struct ContactDefaults {
     // A linear force is sized by the largest penetration: of a contact of few steps the ball's way in one.
     const double way = terms.largest_rate * h * (terms.crosses() ? 2 : 1);
     const double d = terms.is_linear ? larger(terms.largest_penetration, way) : terms.largest_penetration;
-    const double damping = terms.damping_time * terms.largest_rate;
+    // What presses may change a linear law's rate in a step by more than its bound.
+    const double damping = terms.damping_time * (terms.largest_rate + (terms.is_linear ? h * terms.pressing : 0));
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double force = terms.is_linear ? k1 * (d + damping) : k1 * terms.to_the_power(d) * (1 + damping);
     largest.force_factor = terms.is_linear ? (d + damping) / unit : terms.is_damped ? 1.01 + damping : 1;

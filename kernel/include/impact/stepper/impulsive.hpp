@@ -207,7 +207,7 @@ struct Impulsive {
       const Value half_rate = Format::value(half(rate));
       if (!is_positive(pressed - Format::value(half(own_rate * own_rate)))) {
         // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
-        const Value hastened = unit.common(Format::signed_quotient(pressed, unit.own(pace))),
+        const Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace))),
                     beyond =
                         trial - bounce.depth - Format::value(half(hastened * Format::value(way.ratio(bounce.depth))));
         if (!is_positive(beyond)) return {{}, {}, rate};

@@ -33,6 +33,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   using Units = typename Format::Units;
   using Penetration = impact::Penetration<Value>;
   using Recoil = impact::Recoil<Value>;
+  using Force = impact::Force<Value>;
   using Factor = decltype(Format::constant(0));
 
   struct Plan {
@@ -41,9 +42,10 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Weight damping, part_damping;      // K C, 2 K C/5
     Weight sixth_damping;              // K C/6, by what an impulse does to a rate
     Gain back;                         // from a moment to the response of spring and damper in the next step
-    GainOf<Gain, unit::Recoil, unit::Force> force;  // 1/K
-    int travel_bits, change_bits;                   // from impulses to penetrations, from increments to impulses
-    int raised_bits;  // K's shift to the left before it is multiplied by an impulse in a coarser unit
+    // 1/K. A contact that begins slowly and is then pressed in fast may exceed the force's unit.
+    typename Format::ClampedGain force;
+    int travel_bits, change_bits;  // from impulses to penetrations, from increments to impulses
+    int raised_bits;               // K's shift to the left before it is multiplied by an impulse in a coarser unit
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -60,7 +62,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
             Format::weight(0.4 * stiffness * damping, from, 0),
             Format::weight(stiffness * damping / 6, unit.recoil, 0),
             Format::gain(-2 * response.hg1 / response.mobility(terms), 0, 0),
-            Scaled<Format>{unit}(1 / of_force),
+            {Format::gain(1 / of_force, unit.recoil, 0)},
             unit.penetration - unit.recoil,
             unit.recoil - unit.increment,
             coarser < 0 || room < 0 ? 0
@@ -98,7 +100,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     Impulse<Recoil> impulse = impulse_of(plan, units, step);  // not const: compiler.hpp
     auto reaction = reaction_of<Format>(impulse);
     if constexpr (Seen::is_recorded) {
-      reaction.record.force = {plan.force * impulse.j0, plan.force * impulse.j1};
+      reaction.record.force = {Force(plan.force * bare(impulse.j0)), Force(plan.force * bare(impulse.j1))};
       if (phase == Phase::touching) reaction.record.stored = ContactLaw::template stored<Format>(units, penetration);
       reaction.record.rate = rate_after(plan.response, step.rate, impulse);
     }

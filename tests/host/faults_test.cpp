@@ -9,6 +9,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "accepted.hpp"
 #include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 
@@ -556,6 +557,35 @@ TYPED_TEST(Faults, AStopThatIsNotThereDoesNotAct) {
     for (int n = 0; n < 1000; ++n) absorber.step();
     EXPECT_EQ(absorber.reading().x1, 0);
   }
+}
+
+// The check of x1 is wider by the share of a sample, h^2 a/6. A plan in which that is more than 1 % of the bound is
+// rejected. Before, a base of 1000 m/s^2 moved x1 to 2.6 times a bound of 15 mm at 13 ms without a fault.
+TEST(Faults, OfADisplacementOnABaseThatShakes) {
+  using Shaken = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Float64, BaseAcceleration>::PlanType;
+  const auto status = [](double most) { return Shaken::make(Scene{}, Bounds{0.05, 2, 0, 0, most}, 1e-3).status; };
+  EXPECT_EQ(status(0.06 * 0.05 / 1e-6 * 0.999), PlanStatus::ok);
+  EXPECT_EQ(status(0.06 * 0.05 / 1e-6 * 1.001), PlanStatus::base_acceleration_bound);
+}
+
+// A fault's clamp ends a contact with the ball inside. As the ball then leaves, no impact is counted.
+TEST(Faults, AreNoImpacts) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Float64, ImpactLog>;
+  Scene scene;
+  scene.drive_amplitude = 0;
+  scene.v2 = 0.8;
+  scene.x2 = 0.0095;
+  auto absorber = accepted<Kernel>(scene, Bounds{}, 1e-4);
+  while (!absorber.is_touching()) absorber.step();
+  for (int n = 0; n < 10; ++n) absorber.step();
+  absorber.correct(0, 2.5);
+  EXPECT_EQ(absorber.fault(), Fault::speed);
+  for (int n = 0; n < 8; ++n) {
+    absorber.clear_fault();
+    absorber.step();
+  }
+  EXPECT_EQ(absorber.state().impacts, 1u);
+  EXPECT_NEAR(absorber.impact_speed(), 0.8, 0.01);
 }
 
 TEST(Exponents, EndForEveryNumber) {

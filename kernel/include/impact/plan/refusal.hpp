@@ -84,9 +84,10 @@ constexpr bool accepts() {
   static_assert(
       together != PlanStatus::gravity,
       "Rig::scene.gravity: -1e6 to 1e6 m/s^2. In Fixed32 it is too large for these Bounds: take a shorter step");
-  static_assert(together != PlanStatus::base_acceleration_bound,
-                "Bounds::base_acceleration: 0 to 1e6 m/s^2. In Fixed32 it is too large for the other Bounds: take a "
-                "shorter step");
+  static_assert(
+      together != PlanStatus::base_acceleration_bound,
+      "Bounds::base_acceleration: 0 to 1e6 m/s^2, and at most 0.06 Bounds::displacement/step^2. In Fixed32 it may "
+      "also be too large for the other Bounds: take a shorter step");
   static_assert(
       together != PlanStatus::ball_friction,
       "Rig::scene.ball_friction: 0 to 1e9 N. In one step it may change the sliding speed by at most 2 Bounds::speed, "

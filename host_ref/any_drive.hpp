@@ -8,7 +8,7 @@
 
 namespace impact::host {
 
-struct AnyDrive : NoDrive {  // has the Handover of NoDrive, since the tool changes no plan while it runs
+struct AnyDrive : NoDrive {  // has the PlanChange of NoDrive, since the tool changes no plan while it runs
   static constexpr bool is_sine = false, is_sampled = true;  // step() takes a sample; a sine does not look at it
 
   template <class Format>

@@ -15,7 +15,7 @@ for readme in README.md kernel/README.md; do
   grep -q "has $kilobytes kB of code, tables and data" "$project/$readme" || { echo "$readme must state the size of this image, $kilobytes kB" && exit 1; }
 done
 # The plan is folded into the step: the image contains neither the plan nor the code that changes it.
-! arm-none-eabi-nm -C scene.elf | grep -E 'hand_over|::plan$' || exit 1
+! arm-none-eabi-nm -C scene.elf | grep -E 'change_plan|::plan$' || exit 1
 
 # The next steps: force and displacement in a converter's counts; an interrupt and tasks; the same from C.
 begin=$(date +%s%N)

@@ -317,7 +317,7 @@ class AbsorberOf
     const Displacement<Value> u(du);
     units.add_position(Machine::state.x1, x);
     units.add_displacement(Machine::state.dx1, u);
-    units.add(Machine::state.dx1, -(plan.handover.behind_by_u1 * u + plan.handover.behind_by_x1 * x));
+    units.add(Machine::state.dx1, -(plan.change.new_lag_by_u1 * u + plan.change.new_lag_by_x1 * x));
     FrictionStep::start(machine(), excess);
     if (!Machine::clamp_to_range()) {
       if (Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), true);
@@ -349,8 +349,9 @@ class AbsorberOf
   }
 
   // Changes to another plan between two steps, for an absorber AtRunTime. Displacements, velocities and the drive's
-  // phase do not jump (motion/handover.hpp). A drive that was off starts at phase 0. Ledger and log start at 0 again. A
-  // contact under way whose parameters change continues from its penetration. It returns false and changes nothing
+  // phase do not jump (motion/plan_change.hpp). A drive that was off starts at phase 0. Ledger and log start at 0 again.
+  // If the parameters of a contact under way change, it continues from its penetration. retune() returns false and
+  // changes nothing
   // - if the plan is rejected, or bounds, step, clearance or stops differ;
   // - in Fixed32 if displacement_unit() differs: a softer stop or a larger drive may widen it under the same bounds;
   // - with BaseAcceleration if gravity differs;
@@ -361,12 +362,12 @@ class AbsorberOf
                   "retune() requires a plan AtRunTime, and this plan is a constant: name AtRunTime instead of the rig");
     constexpr bool is_bound =
         Contact::traits.keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
-    if (next.status != PlanStatus::ok || next.handover.units != plan.handover.units) return false;
+    if (next.status != PlanStatus::ok || next.change.units != plan.change.units) return false;
     if (is_bound && Machine::state.contact.phase != Phase::apart) return false;
     const auto excess = FrictionStep::stop(machine());
     FrictionStep::undo(machine());
-    const bool is_other_contact = next.handover.contact != plan.handover.contact;
-    hand_over<PlanType>(plan, next, Machine::state);
+    const bool is_other_contact = next.change.contact != plan.change.contact;
+    change_plan<PlanType>(plan, next, Machine::state);
     if constexpr (!Source::is_constant) Source::go_on_under(next);
     Machine::clamp_to_range();
     (restart<Features>(), ...);

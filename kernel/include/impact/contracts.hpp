@@ -23,13 +23,13 @@
 // Contact   see stepper/contact.hpp, which has all its members
 //
 // Drive     is_sine, is_sampled        at most one of them
-//           Plan<Format>, State<Format>, Handover<Format>    constants, what changes from step to step, and what a
-//                                      change of plan needs
-//           make_plan, make_handover   <Format>(scene, bounds, h, flow, exponents)
+//           Plan<Format>, State<Format>, PlanChange<Format>    constants, what changes from step to step, and the
+//                                      constants of a change of plan
+//           make_plan, make_plan_change    <Format>(scene, bounds, h, flow, exponents)
 //           force_unit<Format>(scene, bounds)    N: the unit of State::force
 //           State::start(plan)         before the first step
 //           State::force(plan)         the force that a ledger counts, in force_unit
-//           State::hand_over(plan, handover, next, next_handover)    DriveShares, for a change of plan
+//           State::change_plan(plan, change, next, next_change)    DriveShares, for a change of plan
 //           and if sine: State::advance(plan), rate(plan), oscillator; if sampled: accepts, clamped, at_once,
 //                                      advance(plan, next), rate, sample, as motion/sampled.hpp has them
 //           State::before()            what change() needs of a step's start
@@ -70,7 +70,7 @@
 //           fly(plan, state, next)     moves x2 and dx2 by the step's flight; then, until the next,
 //           ball_travel(plan, state)   Long: by how much x2,
 //           ball_increment             increment: by how much dx2
-//           ahead, behind              increments, for a change of plan: motion/handover.hpp
+//           old_share, new_share       increments, for a change of plan: motion/plan_change.hpp
 //           ball_start                 the same of the ball, if not sampled
 //           and if sampled
 //           accepts(plan, sample)      bool; clamped(plan, sample) is a sample in place of a bad one
@@ -161,7 +161,7 @@ inline constexpr bool is_drive = false;
 template <class Type>
 inline constexpr bool
     is_drive<Type, Void<decltype(Type::is_sine), decltype(Type::is_sampled), typename Type::template Plan<Fixed32>,
-                        typename Type::template State<Fixed32>, typename Type::template Handover<Fixed32>>> =
+                        typename Type::template State<Fixed32>, typename Type::template PlanChange<Fixed32>>> =
         !(Type::is_sine && Type::is_sampled);
 template <class Type>
 using KeptDrive = typename detail::Either<is_drive<Type>, Type, NoDrive>::Type;

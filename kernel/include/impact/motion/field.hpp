@@ -83,12 +83,12 @@ struct FieldShares {
     return plan.field.rate_apart * Own::size(state);
   }
   template <class Plan, class State>
-  static constexpr auto ahead(const Plan& plan, const State& state) {
-    return plan.field.ahead * Own::size(state);
+  static constexpr auto old_share(const Plan& plan, const State& state) {
+    return plan.field.old_share * Own::size(state);
   }
   template <class Plan, class State>
-  static constexpr auto behind(const Plan& plan, const State& state) {
-    return plan.field.behind * Own::size(state);
+  static constexpr auto new_share(const Plan& plan, const State& state) {
+    return plan.field.new_share * Own::size(state);
   }
 };
 
@@ -111,7 +111,7 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
       Increment<Value> main_increment, ball_increment;
       typename Format::Long ball_step;  // the same as ball_increment, with all its bits
       Penetration<Value> main_rate, ball_rate, rate_apart;
-      Increment<Value> ahead, behind;
+      Increment<Value> old_share, new_share;
       Increment<Value> ball_start;  // the ball's share for a change of plan
     } field;
   };
@@ -130,8 +130,8 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
     field.main_rate = in(main_start / main.e12);
     field.ball_rate = in(ball_start);
     field.rate_apart = field.ball_rate - field.main_rate;
-    field.ahead = in(main_start / main.e12);
-    field.behind = in(main_start);
+    field.old_share = in(main_start / main.e12);
+    field.new_share = in(main_start);
     field.ball_start = in(ball_start);
     return plan;
   }
@@ -187,7 +187,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
       // Shares of samples in the main mass: in x1 at once, then in dx1.
       GainOf<Gain, unit::Field, unit::Increment> at_once, before, now;
       GainOf<Gain, unit::Field, unit::Penetration> main_rate, ball_rate, rate_apart;
-      GainOf<Gain, unit::Field, unit::Increment> ahead, behind;
+      GainOf<Gain, unit::Field, unit::Increment> old_share, new_share;
       GainOf<Gain, unit::Field, unit::Increment> offset;  // x - X
       int state_bits, increment_bits;                     // to the units of states and increments
       float per_sample_unit;                              // native numbers
@@ -221,8 +221,8 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     field.main_rate = gain(main_rate);
     field.ball_rate = gain(ball_rate);
     field.rate_apart = gain(ball_rate - main_rate);
-    field.ahead = gain(main_rate);
-    field.behind = gain(in_displacement);
+    field.old_share = gain(main_rate);
+    field.new_share = gain(in_displacement);
     field.offset = gain(ball_mass * ball.b1);
     field.state_bits = units.bits_of(own);
     field.increment_bits = unit.increment - own;

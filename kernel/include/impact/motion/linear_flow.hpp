@@ -15,10 +15,10 @@
 
 namespace impact {
 
-// The drive's share in the displacement of the coming step under two plans, see motion/handover.hpp.
+// The drive's share in the lag of the coming step under two plans: motion/plan_change.hpp.
 template <class Value>
 struct DriveShares {
-  Increment<Value> ahead, behind;
+  Increment<Value> old_share, new_share;
 };
 
 // How a drive's force changes within a step, as changes of the displacement per step. In this order: the share by the

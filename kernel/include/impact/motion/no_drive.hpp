@@ -22,10 +22,10 @@ struct NoDrive {
     return {};
   }
   template <class Format>
-  struct Handover {};
+  struct PlanChange {};
   template <class Format>
-  static constexpr Handover<Format> make_handover(const Scene&, const Bounds&, double, const LinearFlow&,
-                                                  const UnitExponents&) {
+  static constexpr PlanChange<Format> make_plan_change(const Scene&, const Bounds&, double, const LinearFlow&,
+                                                       const UnitExponents&) {
     return {};
   }
   template <class Format>
@@ -33,8 +33,8 @@ struct NoDrive {
     static constexpr State start(const Plan<Format>&) { return {}; }
     static constexpr State before() { return {}; }
     static constexpr DriveChange<typename Format::Value> change(const Plan<Format>&, State) { return {}; }
-    static constexpr DriveShares<typename Format::Value> hand_over(const Plan<Format>&, const Handover<Format>&,
-                                                                   const Plan<Format>&, const Handover<Format>&) {
+    static constexpr DriveShares<typename Format::Value> change_plan(const Plan<Format>&, const PlanChange<Format>&,
+                                                                     const Plan<Format>&, const PlanChange<Format>&) {
       return {};
     }
     static constexpr typename Format::Value force(const Plan<Format>&) { return {}; }

@@ -45,12 +45,12 @@ struct Sampled {
   }
 
   template <class Format>
-  struct Handover {
-    GainOf<typename Format::Gain, unit::Sample, unit::Increment> ahead, behind;
+  struct PlanChange {
+    GainOf<typename Format::Gain, unit::Sample, unit::Increment> old_share, new_share;
   };
   template <class Format>
-  static constexpr Handover<Format> make_handover(const Scene&, const Bounds& bounds, double, const LinearFlow& flow,
-                                                  const UnitExponents& unit) {
+  static constexpr PlanChange<Format> make_plan_change(const Scene&, const Bounds& bounds, double,
+                                                       const LinearFlow& flow, const UnitExponents& unit) {
     const double share = Format::sample_unit(bounds.force) * flow.b0;
     const Scaled<Format> gain{unit};
     return {gain(share / flow.e12), gain(share)};
@@ -84,9 +84,9 @@ struct Sampled {
       const auto half_change = plan.increment_throughout * (Format::value(half(sample)) - Format::value(half(last)));
       return {plan.increment_before * sample - plan.increment_before * last, half_change, half_change, {}};
     }
-    constexpr DriveShares<Value> hand_over(const Plan<Format>&, const Handover<Format>& from, const Plan<Format>&,
-                                           const Handover<Format>& to) const {
-      return {from.ahead * sample, to.behind * sample};
+    constexpr DriveShares<Value> change_plan(const Plan<Format>&, const PlanChange<Format>& from, const Plan<Format>&,
+                                             const PlanChange<Format>& to) const {
+      return {from.old_share * sample, to.new_share * sample};
     }
     constexpr Value force(const Plan<Format>&) const { return sample; }
   };

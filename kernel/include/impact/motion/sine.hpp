@@ -76,15 +76,15 @@ struct Sine {
   // From sine and cosine of the drive's phase w t, each in halves. The cosine's two terms are up to 1/(2 cos(w h/2)),
   // 5.3 at the longest turn, which is large where their sum is not. Above 2 rad they are in units of 2^cosine_bits.
   template <class Format>
-  struct Handover {
+  struct PlanChange {
     typename Format::Gain cosine_by_value, cosine_by_slope;
     int cosine_bits;
     typename Format::Gain value_by_sine, value_by_cosine, slope_by_sine, slope_by_cosine;
-    typename Format::Gain ahead_by_sine, ahead_by_cosine, behind_by_sine, behind_by_cosine;
+    typename Format::Gain old_share_by_sine, old_share_by_cosine, new_share_by_sine, new_share_by_cosine;
   };
   template <class Format>
-  static constexpr Handover<Format> make_handover(const Scene& scene, const Bounds&, double h, const LinearFlow& flow,
-                                                  const UnitExponents& unit) {
+  static constexpr PlanChange<Format> make_plan_change(const Scene& scene, const Bounds&, double h,
+                                                       const LinearFlow& flow, const UnitExponents& unit) {
     const double turn = scene.drive_pulsation * h, cosine = constant::cosine(turn), sine = constant::sine(turn);
     const Sinusoid s = increments(scene, h, flow);
     const double size = s.sine * s.sine + s.cosine * s.cosine;
@@ -145,8 +145,8 @@ struct Sine {
 
     // Changes to another plan's oscillator at the same phase. sin^2 + cos^2 = 1 corrects the amplitude, so that it does
     // not drift over any number of changes.
-    constexpr DriveShares<Value> hand_over(const Plan<Format>& from, const Handover<Format>& out,
-                                           const Plan<Format>& to, const Handover<Format>& in) {
+    constexpr DriveShares<Value> change_plan(const Plan<Format>& from, const PlanChange<Format>& out,
+                                             const Plan<Format>& to, const PlanChange<Format>& in) {
       Value sine = force(from);
       Value cosine = Format::moved(out.cosine_by_value * Format::reading(oscillator.value_head()) +
                                        out.cosine_by_slope * Format::reading(oscillator.slope_head(from.oscillator)),
@@ -162,8 +162,8 @@ struct Sine {
       oscillator =
           Format::Oscillator::at(to.oscillator, Format::native(in.value_by_sine * sine + in.value_by_cosine * cosine),
                                  Format::native(in.slope_by_sine * sine + in.slope_by_cosine * cosine));
-      return {Increment<Value>(out.ahead_by_sine * sine + out.ahead_by_cosine * cosine),
-              Increment<Value>(in.behind_by_sine * sine + in.behind_by_cosine * cosine)};
+      return {Increment<Value>(out.old_share_by_sine * sine + out.old_share_by_cosine * cosine),
+              Increment<Value>(in.new_share_by_sine * sine + in.new_share_by_cosine * cosine)};
     }
   };
   template <class Format>

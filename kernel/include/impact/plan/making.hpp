@@ -8,8 +8,8 @@
 #include <impact/law/terms.hpp>
 #include <impact/motion/field.hpp>
 #include <impact/motion/friction.hpp>
-#include <impact/motion/handover.hpp>
 #include <impact/motion/linear_flow.hpp>
+#include <impact/motion/plan_change.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/in.hpp>
 #include <impact/numeric/units.hpp>
@@ -285,7 +285,7 @@ class PlanMaking {
     const Fingerprint of_state = fingerprint_of_state<Field>(scene, bounds, h, exponents),
                       of_contact = fingerprint_of_contact(terms, exponents, Contact::units(terms, exponents),
                                                           plan.contact.response.is_sudden);
-    plan.handover = Handover<Format, Drive>::make(scene, bounds, h, flow, exponents, of_state.value, of_contact.value);
+    plan.change = PlanChange<Format, Drive>::make(scene, bounds, h, flow, exponents, of_state.value, of_contact.value);
     if constexpr (Field::is_field)
       static_cast<typename Plan::FieldConstants&>(plan) =
           Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);

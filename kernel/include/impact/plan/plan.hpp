@@ -9,7 +9,7 @@
 #include <impact/law/terms.hpp>
 #include <impact/motion/field.hpp>
 #include <impact/motion/friction.hpp>
-#include <impact/motion/handover.hpp>
+#include <impact/motion/plan_change.hpp>
 #include <impact/numeric/in.hpp>
 #include <impact/plan/identity.hpp>
 #include <impact/plan/making.hpp>
@@ -63,7 +63,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   bool checks_speeds;                // forces may change a speed in a step by more than half of its bound
   Long x1, dx1, x2, dx2;             // the initial state
   uint32_t identity;                 // the fingerprint of scene, bounds, step and types
-  Handover<Format, Drive> handover;  // read by correct() and by a change of plan
+  PlanChange<Format, Drive> change;  // read by correct() and by a change of plan
 
   // Makes a plan; `step` is in s. If `status` is not ok, only `status` is valid. It uses double arithmetic: call it for
   // a constant, or on a host.

@@ -349,9 +349,9 @@ class AbsorberOf
   }
 
   // Changes to another plan between two steps, for an absorber AtRunTime. Displacements, velocities and the drive's
-  // phase do not jump (motion/plan_change.hpp). A drive that was off starts at phase 0. Ledger and log start at 0 again.
-  // If the parameters of a contact under way change, it continues from its penetration. retune() returns false and
-  // changes nothing
+  // phase do not jump (motion/plan_change.hpp). A drive that was off starts at phase 0. Ledger and log start at 0
+  // again. If the parameters of a contact under way change, it continues from its penetration. retune() returns false
+  // and changes nothing
   // - if the plan is rejected, or bounds, step, clearance or stops differ;
   // - in Fixed32 if displacement_unit() differs: a softer stop or a larger drive may widen it under the same bounds;
   // - with BaseAcceleration if gravity differs;

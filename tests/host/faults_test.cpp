@@ -139,7 +139,7 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
       }
 }
 
-// A ball that flies away from the only stop, and one that a heavier mass throws faster than its bound.
+// A ball flies away from the only stop. A heavier mass throws another ball faster than its bound.
 TYPED_TEST(Faults, ABallBeyondItsBounds) {
   Scene scene;
   scene.stops = Stops::right;
@@ -165,9 +165,9 @@ TYPED_TEST(Faults, ABallBeyondItsBounds) {
   EXPECT_EQ(struck.fault(), Fault::speed);
 }
 
-// What a force adds in one step is judged in that step, however much the forces' own bounds would add: the way of a
-// step is at most 1.5 times that of the bound, and so is the speed, which is the average of two ways but for what the
-// force changes by within a step.
+// If a force adds too much speed in a step, the fault is raised in that step, even if the bounds of the forces allow
+// far more. The distance of a step is at most 1.5 times that at the bound of speed. The speed is the average of the
+// distances of two steps, apart from the change of the force within a step. It has the same limit.
 template <class Kernel, class Force>
 void expect_no_speed_beyond(const Scene& scene, double largest, Force force) {
   const Bounds bounds{10, 2, 0, largest};
@@ -205,7 +205,7 @@ TYPED_TEST(Faults, ASpeedThatAForceAddsInAStep) {
                                                                                                       sine);
     }
 }
-// A classical scheme multiplies the energy of a stiff contact; its force has a share in the way ahead.
+// A classical scheme multiplies the energy of a stiff contact. Its force also adds to the distance of the coming step.
 TYPED_TEST(Faults, ASpeedThatAClassicalSchemeMakes) {
   for (const double stiffness : {1e6, 1e8, 1e10}) {
     SCOPED_TRACE(stiffness);

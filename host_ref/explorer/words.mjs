@@ -14,7 +14,7 @@ export function sentenceOf(run, isCompared) {
 export function findingsOf(runs, isCompared) {
   const ofEach = (text) => runs.map((run) => `${isCompared ? `${run.letter.toUpperCase()}: ` : ''}${text(run, run.totals())}`).join('; ');
   const energies = ({ dissipated, rubbed, energyError }) =>
-    `Contact ${dissipated < 0 ? 'creates' : 'dissipates'} ${short(Math.abs(dissipated))} J${rubbed > 0 ? `, friction ${short(rubbed)} J` : ''}; the balance closes within ${short(Math.abs(energyError), 2)} J`;
+    `Contact ${dissipated < 0 ? 'creates' : 'dissipates'} ${short(Math.abs(dissipated))} J${rubbed > 0 ? `, friction ${short(rubbed)} J` : ''}; the energy balance has an error of ${short(Math.abs(energyError), 2)} J`;
   const energyOf = (letter) => runs.filter((run) => run.letter === letter).map((run) => energies(run.totals())).join('');
   return {
     displacement: ofEach((run, { largest }) => `${short(1e3 * largest)} mm at most${run.hasBare ? `, ${short(1e3 * run.bareLargest())} mm without absorber` : ''}`),

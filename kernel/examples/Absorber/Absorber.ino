@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The paper's scene at 1 kHz from loop(), on any core that compiles C++17; where that is not the core's default
-// (SAMD, mbed), a platform.local.txt beside its platform.txt says so:
+// The paper's scene at 1 kHz from loop(), on any core whose compiler is GCC 9 or later. If C++17 is not the core's
+// default, write this line into a platform.local.txt beside its platform.txt:
 //
 //     compiler.cpp.extra_flags=-std=gnu++17 -ffp-contract=off
 

@@ -4,12 +4,12 @@
 //
 //     (gdb) printf "%s", bring_up_table
 //
-// It needs nothing of the board but a core that runs from its final clock, with the FPU on where there is one: call
-// bring_up() from your own main(), before an operating system starts, or let the main() below do it. Where you define
-// bring_up_print(), it gets the table as well. Compile with the options of your firmware.
+// The core must run from its final clock, and an FPU must be on. Nothing else of the board is needed. Call bring_up()
+// from your own main(), before an operating system starts, or use the main() below. If you define bring_up_print(), it
+// gets the table as well. Compile with the options of your firmware.
 //
-// Cycles are counted by the first of these that runs: DWT's CYCCNT (a Cortex-M0 has none), SysTick from the core's
-// clock (left as it was found), or mcycle on RISC-V. Each step is measured with interrupts off.
+// The first counter of these that runs counts the cycles: DWT's CYCCNT (a Cortex-M0 has none), SysTick from the core's
+// clock (its registers are restored), or mcycle on RISC-V. Each step is measured with interrupts off.
 
 #include <stdint.h>
 
@@ -24,9 +24,9 @@ int bring_up();  // 0: as expected; 1: a self-test fails; 2: nothing counts cycl
 
 namespace {
 
-// Cycles for the longest step of the paper's scene, from flash without wait states: the longest path through the
-// machine code, weighed with what Arm documents (longest_path_cycles of the project's budgets), on RISC-V two for each
-// of its instructions.
+// The budget in cycles for the longest step of the paper's scene, from flash without wait states. It is the longest
+// path through the machine code with the cycles that Arm documents (longest_path_cycles of the project's budgets). On
+// RISC-V it is two cycles for each instruction of that path.
 #if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
 constexpr uint32_t fixed_budget = 1761, float_budget = 0;
 #elif defined(__ARM_FP)
@@ -37,7 +37,7 @@ constexpr uint32_t fixed_budget = 784, float_budget = 0;
 constexpr uint32_t fixed_budget = 1024, float_budget = 0;
 #endif
 
-// The cycles since any time, of 32 bits, or of 24 that count down.
+// A cycle counter from any start: 32 bits that count up, or 24 bits that count down.
 #if defined(__arm__)
 volatile uint32_t& word(uintptr_t address) { return *reinterpret_cast<volatile uint32_t*>(address); }
 constexpr uintptr_t systick_control = 0xE000E010, systick_reload = 0xE000E014, systick_current = 0xE000E018,

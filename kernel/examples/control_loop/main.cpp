@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A complete firmware: the model of an impact absorber as a plant in the loop. A timer interrupt at 10 kHz reads the
-// drive from a converter, steps the model, writes the main mass's displacement to another, and watches its deadline and
-// the model's fault; the main loop reports once a second. What it asks of the board is in board.hpp.
+// drive from a converter, steps the model, and writes the main mass's displacement to another converter. It also checks
+// its deadline and the model's fault. The main loop reports once a second. board.hpp declares what the program needs
+// from a board.
 
 #include <stdint.h>
 
@@ -27,7 +28,7 @@ struct Rig {
 using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::Fixed32>;
 Absorber absorber;
 
-// After a fault the output is 0 for this many steps, while the model starts again.
+// After a fault the model starts again, and the output is 0 for this number of steps.
 constexpr uint32_t steps_at_rest = steps_per_second / 10;
 
 struct Statistics {
@@ -36,9 +37,9 @@ struct Statistics {
   uint32_t overruns;       // steps that were not done when the next one was due
   uint32_t faults;
 };
-Statistics current;          // the interrupt's own
-Statistics last_second;      // handed to the main loop,
-volatile bool has_finished;  // whenever this says so
+Statistics current;          // only the interrupt uses it
+Statistics last_second;      // the main loop reads it
+volatile bool has_finished;  // when this is true
 
 void control_interrupt() {
   static uint32_t rest = 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The absorber between an interrupt and tasks, by FreeRTOS's rules; of FreeRTOS itself it needs vTaskDelay alone, which
-// is declared here as task.h does. TIM2_IRQHandler is the name in the vector table of an STM32: yours may differ.
+// An interrupt and tasks share the absorber, by FreeRTOS's rules. The only function of FreeRTOS that this file needs is
+// vTaskDelay, which it declares as task.h does. TIM2_IRQHandler is the name in the vector table of an STM32: yours may
+// differ.
 //
-//     the interrupt   steps, writes the converter, takes a new plan over. It calls nothing of FreeRTOS, so that it may
-//                     have any priority, above configMAX_SYSCALL_INTERRUPT_PRIORITY as well, and no critical section
-//                     of a task delays it.
-//     one task        sets request words that the interrupt reads. Each word has one writer. No mutex, no critical section.
+//     the interrupt   steps, writes the converter, changes the plan. It calls no function of FreeRTOS, so it may have
+//                     any priority, even above configMAX_SYSCALL_INTERRUPT_PRIORITY. Then no critical section of a
+//                     task delays it.
+//     one task        sets request words that the interrupt reads. Each word has one writer, so no mutex and no
+//                     critical section is needed.
 //     any task        reads snapshot() and fault().
 
 #include <stdint.h>
@@ -14,7 +16,7 @@
 #include <impact/self_test.hpp>
 
 extern "C" void vTaskDelay(uint32_t ticks);
-extern "C" void start_timer();  // yours: TIM2 interrupts from here on
+extern "C" void start_timer();  // a function of yours: TIM2 interrupts from then on
 
 namespace {
 
@@ -29,15 +31,15 @@ constexpr Absorber::PlanType plans[] = {Absorber::PlanType::make(driven_at(40), 
                                         Absorber::PlanType::make(driven_at(45), impact::Bounds{}, 1e-4)};
 static_assert(plans[0].status == impact::PlanStatus::ok && plans[1].status == impact::PlanStatus::ok);
 
-Absorber absorber(plans[0]);  // the interrupt's own
+Absorber absorber(plans[0]);  // only the interrupt steps and changes it
 
 constexpr impact::Converter dac{2048, 2047 / 0.05, 0, 4095};
 constexpr impact::ToCounts<Absorber, impact::Quantity::displacement> to_dac(dac, plans[0]);
 volatile int32_t dac_register;  // stands for the converter's
 
-volatile uint8_t wanted_plan, resets_wanted;  // written by the task supervise() alone
-volatile uint8_t resets_made;                 // written by the interrupt alone, as the next
-uint8_t plan_in_use;
+volatile uint8_t wanted_plan, resets_wanted;  // only the task supervise() writes them
+volatile uint8_t resets_made;                 // only the interrupt writes this one
+uint8_t plan_in_use;                          // and this one
 
 }  // namespace
 
@@ -51,13 +53,13 @@ extern "C" void TIM2_IRQHandler() {
   }
 }
 
-// xTaskCreate(supervise, ...), once: the requests have one writer.
+// Create this task once, with xTaskCreate(supervise, ...), because each request word has one writer.
 extern "C" void supervise(void*) {
-  while (!impact::self_test<Absorber::Format>()) vTaskDelay(1000);  // a task never returns
+  while (!impact::self_test<Absorber::Format>()) vTaskDelay(1000);  // a task must not return
   start_timer();
   for (;;) {
-    const auto now = absorber.snapshot();  // of one step, whatever the interrupt does meanwhile
-    // Once for each fault: a request that the interrupt has not seen yet still stands.
+    const auto now = absorber.snapshot();  // all values are of one step, even if the interrupt steps now
+    // One request for each fault: none while the interrupt has not fulfilled the last one.
     if (resets_made == resets_wanted && absorber.fault() != impact::Fault::none)
       resets_wanted = static_cast<uint8_t>(resets_wanted + 1);
     if (now.is_whole) wanted_plan = now.displacement.raw > INT32_MAX / 8 ? 1 : 0;  // beyond an eighth of the unit

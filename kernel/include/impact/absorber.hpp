@@ -60,7 +60,7 @@
 namespace impact {
 
 namespace detail {
-// The parts of the scene among the features. Of two fields the sampled one, which has weight too.
+// The parts of the scene among the features. If two of them are fields, it is the sampled one, which has weight, too.
 template <class... Features>
 struct FieldAmong {
   using Type = NoField;
@@ -75,7 +75,7 @@ using FieldOf = typename FieldAmong<Features...>::Type;
 template <class... Features>
 using FrictionOf = typename Either<is_one_of<DryFriction, Features...>, DryFriction, NoFriction>::Type;
 
-// Each argument as the contracts let it through.
+// Each argument, or a valid type in its place if it breaks its contract, so that the compiler prints one message.
 template <uint32_t identity, class Rig, class ContactLaw, class Stepper, class Drive, class Format, class... Features>
 using CheckedSource =
     PlanSource<contract::KeptRig<Rig>,
@@ -92,7 +92,7 @@ constexpr uint32_t identity_of() {
     return fingerprint_of_rig(Rig::scene, Rig::bounds, Rig::step);
 }
 
-// Without features where two of them are of one kind, so that the compiler's message is the one below.
+// Without any features if two of them are of one kind, so that the compiler prints the message below.
 template <class Source, class... Features>
 using MachineOf =
     typename Either<contract::kinds_differ<Features...>, Machine<Source, Features...>, Machine<Source>>::Type;
@@ -149,16 +149,16 @@ class AbsorberOf
   using Source::plan;
   using typename Machine::State;
 
-  // The SI value of a native 1.0, which is raw 2^31 in Fixed32. In floating point it is 1. They are constants of the
-  // type unless the plan is AtRunTime.
+  // The SI value of a native 1.0, which is raw 2^31 in Fixed32. In floating point it is 1. These values are constants
+  // of the type unless the plan is AtRunTime.
   using Source::base_sample_unit;   // m/s^2
   using Source::displacement_unit;  // m
   using Source::force_unit;         // N, of contact_force()
   using Source::sample_unit;        // N, of the samples of a Sampled drive
   using Source::velocity_unit;      // m/s
-  // sample_of(newtons) and base_sample_of(acceleration in m/s^2) return a sample for step(). A constant is a double; a
-  // float is possible while running; without an FPU it costs some hundred instructions. In Fixed32 both clamp to the
-  // bound, and replace a NaN by 0. The step() that gets such a sample raises Fault::sample.
+  // sample_of(newtons) and base_sample_of(acceleration in m/s^2) return a sample for step(). The argument is a double
+  // constant, or a float while running. Without an FPU a float costs some hundred instructions. In Fixed32 both clamp
+  // to the bound and replace a NaN by 0. The step() that gets such a sample raises Fault::sample.
   using Source::base_sample_of;
   using Source::sample_of;
 
@@ -179,7 +179,7 @@ class AbsorberOf
     publish();
   }
 
-  // Advances by one step: with the drive NoDrive or Sine, and without BaseAcceleration.
+  // Advances by one step. It is for the drives NoDrive and Sine, without BaseAcceleration.
   template <class... Nothing>
   constexpr void step() {
     static_assert(!Drive::is_sampled || sizeof...(Nothing) > 0,
@@ -192,8 +192,8 @@ class AbsorberOf
     publish();
   }
   // Advances by one step with a Sampled drive or with BaseAcceleration. The sample is the value at the step's end. In
-  // floating point it is in N or m/s^2, and beyond its bound it is clamped with Fault::sample. In Fixed32 it is a
-  // fraction of Bounds::force or Bounds::base_acceleration in Q1.31. The sample before the first is 0.
+  // floating point it is in N or m/s^2. Beyond its bound it is clamped, with Fault::sample. In Fixed32 it is a fraction
+  // of Bounds::force or Bounds::base_acceleration in Q1.31. Before the first step the sample is 0.
   template <class Sample = detail::InBraces>
   constexpr void step(Sample sample) {
     constexpr Quantity quantity = Drive::is_sampled ? Quantity::force : Quantity::base_acceleration;
@@ -213,7 +213,7 @@ class AbsorberOf
       publish();
     }
   }
-  // Advances by one step with a Sampled drive and BaseAcceleration: the force and the base's acceleration at its end.
+  // Advances by one step with a Sampled drive and BaseAcceleration. Both samples are the values at the step's end.
   template <class Force = detail::InBraces, class Acceleration = detail::InBraces>
   constexpr void step(Force force, Acceleration acceleration) {
     constexpr bool takes_both = Drive::is_sampled && Field::is_sampled;
@@ -231,7 +231,7 @@ class AbsorberOf
   }
 
   // Displacement and velocity of the main mass and of the ball after the last step, in native numbers of
-  // displacement_unit() and velocity_unit(). Only the context that steps calls them; another one calls snapshot().
+  // displacement_unit() and velocity_unit(). Only the context that steps may call them. Others call snapshot().
   constexpr Value displacement() const { return plan.units.position(Machine::position_of(Machine::state.x1)); }
   constexpr Value velocity() const {
     auto rate = plan.units.as_displacement(Machine::rate_ahead());
@@ -249,10 +249,10 @@ class AbsorberOf
       rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * Machine::state.impulse);
     return plan.units.velocity(rate);
   }
-  // The contact's force on the main mass along x, in native numbers of force_unit(). The ball feels the opposite. With
-  // a stepper that resolves the contact it is the average over the last step. With Impulsive, whose impacts take no
-  // time, it is the law's peak in an impact of the last step, at every rate. On a ball at rest it is the static force.
-  // It requires the feature ContactForce.
+  // The contact's force on the main mass along x, in native numbers of force_unit(). The force on the ball is the
+  // opposite. With a stepper that resolves the contact it is the average over the last step. With Impulsive, whose
+  // impacts take no time, it is the law's peak in an impact of the last step, at every rate. For a ball at rest it is
+  // the static force. It requires the feature ContactForce.
   constexpr Value contact_force() const {
     static_assert(has_force, "contact_force() requires the feature ContactForce: append it to the absorber's type");
     if constexpr (!has_force)
@@ -262,7 +262,7 @@ class AbsorberOf
     else
       return plan.units.native_force(record_in<ContactForce, PlanType>(Machine::state).force);
   }
-  // With Impulsive, the average over the contact of the force whose peak is contact_force().
+  // With Impulsive, the law's force averaged over the contact whose peak force is contact_force().
   constexpr Value mean_impact_force() const {
     static_assert(has_force, "mean_impact_force() requires the feature ContactForce: append it to the absorber's type");
     static_assert(Contact::traits.is_instantaneous,
@@ -272,14 +272,14 @@ class AbsorberOf
     else
       return {};
   }
-  // True if the last step ended in contact. It is false for a ball that the stop has released but that is still inside
-  // it.
+  // True if the last step ended in contact. It is false if the stop has released the ball, even if the ball is still
+  // inside it.
   constexpr bool is_touching() const { return Machine::state.contact.phase == Phase::touching; }
-  // All that a step changes, and what the features record.
+  // All values that a step changes, and the records of the features.
   constexpr const State& state() const { return Machine::state; }
 
-  // The first fault since the start, reset() or clear_fault(). Any context may call it or wait for it: it is one
-  // aligned half word that each call reads.
+  // The first fault since the start, reset() or clear_fault(). Any context may call it, also in a loop that waits: each
+  // call reads one aligned half word.
   Fault fault() const {
     if (Source::is_refused()) return Fault::plan;
     return *static_cast<const volatile Fault*>(&Machine::state.fault);
@@ -300,9 +300,9 @@ class AbsorberOf
   }
 
   // An observer's correction between two steps. It adds to the main mass's displacement and velocity, in the units of
-  // displacement() and velocity(). A correction of more than a bound is clamped to it with a fault, and so is the
-  // corrected state. A correction that is a NaN is not added and raises a fault. A contact under way continues from the
-  // corrected penetration. A damping that was set at its impact is clamped to what a step tolerates there
+  // displacement() and velocity(). A correction or a corrected state beyond a bound is clamped to the bound, with a
+  // fault. A correction that is a NaN is not added and raises a fault. A contact under way continues from the corrected
+  // penetration. A damping that was set at its impact is clamped to what a step tolerates there
   // (law/impact_damping.hpp). A ball that a correction puts into a stop that it did not touch is placed at that stop. A
   // ball at rest on an impulsive stop stays on it. Dry friction's last impulse changes sign with the sliding. A ledger
   // counts the change of the stored energy as dissipated, and nothing as the drive's work.
@@ -332,8 +332,8 @@ class AbsorberOf
   //     - the layout's version, the scene, the bounds, the step or a type differs,
   //     - displacements, drive or kind of contact are out of range, or a contact under way is inconsistent,
   //     - the next step would clamp the state.
-  // It does not authenticate. With forged bytes that pass, every step is defined and ends in range or with a fault. But
-  // it is no motion of this absorber, and the features' records may be anything.
+  // It does not authenticate. If forged bytes pass these checks, every step is still defined and ends in range or with
+  // a fault. But the motion may be impossible for this absorber, and the features' records may have any value.
   static constexpr uint32_t state_version = 5;
   struct Saved {
     uint32_t version, plan_identity;
@@ -496,13 +496,13 @@ class AbsorberOf
     now.is_touching = is_touching();
   }
 
-  // The share of a force that the contact keeps in the displacement of the coming step, along x.
+  // How much a force that the contact keeps adds to the displacement of the coming step, along x.
   template <class Share>
   constexpr auto carried(Share share) const {
     return plan.units.as_displacement(mirrored(share * Machine::state.contact.force, Machine::contact_is_left()));
   }
 
-  // Scene, bounds, step, types and features.
+  // Identifies scene, bounds, step, types and features.
   constexpr uint32_t saved_identity() const {
     if constexpr (sizeof...(Features) == 0) {
       return plan.identity;
@@ -526,8 +526,8 @@ class AbsorberOf
 };
 }  // namespace detail
 
-// The absorber of a rig. The rig's values are in the type beside its name, so two files of one program may each have a
-// `Rig` of their own.
+// The absorber of a rig. The type contains the rig's values as well as its name, so two files of one program may each
+// have a `Rig` of their own.
 template <class Rig, class ContactLaw, class Stepper, class Drive, class Format, class... Features>
 using Absorber = detail::AbsorberOf<
     detail::identity_of<contract::KeptRig<Rig>>(), Rig, ContactLaw,

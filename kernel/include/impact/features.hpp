@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The features, each of which is a record that an absorber can keep. A feature that its type does not name costs
-// nothing.
+// The features. Each one is a record that an absorber keeps if its type names the feature. Otherwise it costs nothing.
 
 #include <stdint.h>
 
@@ -21,11 +20,11 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
   return state;
 }
 
-// The energy that contacts have dissipated and the work of the drive, both since the start or the last reset(). Also
-// the energy that the stop stores now.
+// The energy that contacts have dissipated and the work of the drive, both since the start or the last reset(). It also
+// has the energy that the stop stores now.
 //
-//     work on a contact in a step     = J1/h v0 + (J0 - J1/h) v1      if the rate is linear in time; of a free pair
-//                                                                     it is exact
+//     work on a contact in a step     = J1/h v0 + (J0 - J1/h) v1      if the rate is linear in time; exact for two free
+//                                                                     masses
 //                                     = f (d1 - d0)                   if the force is constant over the step; exact
 //     dissipated in a step            = work - change of the stored energy
 //     work of the drive               = sum of (F + F')/2 (x1' - x1), the trapezoidal rule, second order in h
@@ -38,8 +37,8 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
 // An entry keeps all bits of its products. Fixed32 therefore does not round it, however slow the contact is compared
 // with the bounds. Float32 rounds each entry by 2^-24 of itself.
 //
-// The dissipated energy never falls with Impulsive. With other steppers it may fall by what docs/energy.md says, which
-// also has the energy that a method itself gains or loses and neither sum contains.
+// The dissipated energy never falls with Impulsive. With other steppers it may fall; docs/energy.md has how much. It
+// also has the energy that a method itself gains or loses, which neither sum contains.
 struct EnergyLedger {
   static constexpr uint32_t kind = 1;     // identifies the feature in a saved state
   static constexpr bool is_bound = true;  // during a contact the record is valid with that contact's plan only
@@ -121,9 +120,9 @@ constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
     return Rate{};
 }
 
-// The number of contacts that have begun, the rate at which the last one began, and the largest contact force. That is
-// the largest average over a step or, with Impulsive, the rate of the fastest impact. impact_speed() and peak_force()
-// return m/s and N.
+// The number of contacts that have begun, the rate at which the last one began, and the peak of the contact force. The
+// peak is the largest average over a step. With Impulsive the record has the rate of the fastest impact instead.
+// impact_speed() returns m/s, and peak_force() N.
 struct ImpactLog : SilentFeature {
   static constexpr uint32_t kind = 2;
   static constexpr bool is_bound = true;
@@ -157,7 +156,7 @@ struct ImpactLog : SilentFeature {
 };
 
 // The contact force of the last step, for contact_force() and mean_impact_force(). `force` is the average over the step
-// on the main mass along x. `impact_rate` is that of an impact with Impulsive, and 0 for a ball that rests.
+// on the main mass along x. `impact_rate` is the rate of an impact with Impulsive, and 0 for a ball at rest.
 struct ContactForce : SilentFeature {
   static constexpr uint32_t kind = 3;
   static constexpr bool is_bound = true;
@@ -188,7 +187,7 @@ struct ContactForce : SilentFeature {
   }
 };
 
-// Memory for snapshot(), two snapshots (snapshot.hpp). A saved state has the number of steps only.
+// Memory for snapshot(): two snapshots (snapshot.hpp). A saved state contains only the number of steps.
 struct Snapshots : SilentFeature {
   static constexpr uint32_t kind = 4;
   static constexpr bool is_bound = false;

@@ -7,9 +7,9 @@
 //     right stop: penetration =  y - d/2       left stop: penetration = -y - d/2       contact while it is > 0
 //
 // Fc > 0 pushes the main mass towards the stop that is hit. The clearance d is the ball's whole free travel: the stops
-// stand at +-d/2 from the middle of the cavity, where the ball starts. The equations are (2.1) to (2.8) of
-// Chehaibi, Mrad & Nasri, "Collision modeling of single unit impact absorber for mechanical systems vibration
-// attenuation". The defaults below are that paper's Hunt-Crossley scene (Table 2), driven at 40 rad/s.
+// are at +-d/2 from the middle of the cavity, where the ball starts. The equations are (2.1) to (2.8) of Chehaibi, Mrad
+// & Nasri, "Collision modeling of single unit impact absorber for mechanical systems vibration attenuation". The
+// defaults below are that paper's Hunt-Crossley scene (Table 2), driven at 40 rad/s.
 
 #include <impact/requirements.hpp>
 
@@ -23,16 +23,17 @@ enum class Law { hooke_newton, hertz, hunt_crossley };
 // Which stops the ball can meet. With `none` the clearance is irrelevant.
 enum class Stops { both, left, right, none };
 
-// What a negative contact force of HookeNewton does. `clamp` lets the ball go at zero force, since a stop cannot pull.
-// `allow` keeps the law as the paper writes it, with separation at zero penetration. The other laws never pull.
+// What happens if HookeNewton's contact force gets negative. `clamp` releases the ball at zero force, since a stop
+// cannot pull. `allow` follows the law as the paper writes it, and releases the ball at zero penetration. The other
+// laws never pull.
 enum class Tension { clamp, allow };
 
-// The default of contact_damping, which marks it as not stated: the paper's c1 plus one bit. With HuntCrossley and the
-// default contact_stiffness it means 19560. With another stiffness or with HookeNewton the plan is rejected.
+// The default of contact_damping: the paper's c1 plus one bit, which means that c1 is not stated. With HuntCrossley and
+// the default contact_stiffness it stands for 19560. With another stiffness or with HookeNewton the plan is rejected.
 inline constexpr double unstated_damping = 19560.0 + 0x1p-38;
 
-// The values that a scene states, in SI units. values.hpp has the range of each, such as 1e-9 to 1e9 kg for a mass. A
-// value outside its range does not compile. At run time the plan then has the value's PlanStatus.
+// The values of a scene, in SI units. values.hpp has the range of each, such as 1e-9 to 1e9 kg for a mass. A value
+// outside its range does not compile. At run time the plan's status then names the value.
 struct Scene {
   double main_mass = 1.0;                     // M, kg
   double main_stiffness = 1000.0;             // k, N/m; 0 for a free main mass
@@ -54,15 +55,15 @@ struct Scene {
   double ball_friction = 0.0;  // R, N, dry friction between ball and main mass: with DryFriction, motion/friction.hpp
 };
 
-// The largest values that the scene may reach, in SI units. The plan checks its step against them, and a state that
-// passes them raises a fault, in every format. Fixed32 derives its units from them: tighter bounds give a finer
-// resolution. The defaults suit the paper's scene with every law. With Hertz, which loses no energy, they suit ten
-// minutes (in three hours the ball reaches 2.7 m/s). Scene::drive_amplitude enters the units and the deepest
-// penetration with every drive.
+// The largest values that the scene may reach, in SI units. The plan checks whether its step suits them. A state beyond
+// them raises a fault, in every format. Fixed32 derives its units from them: tighter bounds give a finer resolution.
+// The defaults suit the paper's scene with every law. Hertz loses no energy, and with it they suit ten minutes (in
+// three hours the ball reaches 2.7 m/s). Units and deepest penetration depend on Scene::drive_amplitude with every
+// drive.
 struct Bounds {
   double displacement = 0.1;     // of the main mass, and of a ball that has one stop, m
   double speed = 2.0;            // of either mass, m/s
-  double penetration = 0;        // into a stop, m; 0: the deepest that the others lead to, law/depth.hpp
+  double penetration = 0;        // into a stop, m; 0: the deepest that the other bounds allow, law/depth.hpp
   double force = 10.0;           // of the samples of a Sampled drive, N; the plan reserves room for it with any drive
   double base_acceleration = 0;  // of the samples of BaseAcceleration, which requires it, m/s^2
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Whether a scene can be planned, and if not, which of its values is at fault. A value is named by the first check that
-// it fails; its range is in the table of values.hpp.
+// The status of a plan: ok, or the value of the scene because of which the plan is rejected. It is the first value that
+// fails a check. The table of values.hpp has its range.
 
 #include <stdint.h>
 
@@ -31,8 +31,8 @@ enum class PlanStatus : uint8_t {
   speed_bound,
   penetration_bound,
   force_bound,
-  steps_per_contact,  // too few for the stepper: Stepper::steps has the longest step that does
-  contact_time,       // no step does: the contact lasts too long for the stepper
+  steps_per_contact,  // too few for the stepper; Stepper::steps has the longest step that it accepts
+  contact_time,       // the contact lasts too long for the stepper, whatever the step
   gravity,
   base_acceleration_bound,
   ball_friction,
@@ -61,11 +61,11 @@ inline constexpr Range damping_ratio_range{0, 100};             // c1 v0/k1 of a
 inline constexpr Range bound_range = displacement_bound_range;  // of a speed and a penetration as well
 inline constexpr Range step_range{1e-9, 0.1};                   // s
 
-// rad/s. A slower drive turns by less than 2^-24 rad per step, and fewer than 15 bits of its curvature are left.
+// In rad/s. A slower drive turns by less than 2^-24 rad per step, and its curvature would have fewer than 15 bits.
 constexpr double slowest_drive(double step) { return 0x1p-24 / step; }
 
-// Of a Hooke-Newton stop, N s/m: ten times the critical damping 2 sqrt(k1 mu). The restitution there is about 1/400,
-// less than a scene may state. A larger c1 is that of another law.
+// The largest c1 of a Hooke-Newton stop, N s/m: ten times the critical damping 2 sqrt(k1 mu). Its restitution is about
+// 1/400, less than a scene may state. A larger c1 belongs to another law.
 constexpr double largest_linear_damping(const Scene& scene) {
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
   return 20 * constant::square_root(scene.contact_stiffness * mu);
@@ -106,7 +106,7 @@ constexpr PlanStatus status_of(const Scene& scene, double step, double phase) {
   return PlanStatus::ok;
 }
 
-// m. The ball reaches a stop at x2 - x1 = clearance/2, and two masses within their bounds are at most 2 bounds apart.
+// In m. The ball reaches a stop at x2 - x1 = clearance/2. Two masses within their bounds are at most 2 bounds apart.
 constexpr double largest_clearance(const Bounds& bounds) { return 4 * bounds.displacement; }
 
 constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
@@ -120,8 +120,8 @@ constexpr PlanStatus status_of(const Scene& scene, const Bounds& bounds) {
   return PlanStatus::ok;
 }
 
-// In fixed point: c1/k1 times the speed is too large, or the penetration into a stop that is far softer than the main
-// spring.
+// In fixed point a unit can be too large: c1/k1 times the speed is too large, or the stop is far softer than the main
+// spring and the penetration is too large.
 constexpr PlanStatus status_of(Overflow overflow) {
   return overflow == Overflow::force         ? PlanStatus::speed_bound
          : overflow == Overflow::penetration ? PlanStatus::contact_stiffness

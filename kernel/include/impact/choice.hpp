@@ -3,30 +3,29 @@
 // The rule for the stepper of a scene and a step, by how the step resolves the contacts that the bounds allow
 // (law/resolution.hpp). N is the number of steps per contact of the fastest impact; under strong damping it is that of
 // its shortest part, Resolution::shortest_part. w0 tc is how far, in rad, the main oscillator advances during it. The
-// first line that holds:
+// first line whose condition is true decides:
 //
 //     N >= 20                    Moment             fourth order
-//     n N >= 8                   SubsteppedMoment<> with n sub-steps, a power of two: fourth order; where n is no more
-//                                                   than the caller allows, and Impulsive is not expected to have
-//                                                   less error
+//     n N >= 8                   SubsteppedMoment<> with n sub-steps, a power of two: fourth order. It requires that
+//                                                   the caller allows n, and that Impulsive is not expected to have a
+//                                                   smaller error
 //     N >= 8                     Moment
 //     w0 tc <= 0.05              Impulsive          the law's own restitution, at an instant
 //     n N >= 8                   SubsteppedMoment<> with up to 16 sub-steps
+//     w0 tc <= 0.25              Impulsive, if EnergyConsistent rejects a Hooke-Newton contact of less than one step, a
+//                                                   damper with h c1/mu > 2, or a field in a long contact
 //     any                        EnergyConsistent   passive at any stiffness, damping and clearance
-//     instead, where EnergyConsistent refuses a Hooke-Newton contact of less than one step, its damper above
-//     h c1/mu = 2, or a field in a long contact:
-//     w0 tc <= 0.25              Impulsive
 //
-// A stepper that the plan would reject is passed over. For Moment and SubsteppedMoment that is a step that is too long
-// for the main mass's vibration, or for stiffness or damping of the deepest contact. With sub-steps it is also a ball
-// that can cross the clearance within half a step. For Impulsive it is weight or a shaken base that is not small
-// during a contact. A Hooke-Newton contact may lose less energy than the step may create. Then SubsteppedMoment is
-// passed over, and EnergyConsistent is chosen in place of Moment. If no line holds the choice is EnergyConsistent, and
-// the plan rejects it.
+// The rule skips a stepper that the plan would reject. Moment and SubsteppedMoment are rejected if the step is too long
+// for the main mass's vibration, or for stiffness or damping of the deepest contact. SubsteppedMoment is also rejected
+// if the ball can cross the clearance within half a step, and Impulsive if weight or a shaken base is not small during
+// a contact. A Hooke-Newton contact may lose less energy than the step may create. Then the rule skips
+// SubsteppedMoment, and chooses EnergyConsistent in place of Moment. If the plan would reject every stepper, the choice
+// is EnergyConsistent, and the plan rejects it.
 //
-// A step with sub-steps costs n steps of Moment while the ball is pressed, and 20 to 60 in an impact. For the sake of
-// cores with a short period, Chosen does not allow sub-steps in the second line. If there is time, name
-// SubsteppedMoment<>. impact-sim allows as many as the format does.
+// A step with sub-steps costs n steps of Moment while the ball is pressed, and 20 to 60 in an impact. Chosen is also
+// for cores with a short period, so it allows no sub-steps in the second line. If there is time, name
+// SubsteppedMoment<>. impact-sim allows as many sub-steps as the format does.
 
 #include <impact/law/resolution.hpp>
 #include <impact/plan/source.hpp>

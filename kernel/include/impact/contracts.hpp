@@ -63,7 +63,7 @@
 //           make_plan<Format>(scene, bounds, main, ball, exponents, units)    the two flows before the exponents
 //           largest(scene, bounds)     m/s^2, of either sign
 //           at_once<Units>(scene, bounds, main, ball, exponents)    s^2: what a sample adds to what stands for x1
-//           position(plan, state, x)   Long: a position, from what the state keeps in its stead
+//           position(plan, state, x)   Long: a position, from what the state keeps instead of it
 //           main_rate(plan, state)     rate: the field's share in the displacement of the coming step; ball_rate too,
 //           rate_apart                 and how much that is more
 //           main_increment(plan, state, next)    increment: what the step adds to dx1

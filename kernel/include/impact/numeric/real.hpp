@@ -330,7 +330,7 @@ struct RealFormat {
   // For a number that rounding may leave below 0.
   static constexpr Real root_of_product(Real x) { return root(positive_part(x)); }
   static constexpr Real root(Real x) { return correct_root(x); }
-  // The root of x > 0. An FPU computes those of numbers near x anew.
+  // The root of x > 0. For numbers near x an FPU computes each root again.
   struct KnownRoot {
     Real root;
 

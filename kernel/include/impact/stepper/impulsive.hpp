@@ -134,7 +134,7 @@ struct Impulsive {
       phase = Phase::touching;
       depth_at_rest = at.penetration;
     }
-    // A ball at rest lies no deeper than it lay.
+    // A ball at rest gets no deeper.
     constexpr Penetration resume(const Plan&, const Units&, const Standing<Value>& at) {
       if (!is_at_rest) return at.penetration;
       if (is_positive(depth_at_rest - at.penetration)) {

@@ -5,14 +5,13 @@
 //
 // Rig       scene, bounds and step as static constexpr members: Scene, Bounds, double (s). Or AtRunTime.
 //
-// Law       law                        which of scene.hpp's Law its constants are counted as
-//           is_linear                  the elastic force goes with delta, not with delta^(3/2)
+// Law       law                        the Law of scene.hpp to which its constants belong
+//           is_linear                  the elastic force is k1 delta, not k1 delta^(3/2)
 //           is_damped                  c1 is read
 //           is_damped_per_impact       c1 is set at each impact, c1 = a k1/v0, from
 //           damping_ratio(e)             a, for the restitution that the scene states; only then
 //           stored<Format>(units, d)   the energy stored at the penetration d, in the units of law/terms.hpp
-//           The force itself is k1 delta or k1 delta^(3/2) with Hunt-Crossley's damping: a law of one's own derives
-//           from HuntCrossleyPerImpact and chooses damping_ratio (law/per_impact.hpp).
+//           A law of your own derives from HuntCrossleyPerImpact and has its own damping_ratio (law/per_impact.hpp).
 //
 // Stepper   kind                       uint32_t, another one for each stepper: a saved state belongs to one kind
 //           longest_phase              rad, the largest angle of the main mass's own vibration in a step

@@ -59,7 +59,7 @@ struct HuGuo : HuntCrossleyPerImpact {
 };
 
 // The a whose restitution is e: a (1 + e) = ln((1 + a)/(1 - e a)). 1/e is a convex function of a, with the slope 2/3 at
-// 0, so that Newton's method comes down on a from Hu & Guo's.
+// 0. Newton's method therefore converges from above, starting at the a of Hu & Guo.
 struct Exact : HuntCrossleyPerImpact {
   static constexpr double damping_ratio(double e) {
     double a = HuGuo::damping_ratio(e);

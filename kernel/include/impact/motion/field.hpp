@@ -148,7 +148,7 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
   [[gnu::always_inline]] static constexpr Increment<Value> main_increment(const Plan& plan, const State&, Value) {
     return plan.field.main_increment;
   }
-  // The ball's free flight, and then its way and the change of dx2.
+  // The ball's free flight. The next two functions return its displacement and the change of dx2.
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value) {
     state.x2.advance(state.dx2);

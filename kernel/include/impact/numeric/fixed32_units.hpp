@@ -46,13 +46,16 @@ struct Fixed32Units {
     e.damped = bounds.is_lightly_damped ? e.position : e.displacement;
     return e;
   }
-  // A force of more than 2^20 times k1 times the penetrations' unit to its power has no factor. Rates count in the
-  // penetrations' unit: above 2^14 times the main mass's amplitude at its largest speed they keep fewer than 17 bits of
-  // it, and what every step rounds adds up to a hundredth of its energy within some thousand steps
-  // (coupled_scenes_test.cpp); above 2^19 times the largest way in a step a speed that is read keeps fewer than 12.
-  // The spring's force counts in LSBs of a position, half of which a step rounds: w0^2 h times that is what a speed
-  // gets wrong. With 2^17 of them to the largest speed that adds up to 1e-4 of its energy within some thousand steps.
-  // And forces are sized by the penetrations' own unit: where theirs is an LSB of the positions', none has a factor.
+  // A plan is rejected
+  // - if a force is more than 2^20 times k1 times the penetrations' unit to its power: no Gain has such a factor;
+  // - if the penetrations' unit, in which rates count too, is above 2^14 times the main mass's amplitude at its largest
+  //   speed. Then that amplitude has fewer than 17 bits, and the roundings of all steps add up to a hundredth of the
+  //   energy within some thousand steps (coupled_scenes_test.cpp);
+  // - if that unit is above 2^19 times the largest displacement in a step: a speed that is read has fewer than 12 bits;
+  // - if an LSB of a position is too coarse for the spring's force. A step rounds half of an LSB, which changes a speed
+  //   by w0^2 h times that. If the largest speed is 2^17 such changes, they add up to 1e-4 of its energy within some
+  //   thousand steps;
+  // - if the penetrations' unit is an LSB of the positions' and larger than penetrations need: no force has a factor.
   static constexpr Overflow overflow_of(const UnitExponents& e, const UnitBounds& bounds) {
     if (e.force > 20) return Overflow::force;
     if (constant::power_of_two(e.penetration - 14) > bounds.amplitude) return Overflow::penetration;
@@ -63,7 +66,7 @@ struct Fixed32Units {
     return Overflow::none;
   }
 
-  // Whether forces that change a quantity by as much as their unit are more than nothing.
+  // True if this change of a quantity with this exponent is more than an LSB.
   static constexpr bool resolves(double change, int exponent) { return change > constant::power_of_two(exponent - 31); }
 
   int64_t gap;
@@ -100,7 +103,7 @@ struct Fixed32Units {
     const double raw = x * constant::power_of_two(63 - position_exponent), most = 0x1p62;
     return {static_cast<int64_t>(constant::larger(-most, constant::smaller(raw, most)))};
   }
-  // Positions carry half an LSB of their upper word, so that taking the upper word rounds to nearest.
+  // Positions contain an added half LSB of their upper word. Taking the upper word therefore rounds to nearest.
   static constexpr int64_t half_lsb = int64_t{1} << 31;
   constexpr Long state_at(double x) const { return {state(x).raw + half_lsb}; }
   constexpr double si_at(Long x) const { return si({x.raw - half_lsb}); }
@@ -160,13 +163,13 @@ struct Fixed32Units {
   constexpr void add(Long& x, Increment<Value> increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
   static constexpr void add(Long& x, In<Value, unit::Field> by, int bits) { add_shifted(x.raw, by.raw, bits); }
   constexpr int bits_of(int exponent) const { return 32 - (position_exponent - exponent); }
-  // Modulo 2^64: what a state beyond its bounds is moved by may be anything.
+  // Modulo 2^64, because a state beyond its bounds may be moved by any amount.
   constexpr void displace(Long& x, Penetration<Value> penetration) const {
     const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
     IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + Wide{penetration.raw} * (Wide{1} << penetration_shift)));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
   }
-  // By gain * x with all the bits of a state, so that what one mass gains the other loses.
+  // By gain * x with all the bits of a state. One mass then gains exactly what the other loses.
   template <class Unit>
   constexpr void displace(Long& x, GainOf<Fixed32Numbers::Gain, Unit, unit::Penetration> gain,
                           In<Value, Unit> by) const {

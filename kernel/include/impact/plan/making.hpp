@@ -155,8 +155,8 @@ class PlanMaking {
     if constexpr (Friction::is_friction) fastest += basis.friction_way / 2;
     // The change of h v by spring, damper and drive in a step: half of a step's change.
     largest.displacement = fastest + h * h / 2 * terms.pressing;
-    // If the ball crosses the clearance in a step, a contact that begins in the next step finds it beyond the stop by
-    // the ways of both masses.
+    // If the ball crosses the clearance in a step, it may be beyond the stop when a contact begins in the next step, by
+    // the displacements of both masses.
     const double way = terms.largest_rate * h * (terms.crosses() && !Contact::traits.crosses_cavity ? 2 : 1);
     // Free flight from a state in contact ends deeper than contact lets the ball go. With (d/D)^2 + (d'/V)^2 <= 1
     // (power laws: (d/D)^(5/2)) it ends at most (D^2 + (5/4) (h V)^2)^(1/2) deep.
@@ -196,7 +196,7 @@ class PlanMaking {
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
     const double of_flight = largest.penetration;
     Contact::room(terms, largest);
-    // Again, the contact may have set it lower. Friction compares the ways of both masses.
+    // The contact may have lowered it, so it is raised again. Friction compares the displacements of both masses.
     if (largest_change > 0)
       largest.penetration = larger(largest.penetration, larger(largest_change, 2 * largest.limits.way));
     // With other steppers a deeper start is rejected.

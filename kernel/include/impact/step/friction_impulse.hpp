@@ -54,8 +54,8 @@ struct FrictionImpulse {
       if constexpr (Model::counts_slid_way) m.state.slid.add(still_to_work(m));
     }
   }
-  // Call it before a change of the state or the plan, and start() after. It returns by how much the last impulse
-  // exceeds that of a first step, so that a change of nothing leaves the impulse as it is.
+  // Call it before a change of the state or the plan, and start() after the change. It returns by how much the last
+  // impulse exceeds that of a first step. If nothing changes, the impulse then stays the same.
   static constexpr Penetration stop([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return {};

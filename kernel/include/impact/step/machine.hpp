@@ -97,8 +97,8 @@ struct Machine : Source {
     return is_beyond_stop() ? depth_in(ball_is_left()) : Penetration{};
   }
 
-  // Adds the immediate share of the samples at the step's end to a way of the main mass, or subtracts it from the
-  // ball's relative way.
+  // Adds the immediate share of the samples at the step's end to a displacement of the main mass, or subtracts it from
+  // the ball's relative displacement.
   constexpr void add_at_once([[maybe_unused]] Long& way, [[maybe_unused]] Value force,
                              [[maybe_unused]] Value acceleration, [[maybe_unused]] bool is_ball) const {
     if constexpr (Drive::is_sampled) plan.units.add(way, mirrored(state.drive.at_once(plan.drive, force), is_ball));

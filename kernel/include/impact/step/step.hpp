@@ -4,9 +4,9 @@
 //
 //     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2
 //
-// with the new x1 and the old dx1 on the right. Where the ball then stands inside a stop, the contact
-// (stepper/contact.hpp) finds the impulse J0 and the moment J1 of its force within the step, and both masses respond to
-// them. Dry friction acts at the step's end. Hints for compilers are in compiler.hpp.
+// with the new x1 and the old dx1 on the right. If the ball is then inside a stop, the contact (stepper/contact.hpp)
+// solves for the impulse J0 and the moment J1 of its force within the step. Both masses respond to J0 and J1. Dry
+// friction acts at the step's end. Hints for compilers are in compiler.hpp.
 
 #include <impact/compiler.hpp>
 #include <impact/step/friction_impulse.hpp>

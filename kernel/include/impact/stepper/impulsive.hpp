@@ -50,7 +50,7 @@ struct Impulsive {
     using Penetration = impact::Penetration<Value>;
     using Force = impact::Force<Value>;
 
-    // A ball at rest is placed where it lies.
+    // The response also places a ball at rest at its depth.
     struct InstantAnswer : Answer<Gain, unit::Force> {
       static constexpr bool is_sudden = true;
 

@@ -10,9 +10,9 @@
 //
 //     d1 = trial - (3 y1 - 3 y2 + y3)        y = G f + correction, of the three steps before; 0 before contact
 //
-// With K = 2 G, twice what the force takes of the penetration is J0 = n (K + K C (way + correction)), and the
-// correction (C G^2/3) n^2. Bound: the restitution is right within 100/N^4 (energy_test). Any other contact goes to
-// stiff.hpp, which an image whose contact is resolved does not hold.
+// With K = 2 G, J0 = n (K + K C (displacement + correction)) is twice what the force takes of the penetration. The
+// correction is (C G^2/3) n^2. The error of the restitution is at most 100/N^4 (energy_test). stiff.hpp has any other
+// contact. An image whose contact is resolved does not contain it.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/contact.hpp>

@@ -82,8 +82,9 @@ struct SubsteppedMoment {
     struct Stride {
       Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
     };
-    // In a free step the main mass's rates v0 and v1 at both ends, its way w and half of the drive's change F satisfy
-    // v0 = along w - back v1 + across F. This combination contains neither x1 nor a constant force.
+    // In a free step the main mass has the rates v0 and v1 at both ends and the displacement w. F is half of the
+    // drive's change. They satisfy v0 = along w - back v1 + across F. This combination contains neither x1 nor a
+    // constant force.
     struct StartRate {
       GainOf<Gain, unit::Displacement, unit::Penetration> by_way;
       Gain by_rate;

@@ -3,9 +3,9 @@
 // The deepest penetration, m, that any state within the bounds can lead to, in the coupled machine. With V = 2
 // Bounds::speed, mu the reduced mass and W(d) the energy that the law stores, the least of three balances:
 //
-//     the energy of the whole     W <= (M + m) v^2/2 + k x^2/2 + 2 F x + 2 (M + m) a x
+//     energy of the machine       W <= (M + m) v^2/2 + k x^2/2 + 2 F x + 2 (M + m) a x
 //     of the relative motion      W <= mu V^2/2 + P d                        P = mu (k x + c v + F)/M
-//     the ball's momentum         W <= W0 + m V^2 + (m a + R) d
+//     momentum of the ball        W <= W0 + m V^2 + (m a + R) d
 //
 // v, x and F are the bounds of speed, displacement and drive, a is that of a field, and R the ball's dry friction. One
 // per cent is added for rounding. Bounds::penetration, if stated, limits it further. Derivation: docs/contact.md.

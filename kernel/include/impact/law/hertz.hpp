@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Hertz, the paper's (2.5): Fc = k1 delta^(3/2), elastic: restitution 1. k1 in N/m^(3/2).
+// Hertz, the paper's (2.5): Fc = k1 delta^(3/2), with k1 in N/m^(3/2). It is elastic: the restitution is 1.
 
 #include <impact/numeric/formula.hpp>
 #include <impact/scene.hpp>

@@ -3,12 +3,13 @@
 // An impact at the speed V for the impulsive step, from the closed forms of free_impact.hpp:
 //
 //     loss(V)  = (1 - e)/2, so that the impulse is mu (1 + e) V = 2 mu (V - loss V)
-//     depth(V) = V centroid(V): how far the ball would still go before the centroid of the force's impulse
+//     depth(V) = V centroid(V): how far the ball would go from the touch to the centroid of the force
 //
 // Hertz             loss 0                depth ~ V^(4/5)
 // Hooke-Newton      loss constant         depth ~ V
 // Hunt-Crossley     loss and depth / V^(4/5) depend on a = c1 V/k1 alone: straight lines between the exact values at
-//                   even steps of y = a/(2 + a), of 1/64 and of 1/16. Set per impact, a and with it both are constant.
+//                   even steps of y = a/(2 + a), of 1/64 and of 1/16. If the damping is set per impact, a and both are
+//                   constant.
 //
 // Bounds: loss within 3e-5 (restitution within 6e-5); depth within 1.5 % for e >= 0.2 and 3 % for e >= 0.05, of which
 // power_four_fifths.hpp has 1 %. V counts in 2^penetration metres per step, depth in 2^penetration metres.

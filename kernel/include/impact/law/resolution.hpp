@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // How finely a step resolves a contact. This decides which steppers a plan accepts, and which one the rule takes
-// (choice.hpp). A plan's promises hold for every state within its bounds, so each number is that of the worst state.
-// kernel/docs/contact.md defines them, and says why damping makes part of a contact shorter than the whole.
+// (choice.hpp). What a plan promises is true for every state within its bounds, so each number is that of the worst
+// state. kernel/docs/contact.md defines them, and says why damping makes part of a contact shorter than the whole.
 
 #include <impact/law/free_impact.hpp>
 #include <impact/numeric/constant_math.hpp>

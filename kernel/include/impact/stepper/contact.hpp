@@ -2,23 +2,24 @@
 #pragma once
 // A contact: what a stepper does while the ball is inside a stop. The step uses these members and no others:
 //
-//     traits        ContactTraits: what it reads and does
+//     traits        ContactTraits: which values it reads, and what it can do
 //     Plan          its constants, with `response`: response.apply(units, state, reaction, left) changes the state
 //     make_plan     (terms, flow, exponents)    SI in, law/terms.hpp
 //     deepest       (terms)                     the penetration that its steps may reach within the bounds, m
 //     room          (terms, largest)            adds the largest numbers of its steps to the units' bounds
 //     phase         Phase
-//     start         (plan, units, standing)     a contact that the ball is found in, at the start or under a new plan
-//     solve         (plan, units, approach)     the step as the stop sees it: returns the Reaction
-//     resume        (plan, units, standing)     goes on after a correction: returns how deep it leaves the ball, which
-//                                               the step then puts there
-//     valid         (plan, units)               whether a contact from elsewhere fits together
-//     change_rate   (plan, by)                  friction has changed the rate at the step's end
+//     start         (plan, units, standing)     begins a contact if the ball is in a stop at the start or under a new
+//                                               plan
+//     solve         (plan, units, approach)     a step in contact: returns the Reaction
+//     resume        (plan, units, standing)     continues after a correction: returns the penetration at which the step
+//                                               then places the ball
+//     valid         (plan, units)               true if a restored contact is consistent
+//     change_rate   (plan, by)                  call it when friction has changed the rate at the step's end
 //     units         (terms, exponents)          the units in which a contact under way keeps its numbers
 //
 // A new contact derives from ContactDefaults, which has the last three, traits, deepest(), and room() for a law's
-// forces, and defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact
-// decides how its force runs within the step, and the two masses may feel it differently.
+// forces. It defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact
+// decides how its force changes within the step, and the two masses may respond to it differently.
 
 #include <stdint.h>
 

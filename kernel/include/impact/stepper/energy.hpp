@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The energy-consistent step: exact free flight, and in contact a force that is constant over the step and equals the
-// difference quotient of the contact's potential. Contact cannot create energy, at any step and stiffness. Second
-// order. Derivation: kernel/docs/energy.md.
+// The energy-consistent step. Free flight is exact. In contact the force is constant over the step and equals the
+// difference quotient of the contact's potential. Contact cannot create energy, at any step and stiffness. The method
+// is of second order. Derivation: kernel/docs/energy.md.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The moment-fitted step: exact free flight, and in contact Newmark's two updates with the weights fitted to the
+// The moment-fitted step. Free flight is exact. In contact it has Newmark's two updates, with weights that fit the
 // contact law. Over a step from 0 to h, v gains J0/m and x gains J1/m:
 //
 //     J0 = integral of f(s) ds        J1 = integral of (h - s) f(s) ds
 //
-// One square root and one quotient a step; fourth order. Derivation, and why each bound below is where it is:
-// kernel/docs/moment.md.
+// A step in contact takes one square root and one quotient. The method is of fourth order. kernel/docs/moment.md has
+// the derivation, and the reason for each bound below.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Classical Newmark: the contact force is the law at the end of the step, found together with the motion. It enters
-// both masses linearly, so that contact is one scalar equation: with the penetration and its rate that the step would
-// reach without the new force, and the constants B and C of the plan,
+// both masses linearly, so contact is one scalar equation. The trial penetration and rate are those that the step would
+// reach without the new force. B and C are constants of the plan:
 //
 //     force = law(trial penetration - B force, trial rate - C force)
 //
@@ -18,8 +18,8 @@
 // twice these changes. A step that passes one of these values is beyond the bound of speed. The units have room for
 // them, and for a rate that two such forces have lowered.
 //
-// A stop acts at the end of a step if the step without the new force ends inside it. Second order on smooth motion; a
-// contact that lasts a few steps only can gain energy, see the README's limits.
+// A stop acts at the end of a step if the step without the new force ends inside it. The method is of second order on
+// smooth motion. A contact that lasts only a few steps can gain energy: see the README's limits.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/law/resolution.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The rate at which the ball reaches its stop, within the step of the touch: by the cubic of its free flight at the
-// chord's instant of touch, with one correction. Derivation: kernel/docs/moment.md.
+// The rate at which the ball reaches its stop, within the step of the touch. It is the rate of the free flight's cubic
+// at the instant at which the cubic's chord reaches the stop, with one correction. Derivation: kernel/docs/moment.md.
 
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/in.hpp>

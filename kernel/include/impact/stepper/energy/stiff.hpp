@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The energy-consistent step of a power law at any stiffness, in closed form. Derivation: kernel/docs/energy.md. All
-// are lengths: D the displacement without contact, b what the force takes from it, p half of what spring, drive and
-// field change the displacement per step by, d0 and d1 the penetrations at the step's start and end, and V what the
-// stored energy is worth as a rate, V^2 = (2/5) G d^(5/2). Hertz, with t the tangent of half the angle by which the
-// contact moves along its circle of D - b and V:
+// The energy-consistent step of a power law at any stiffness, in closed form. Derivation: kernel/docs/energy.md. The
+// symbols are lengths:
+//
+//     D         the displacement of a step without contact
+//     b         how much the force reduces it
+//     p         half of the change of the displacement per step by spring, drive and field
+//     d0, d1    the penetrations at the step's start and end
+//     V         the stored energy as a displacement per step, V^2 = (2/5) G d^(5/2)
+//
+// Hertz, where w is the displacement per step, the contact moves along a circle of w/2 and V, and t is the tangent of
+// half of the angle:
 //
 //     b = (t^2 D + 2 t V0)/(1 + t^2)        V1^2 = V0^2 + b (D - b)        d1 = K V1^(4/5)
 //
@@ -13,11 +19,11 @@
 //     b = q (1 + A)/(1 + u)        V1^2 = V0^2 + q (D - b - k(x) x/C)        artanh x = x + k(x) x^2
 //     q = 2 W/(B + (B^2 + 4 C W cos^2)^(1/2))        W = sin^2 D + sin V0        B = 1 - C sin V0
 //
-// Leaving, V1 = 0 and b = D/2 + Z1/(2 C g(Z1)). Whatever t, q and p are, neither makes energy. Bounds: the restitution
-// is within 6e-4 of the law's for e from 0.05 to 1 (energy_test); an elastic contact ends late by less than a step; a
-// ball at rest trembles by up to 2e-3 of d and on average within 1.5e-4, up to h omega = 3 (field_test). In a field
-// the ball gains g (d1 - d0 - D + b) less than nothing by the correction, g = G m a: two steps of Newton's method take
-// it out of b or V1, and the ledger counts that as dissipated, with its sign.
+// Leaving, V1 = 0 and b = D/2 + Z1/(2 C g(Z1)). No value of t, q or p creates energy. The error of the restitution is
+// at most 6e-4 for e from 0.05 to 1 (energy_test). An elastic contact ends late by less than a step. Up to h omega = 3
+// a ball at rest trembles by up to 2e-3 of d, and its average is within 1.5e-4 of d (field_test). In a field the
+// position correction changes the ball's energy by -g (d1 - d0 - D + b), with g = G m a. Two steps of Newton's method
+// take this gain from b or V1, and the ledger counts it as dissipated, with its sign.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/numeric/constant_math.hpp>
@@ -171,8 +177,8 @@ struct StiffContact {
         Value taken{};
         for (int pass = 0; pass < 2; ++pass) pay_for_correction(end, taken);
         // What is not paid for waits: the ball stays where the force leaves it. At rest, where nothing is to be had, it
-        // must not sink by what x^(4/5) rounds.
-        // A correction that has no room in the step's own unit was not paid for at all.
+        // must not sink by what x^(4/5) rounds. A correction that has no room in the step's own unit was not paid for
+        // at all.
         const Value unmoved = step.trial - unpaid.recoil;
         const bool has_room = Format::spare_bits(moved_to(end)) >= bits;
         if (is_positive(unmoved - end.penetration - Format::value(end.penetration * Format::short_constant(0x1p-10))) &&

@@ -130,7 +130,7 @@ TEST(StiffStop, IsAsExactWithHertz) {
 TEST(StiffStop, IsAsExactInFixedPoint) {
   for (const Scene& scene : {driven(), heavy(), hanging()}) {
     expect_one_bound<Fixed32, HuntCrossley>(scene, 1, 2e-9);
-    expect_one_bound<Fixed32, Exact>(scene, 1, 3e-8);
+    expect_one_bound<Fixed32, Exact>(scene, 1, 5e-8);
     expect_one_bound<Fixed32, Hertz>(scene, 10, 2e-9);
   }
   for (const Scene& scene : {driven(), heavy()}) expect_one_bound<Fixed32, HookeNewton>(scene, 1.2, 2e-9);

@@ -12,7 +12,10 @@
 //
 // It is exact while the ball slides, and of second order where sliding begins, turns or ends. After a step of sliding
 // its work is never positive. A ball at rest under a changing load exchanges up to R^2 h^2/8 (1/m + 1/M).
-// Derivation: docs/flight.md.
+//
+// For a contact that feels friction (ContactTraits), the impulse is the friction that the coming step begins with.
+// Where the sliding turns, ends or begins in a step, that instant is located, and the step's end makes good what the
+// impulse got wrong. That is of third order. Derivation: docs/flight.md.
 
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/scene_part.hpp>
@@ -120,11 +123,11 @@ struct DryFriction : ScenePart {
     const Value free = way + plan.friction.main_ahead * state.impulse + plan.friction.ball_ahead * state.impulse;
     return state.impulse - within_full(plan, free + free);
   }
-  // Changes the last impulse to that of a first step plus `excess`.
+  // Changes the last impulse to that of a first step plus `excess`, up to `most`.
   template <class Plan, class State, class Value>
-  static constexpr void begin(const Plan& plan, State& state, Value way, Value excess) {
-    const Value change =
-        within_full(plan, excess - DryFriction::excess(plan, state, way) + state.impulse) - state.impulse;
+  static constexpr void begin(const Plan& plan, State& state, Value way, Value excess, Value most) {
+    const Value next = excess - DryFriction::excess(plan, state, way) + state.impulse,
+                change = clamped(Passive<Value>{-most, most}, next) - state.impulse;
     move_masses(plan, state, change);
     state.impulse = state.impulse + change;
     state.lasting = never<Plan>();
@@ -196,7 +199,154 @@ struct DryFriction : ScenePart {
     push(state, state.main_push, state.ball_push);
   }
 
+  // For a contact that feels friction. The impulse is the friction that the coming step begins with, of which half has
+  // acted. The other half acts at the step's end, with what the step got wrong.
+
+  // The direction of sliding that an impulse works against; 0: it holds the ball.
+  template <class Plan, class Value>
+  static constexpr int slides(const Plan& plan, Value impulse) {
+    const bool back = is_negative(impulse);
+    const Value full = plan.friction.full, missing = size(full - size(impulse));
+    if (is_positive(missing - full * Plan::FormatType::short_constant(0x1p-10))) return 0;
+    return back ? -1 : 1;
+  }
+  // When the motion begins, and after a correction: a ball that slides has the full friction.
+  template <class Plan, class State, class Value>
+  static constexpr void begin_sliding(const Plan& plan, State& state, Value rate) {
+    const bool back = is_negative(rate);
+    const Value full = plan.friction.full, impulse = mirrored(full, back);
+    if (slides(plan, Value(state.impulse)) == (back ? -1 : 1)) return;
+    if (!is_positive(size(rate) - full * Plan::FormatType::short_constant(0x1p-4))) return;
+    move_masses(plan, state, impulse - state.impulse);
+    state.impulse = impulse;
+  }
+  // At a step's end: its last half of the impulse, what friction takes more, `taken`, and the first half of the next
+  // one.
+  template <class Plan, class State, class Value>
+  [[gnu::noinline]] static constexpr void change_to(const Plan& plan, State& state, Value next, Value taken) {
+    set(plan, state, Plan::FormatType::value(half(Value(state.impulse) + next)) + taken);
+    state.impulse = next;
+    const int direction = slides(plan, next);
+    if (direction == 0) return;
+    state.main_push = mirrored(plan.friction.main_sliding, direction < 0);
+    state.ball_push = mirrored(plan.friction.ball_sliding, direction < 0);
+    state.lasting = in<unit::Position>(bare(plan.friction.lasting));  // compiler.hpp
+  }
+  // The ball slides in the coming step. The impulse of one that slid so before keeps all its bits.
+  template <class Plan, class State>
+  static constexpr void slide_on(const Plan& plan, State& state, bool back) {
+    using Value = decltype(state.impulse);
+    if (slides(plan, Value(state.impulse)) == (back ? -1 : 1))
+      slide(plan, state, back);
+    else
+      change_to(plan, state, mirrored(Value(plan.friction.full), back), Value{});
+  }
+  // An impulse that holds a ball, and is not that of sliding. It may exceed r if the ball is to slide in the step.
+  template <class Plan, class Value>
+  static constexpr Value holding(const Plan& plan, Value impulse) {
+    using Format = typename Plan::FormatType;
+    const Value full = plan.friction.full, most = full + full;
+    if (slides(plan, impulse) == 0) return clamped(Passive<Value>{-most, most}, impulse);
+    return mirrored(full - full * Format::short_constant(0x1p-9) - Value(Format::lsb()), is_negative(impulse));
+  }
+  // One that leaves no way of `way`, which is that without friction.
+  template <class Plan, class State, class Value>
+  static constexpr Value holding_in_flight(const Plan& plan, const State& state, Value way) {
+    const Value left = way - Value(Plan::FormatType::value(half(Value(state.impulse))));
+    return holding(plan, within_full(plan, left + left));
+  }
+  // Removes the half of the impulse that has acted for the coming step, which is to be made anew.
+  template <class Plan, class State>
+  static constexpr void take_back(const Plan& plan, State& state) {
+    const auto impulse = state.impulse;
+    set(plan, state, -impulse);
+    state.impulse = impulse;
+  }
+  // After a step of flight in which the sliding may have turned, ended or begun. `way` and `rate`: of the step, and at
+  // its end, with its friction; `ahead`: of the coming step, without friction. Returns the way of sliding.
+  template <class Plan, class State, class Value, class Long>
+  static constexpr Value turn(const Plan& plan, State& state, Value way, Value rate, Long ahead) {
+    using Format = typename Plan::FormatType;
+    const Value full = plan.friction.full, impulse = state.impulse, coming = plan.units.relative(ahead);
+    // What friction works against at the step's end, and a sixth of its change in the step.
+    const Value load = coming - way, bend = way - rate + Format::value(half(load - impulse));
+    const int before = slides(plan, impulse);
+    const bool back = before < 0;
+    if (before == 0 ? is_positive(size(rate) - full) : !is_negative(mirrored(rate, back))) {
+      slide_on(plan, state, before == 0 ? is_negative(rate) : back);
+      return size(way);
+    }
+    Value slid{}, moved{}, taken = rate;
+    bool turns_back = false;
+    if (before != 0) {
+      const Value end = mirrored(rate, back), slope = mirrored(load - impulse, back), own_bend = mirrored(bend, back);
+      const auto left = left_after_turn<Format>(end, slope, own_bend);
+      const Value bent = Format::value(left * own_bend), third = bent + bent + bent;
+      // The way back by the friction so far.
+      const Value gone = Format::value(left * (end - Format::value(left * (Format::value(half(slope)) - bent))));
+      slid = size(mirrored(way, back) - gone);
+      turns_back = is_positive(third + third - mirrored(load, back) - full);
+      Value ahead_of_it = -gone;
+      if (turns_back) {
+        Value more = Format::value(left * (full + mirrored(impulse, back)));
+        if (is_positive(more + end)) more = -end;
+        ahead_of_it = Format::value(half(Format::value(left * more)));
+        taken = mirrored(-more, back);
+        slid = slid + size(gone + ahead_of_it);
+      }
+      moved = mirrored(ahead_of_it, back);
+    }
+    const bool loaded_back = is_negative(load);
+    const Value beyond = size(load) - full;
+    Value next = mirrored(full, before > 0);
+    if (!turns_back) {
+      next = holding(plan, load + bend + bend);
+      if (is_positive(beyond)) {
+        const Value third = before == 0 ? Value(Format::value(half(mirrored(load - impulse, loaded_back))))
+                                        : mirrored(bend + bend, loaded_back);  // of the change of the load in the step
+        const auto since = Format::quotient(positive_part(beyond), positive_part(third + third + third));
+        const Value reached = Format::value(half(Format::value(since * beyond))),
+                    gone = Format::value(since * reached) * Format::short_constant(1.0 / 3);
+        slid = slid + gone;
+        moved = moved + mirrored(gone, loaded_back);
+        taken = rate - mirrored(reached, loaded_back);
+        next = mirrored(full, loaded_back);
+      } else if (before == 0 && !is_positive(size(coming) - full)) {
+        stick(plan, state, impulse, ahead);
+        state.impulse = next;
+        return slid;
+      }
+    }
+    move_ball(plan, state, moved);
+    change_to(plan, state, next, taken);
+    return slid;
+  }
+
  private:
+  template <class Value>
+  static constexpr Value size(Value x) {
+    return mirrored(x, is_negative(x));
+  }
+  // The part of a step that is left after the rate was 0: of the rate end - slope z + 3 bend z^2 before the end.
+  template <class Format, class Value>
+  static constexpr auto left_after_turn(Value end, Value slope, Value bend) {
+    auto left = Format::quotient(positive_part(-end), positive_part(-slope));
+    for (int pass = 0; pass < 2; ++pass) {
+      const Value bent = Format::value(left * bend), third = bent + bent + bent;
+      left = Format::quotient(positive_part(Format::value(left * third) - end), positive_part(third + third - slope));
+    }
+    return left;
+  }
+  // Changes x2 - x1 and leaves the common centre of both masses.
+  template <class Plan, class State, class Value>
+  static constexpr void move_ball(const Plan& plan, State& state, Value by) {
+    typename Plan::FormatType::Long main{}, ball{};
+    plan.units.displace(main, plan.friction.main_share, -by);
+    plan.units.displace(ball, by);
+    ball.advance(main);
+    state.x1.advance(main);
+    state.x2.advance(ball);
+  }
   template <class State, class Long>
   [[gnu::always_inline]] static constexpr void push(State& state, Long main, Long ball) {
     state.dx1.advance(main);

@@ -5,6 +5,7 @@
 // this compiles away.
 
 #include <impact/step/machine.hpp>
+#include <impact/stepper/rubbing.hpp>
 
 namespace impact {
 
@@ -39,6 +40,7 @@ struct FrictionImpulse {
   }
   // The work of the half of the last impulse that acts in the step ahead.
   static constexpr auto still_to_work(const Model& m) {
+    if constexpr (Contact::traits.feels_friction) return decltype(work(Value{}, Penetration{})){};
     const Penetration impulse = m.state.impulse;
     const Penetration main = m.plan.friction.main_rate_ahead * impulse, ball = m.plan.friction.ball_ahead * impulse;
     const Penetration more = Friction::rubbing_rate(m.plan, main + ball, -main);
@@ -50,7 +52,14 @@ struct FrictionImpulse {
   static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] Penetration excess = {}) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
-      Friction::begin(m.plan, m.state, m.plan.units.relative(m.way_ahead()), excess);
+      const Penetration way = m.plan.units.relative(m.way_ahead()), full = m.plan.friction.full;
+      if constexpr (Contact::traits.feels_friction) {
+        Friction::begin(m.plan, m.state, way, excess, full + full);
+        const Penetration by_impulse = Format::value(half(Penetration(m.state.impulse)));
+        Friction::begin_sliding(m.plan, m.state, m.relative_rate(false) + by_impulse);
+      } else {
+        Friction::begin(m.plan, m.state, way, excess, full);
+      }
       if constexpr (Model::counts_slid_way) m.state.slid.add(still_to_work(m));
     }
   }
@@ -85,14 +94,79 @@ struct FrictionImpulse {
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rubbing_rate(m)));
   }
 
+  // The rest, up to after_flight(), is for a contact that feels friction.
+
+  // The rate of sliding at the step's end.
+  static constexpr Penetration sliding_rate(const Model& m) {
+    return m.relative_rate(false) - Format::value(half(Penetration(m.state.impulse)));
+  }
+  static constexpr void count_slid([[maybe_unused]] Model& m, [[maybe_unused]] Penetration way) {
+    if constexpr (Model::counts_slid_way) {
+      const auto half_way = work(Format::value(Format::constant(0.5)), way);
+      m.state.slid.add(half_way + half_way);
+    }
+  }
+  // The friction of the flight, in the coordinates of its stop.
+  static constexpr void enter(const Model& m, Rubbing<Format>& rubbing, bool left) {
+    if (!acts(m)) return;
+    rubbing.full = m.plan.friction.full;
+    rubbing.force = mirrored(m.state.impulse, left);
+    rubbing.slides = mirrored(Friction::slides(m.plan, m.state.impulse), left);
+  }
+  // A ball that has turned before it met its stop: the flight ends with the friction since then. Returns true if it
+  // does not meet the stop at all.
+  [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, Long main_travel) {
+    const bool is_apart = m.state.contact.phase == Phase::apart;
+    if (!acts(m) || !(is_apart || Contact::traits.is_instantaneous)) return false;
+    const bool left = is_apart ? m.ball_is_left() : m.contact_is_left();
+    if (mirrored(Friction::slides(m.plan, m.state.impulse), left) >= 0 || !is_positive(mirrored(sliding_rate(m), left)))
+      return false;
+    const Penetration way = m.way_flown(main_travel);
+    const Long before = m.state.x2 - m.state.x1;
+    turn(m, way);
+    if (is_apart && !m.is_beyond_stop()) return true;
+    Friction::take_back(m.plan, m.state);
+    rubbing.has_turned = true;
+    rubbing.way = way + m.plan.units.relative((m.state.x2 - m.state.x1) - before);
+    count_slid(m, -rubbing.way);
+    return false;
+  }
+  // At the end of a step in which a stop has changed the motion. The contact's own rate neglects how the main mass
+  // turns meanwhile.
+  [[gnu::noinline]] static constexpr void after_stop(Model& m, const Rubbing<Format>& rubbing) {
+    if (rubbing.slides != 0) {
+      Friction::slide_on(m.plan, m.state, is_negative(sliding_rate(m)));
+    } else {
+      const Penetration next = m.state.contact.phase != Phase::apart
+                                   ? Friction::holding(m.plan, mirrored(rubbing.force, m.contact_is_left()))
+                                   : Friction::holding_in_flight(m.plan, m.state, m.plan.units.relative(m.way_ahead()));
+      Friction::change_to(m.plan, m.state, next, Penetration{});
+    }
+    count_slid(m, rubbing.slid);
+  }
+  [[gnu::noinline]] static constexpr void turn(Model& m, Penetration way) {
+    count_slid(m, Friction::turn(m.plan, m.state, way, sliding_rate(m), m.way_ahead()));
+  }
+  [[gnu::always_inline]] static constexpr void slide_or_turn(Model& m, Long main_travel) {
+    const Penetration way = m.way_flown(main_travel);
+    if (Friction::slides_on(m.plan, m.state, m.state.dx2))
+      count_slid(m, mirrored(way, is_negative(way)));
+    else
+      turn(m, way);
+  }
+
   // At the end of a step in flight.
   [[gnu::always_inline]] static constexpr void after_flight(Model& m, Long main_travel) {
     if (!acts(m)) return;
-    [[maybe_unused]] Penetration rate{};
-    if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
-    if (!Friction::slides_on(m.plan, m.state, m.state.dx2))
-      apply_anew(m, m.way_flown(main_travel), m.way_ahead(), typename Friction::Any{});
-    if constexpr (Model::counts_slid_way) count_work(m, rate);
+    if constexpr (Contact::traits.feels_friction) {
+      slide_or_turn(m, main_travel);
+    } else {
+      [[maybe_unused]] Penetration rate{};
+      if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
+      if (!Friction::slides_on(m.plan, m.state, m.state.dx2))
+        apply_anew(m, m.way_flown(main_travel), m.way_ahead(), typename Friction::Any{});
+      if constexpr (Model::counts_slid_way) count_work(m, rate);
+    }
   }
   // At the end of a step in which the ball has met a stop. If it still touches, contact is assumed to take as much of
   // x2 - x1 in the coming step as in this one, `taken`.

@@ -19,8 +19,12 @@ struct Restart {
   static constexpr Standing<Value> standing(const Model& m, bool left) {
     const Penetration<Value> in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), left);
     const auto &x1 = m.state.x1, &x2 = m.state.x2;
+    Penetration<Value> friction{};
+    if constexpr (Model::Friction::is_friction && Contact::traits.feels_friction)
+      friction = mirrored(Penetration<Value>(m.state.impulse), left);
     // Exact on both sides, whereas mirrored() of a state may be one LSB off.
-    return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1), m.relative_rate(left), in_half_a_step + in_half_a_step};
+    return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1),
+            m.relative_rate(left) + Model::Format::value(half(friction)), in_half_a_step + in_half_a_step - friction};
   }
 
   // The scene's initial state.

@@ -116,12 +116,20 @@ struct Step {
   }
   [[gnu::always_inline]] static constexpr void contact_and_friction(Model& m, Increment increment, Long main_travel,
                                                                     SeenChange change) {
-    if constexpr (Friction::is_friction) {
+    StopRubbing rubbing{};
+    if constexpr (feels_friction) {
+      if (FrictionStep::turns_before_stop(m, rubbing, main_travel)) return clamp_if_out_of_range(m);
+      solve_contact(m, increment, main_travel, change, rubbing);
+      if (rubbing.meets_stop)
+        FrictionStep::after_stop(m, rubbing);
+      else
+        FrictionStep::after_flight(m, main_travel);
+    } else if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
-      solve_contact(m, increment, main_travel, change);
+      solve_contact(m, increment, main_travel, change, rubbing);
       if (FrictionStep::acts(m)) FrictionStep::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
     } else {
-      solve_contact(m, increment, main_travel, change);
+      solve_contact(m, increment, main_travel, change, rubbing);
     }
   }
 
@@ -130,10 +138,15 @@ struct Step {
   using FromStart = typename detail::Either<traits.starts_from_rate, ApproachFromStart<InField, Value>, InField>::Type;
   using Unrecorded =
       typename detail::Either<traits.is_instantaneous, ApproachAtInstant<InField, Value>, FromStart>::Type;
-  using StopApproach = typename detail::Either<Model::records, RecordedApproach<Unrecorded>, Unrecorded>::Type;
+  static constexpr bool feels_friction = Friction::is_friction && traits.feels_friction;
+  using Rubbed = typename detail::Either<feels_friction, RubbedApproach<Unrecorded, Format>, Unrecorded>::Type;
+  using StopApproach = typename detail::Either<Model::records, RecordedApproach<Rubbed>, Rubbed>::Type;
+
+  struct NoRubbing {};
+  using StopRubbing = typename detail::Either<feels_friction, Rubbing<Format>, NoRubbing>::Type;
 
   [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Increment increment, Long main_travel,
-                                                             SeenChange change) {
+                                                             SeenChange change, [[maybe_unused]] StopRubbing& rubbing) {
     const auto& plan = m.plan;
     auto& state = m.state;
     if (state.contact.phase == Phase::apart) state.at_left = m.ball_is_left();
@@ -142,7 +155,15 @@ struct Step {
     StopApproach approach{};
     if (!find_contact(m, approach, left)) return clamp_if_out_of_range(m);
     if constexpr (traits.reads_rate || Model::records) approach.rate = m.relative_rate(left);
-    approach.travel = mirrored(m.way_flown(main_travel), left);
+    if constexpr (feels_friction) {
+      FrictionStep::enter(m, rubbing, left);
+      approach.rubbing = &rubbing;
+      approach.rate = approach.rate - Format::value(half(rubbing.force));
+    }
+    Penetration way = m.way_flown(main_travel);
+    if constexpr (feels_friction)
+      if (rubbing.has_turned) way = rubbing.way;
+    approach.travel = mirrored(way, left);
     approach.before = approach.penetration - approach.travel;
     if constexpr (traits.starts_from_rate) {
       approach.bend = -mirrored(change.bend, left);
@@ -168,6 +189,8 @@ struct Step {
     if (!find_contact(m, approach, left)) return;
     m.state.at_left = left;
     approach.rate = m.relative_rate(left);
+    [[maybe_unused]] StopRubbing none{};
+    if constexpr (feels_friction) approach.rubbing = &none;
     approach.travel = approach.rate + Format::value(half(mirrored(m.plan.units.increment_of_rate(increment), left)));
     approach.before = approach.penetration - approach.travel;
     if (is_positive(approach.before) && !put_back(m, approach, left)) return;

@@ -28,6 +28,7 @@
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/in.hpp>
 #include <impact/numeric/units.hpp>
+#include <impact/stepper/rubbing.hpp>
 
 namespace impact {
 
@@ -46,6 +47,7 @@ struct ContactTraits {
   bool keeps_force = false;       // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
                                   // share in the displacements of the coming one, dx1_share and dx2_share
   bool puts_back = false;         // a ball that is inside goes back to its stop before the touch
+  bool feels_friction = false;    // follows dry friction within the step (stepper/rubbing.hpp)
   bool knows_way = false;         // its force is constant in a step: reaction.way tells the work to rounding
 };
 
@@ -53,7 +55,7 @@ struct ContactTraits {
 // stop. During a contact the contact itself keeps the penetration before.
 template <class Value>
 struct Approach {
-  static constexpr bool is_recorded = false, is_in_field = false;
+  static constexpr bool is_recorded = false, is_in_field = false, is_rubbed = false;
   Penetration<Value> penetration, rate;  // at the end of the step
   Penetration<Value> travel;             // of the penetration in the step
   Penetration<Value> before;             // at its start
@@ -81,6 +83,12 @@ struct ApproachAtInstant : Seen {
   Increment<Value> half_change;  // of the drive's increment of the rate, from the step's start to its end
   Increment<Value> damped;       // the damper's part of the increment
   Penetration<Value> main_rate;  // of the main mass at the end
+};
+// Any of them, with dry friction, for a contact that feels it: solve() writes there how the step's friction ends.
+template <class Seen, class Format>
+struct RubbedApproach : Seen {
+  static constexpr bool is_rubbed = true;
+  Rubbing<Format>* rubbing;
 };
 // Any of them, where features see the reaction.
 template <class Seen>

@@ -83,6 +83,11 @@ struct MomentLinear : ContactDefaults {
     return penetration;
   }
   constexpr void change_rate(const Plan&, Penetration by) { rate = rate + by; }
+  // Friction takes this of the penetration, of its rate, and of the change of the rate in a step.
+  constexpr void rub(const Plan&, Penetration way, Penetration by, Penetration) {
+    penetration = penetration - way;
+    rate = rate - by;
+  }
 
   template <class Seen>
   [[gnu::always_inline]] constexpr Reaction<Format, Force> solve(const Plan& plan, const Units& units,

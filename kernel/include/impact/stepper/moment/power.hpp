@@ -115,6 +115,13 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return respond(plan, trial, before, step.rate, g);
   }
 
+  // Friction takes this of the penetration, of its rate, and of the change of the rate in a step.
+  constexpr void rub(const Plan& plan, Penetration way, Penetration, Penetration acceleration) {
+    if (phase != Phase::touching || !is_positive(penetration - way)) return;
+    stand_at(penetration - way);
+    change = change - Recoil(Format::moved(acceleration, plan.change_bits));
+  }
+
  private:
   constexpr void stand_at(Penetration at) {
     penetration = at;

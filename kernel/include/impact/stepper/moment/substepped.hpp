@@ -127,8 +127,9 @@ struct SubsteppedMoment {
       // There is room for the sum of both masses' displacements.
       if (terms.is_linear) largest.push *= both_masses(terms);
       const double n = parts_for(resolution_of<ContactLaw>(terms), terms.step);
-      largest.push = constant::larger(largest.push,
-                                      2 * constant::smaller(2 * terms.largest_rate * terms.step, n * n * largest.push));
+      const double by_friction = 2 * terms.rubbing * terms.step * terms.step;
+      largest.push = constant::larger(
+          largest.push, 2 * constant::smaller(2 * terms.largest_rate * terms.step, n * n * largest.push + by_friction));
     }
     // The displacements of both masses over that of the lighter one.
     static constexpr double both_masses(const ContactTerms& terms) {
@@ -211,7 +212,7 @@ struct SubsteppedMoment {
 
     static constexpr ContactTraits traits = [] {
       ContactTraits own;
-      own.sees_change = own.starts_from_rate = own.crosses_cavity = true;
+      own.sees_change = own.starts_from_rate = own.crosses_cavity = own.feels_friction = true;
       return own;
     }();
 
@@ -247,14 +248,20 @@ struct SubsteppedMoment {
                          plan.quartic * by_spring + plan.drive_quartic * step.bend);
       int i = 0;
       if (begins) skip_flight(plan, free, i, at);
-      Sums sums{};             // the effect of the impulses so far
+      Sums sums{};  // the effect of the impulses so far
+      const int n = 1 << plan.exponent;
+      [[maybe_unused]] Friction friction{};
+      if constexpr (Seen::is_rubbed) {
+        const Penetration now = i > 0 ? free.rate_at(Format::parts(n - i, plan.exponent, plan.part)) : start_rate;
+        friction.begin(plan, *step.rubbing, now, begins ? at - step.before : Penetration{});
+      }
       uint32_t crossings = 0;  // odd: at the other stop than at the start
       [[maybe_unused]] Penetration rate_at_crossing{};
       [[maybe_unused]] Work work{plan, start_rate};
-      const int n = 1 << plan.exponent;
       while (i < n) {
         ++i;
         sums.advance(plan, 0);
+        if constexpr (Seen::is_rubbed) friction.act(plan, sums);
         const auto s = Format::parts(n - i, plan.exponent, plan.part);
         bool is_across = (crossings & 1) != 0;
         Penetration part_trial = (i == n ? trial : free.at(s)) - sums.way(plan);
@@ -269,44 +276,56 @@ struct SubsteppedMoment {
             rate_at_crossing = mirrored(rate_now, is_across);
           }
           if (!is_positive(part_trial)) {
+            if constexpr (Seen::is_rubbed) friction.fly(rate_now, part_trial - at);
             at = part_trial;
             continue;
           }
           if (is_positive(at)) at = Penetration{};
-          if constexpr (Seen::is_recorded) work.begin(rate_now, sums.w);
+          if constexpr (Seen::is_recorded) work.begin(rate_now, sums.w - friction.taken);
         }
         Approach<Value> part{};
         part.penetration = raised(plan, part_trial);
         part.rate = rate_in_a_part(plan, mirrored(rate_now, is_across));
         part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
         part.travel = part.penetration - part.before;
-        const Penetration bending = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
+        Penetration bending = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
+        if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(mirrored(bending, is_across)));  // as Inner reads it
         sums.add(plan, mirrored(Inner::impulse_of(plan.inner, units, part), is_across));
+        if constexpr (Seen::is_rubbed)
+          friction.turn(plan, *this, sums, (i == n ? free.rate : free.rate_at(s)) - sums.rate(plan), at);
         at = lowered(plan, this->penetration);
         if constexpr (Seen::is_recorded)
-          if (this->phase == Phase::apart) work.end((i == n ? free.rate : free.rate_at(s)) - sums.rate(plan), sums.w);
+          if (this->phase == Phase::apart)
+            work.end((i == n ? free.rate : free.rate_at(s)) - sums.rate(plan), sums.w - friction.taken);
         if (this->phase == Phase::apart && !plan.crosses) {
           Sums end = sums;
           for (int stride = 0; stride < plan.exponent; ++stride)
             if ((((n - i) >> stride) & 1) != 0) end.advance(plan, stride);
+          [[maybe_unused]] Friction last = friction;
+          if constexpr (Seen::is_rubbed) last.leave(plan, end, free.rate, n - i);
           if (is_positive(trial - end.way(plan))) continue;
           sums = end;
+          if constexpr (Seen::is_rubbed) {
+            friction = last;
+            friction.slide(trial - end.way(plan) - at);
+          }
           break;
         }
       }
       step_rate = mirrored(free.rate - sums.rate(plan), (crossings & 1) != 0);
+      if constexpr (Seen::is_rubbed) friction.end(plan, *step.rubbing);
       auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u, Recoil(sums.x.value())});
       reaction.ball = {sums.w, Recoil(sums.y.value())};
       reaction.crossings = crossings;
       reaction.penetration = lowered(plan, this->penetration);
       if constexpr (Seen::is_recorded) {
-        const Force<Value> force = plan.force * reaction.ball.j0;
+        const Force<Value> force = plan.force * (sums.w - friction.taken);
         reaction.record.force = {force, Format::value(half(force))};
         if (this->phase == Phase::touching)
           reaction.record.stored = ContactLaw::template stored<Format>(units, reaction.penetration);
         reaction.record.rate = free.rate - sums.rate(plan);
-        if (this->phase != Phase::apart) work.end(reaction.record.rate, sums.w);
+        if (this->phase != Phase::apart) work.end(reaction.record.rate, sums.w - friction.taken);
         reaction.record.work = work.done;
         reaction.record.rate_at_crossing = rate_at_crossing;
       }
@@ -408,6 +427,75 @@ struct SubsteppedMoment {
       constexpr Penetration rate(const Plan& plan) const { return travel(plan, u + plan.ball * w); }
       static constexpr Penetration travel(const Plan& plan, Recoil by) {
         return Penetration(Format::moved(by, plan.travel_bits));
+      }
+    };
+    // Friction in the sub-steps. The flight contains the one that the step began with; the rest acts here.
+    struct Friction {
+      PartRubbing<Format> part;   // of a sub-step
+      Penetration assumed, rate;  // the flight's part.force; the rate at the last sub-step's end
+      Recoil taken;               // of the rate so far
+      Penetration slid;
+      bool acts;
+
+      // `way`: of the sub-steps that are skipped.
+      constexpr void begin(const Plan& plan, const Rubbing<Format>& step, Penetration at_rate, Penetration way) {
+        acts = is_positive(step.full);
+        if (!acts) return;
+        const bool back = is_negative(step.force);
+        part.full = plan.part * step.full;
+        part.force = assumed = mirrored(plan.part * mirrored(step.force, back), back);
+        part.slides = step.slides;
+        fly(at_rate, way);
+      }
+      constexpr void fly(Penetration at_rate, Penetration way) {
+        rate = at_rate;
+        slide(way);
+      }
+      constexpr void slide(Penetration way) { slid = slid + mirrored(way, is_negative(way)); }
+      // What it takes of the rate's change in a sub-step.
+      constexpr Penetration bending(const Plan& plan) const { return plan.part * (part.force - assumed); }
+      constexpr void act(const Plan& plan, Sums& sums) {
+        if (acts) add(plan, sums, part.force - assumed, Format::value(half(bending(plan))));
+      }
+      // At a sub-step's end, at the rate that contact has left. The ball was at `before`.
+      constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration at_rate, Penetration before) {
+        if (!acts) return;
+        const Penetration force = part.force;
+        const auto by = part.follow(rate, at_rate);
+        const Penetration moment = plan.part * by.moment;
+        if (is_positive(by.rate) || is_negative(by.rate)) {
+          add(plan, sums, by.rate, moment);
+          contact.rub(plan.inner, moment, plan.part * by.rate, plan.part * (part.force - force));
+        }
+        fly(at_rate - by.rate, contact.penetration - before);
+      }
+      // The rest of a step after the ball has left, of k sub-steps.
+      constexpr void leave(const Plan& plan, Sums& sums, Penetration free_rate, int k) {
+        if (!acts) return;
+        const auto share = Format::parts(k, plan.exponent, plan.part);
+        PartRubbing<Format> rest{Penetration(Format::times(part.full, k)), Penetration(Format::times(part.force, k)),
+                                 part.slides};
+        const Penetration change(Format::times(part.force - assumed, k));
+        add(plan, sums, change, Format::value(half(Format::value(share * change))));
+        const Penetration end = free_rate - sums.rate(plan);
+        const auto by = rest.follow(rate, end);
+        add(plan, sums, by.rate, Format::value(share * by.moment));
+        part.slides = rest.slides;
+        rate = end - by.rate;
+      }
+      constexpr void end(const Plan& plan, Rubbing<Format>& step) const {
+        if (!acts) return;
+        step.meets_stop = true;
+        step.slides = part.slides;
+        step.force = Penetration(Format::times(part.force, 1 << plan.exponent));
+        step.slid = slid;
+      }
+
+     private:
+      constexpr void add(const Plan& plan, Sums& sums, Penetration j0, Penetration j1) {
+        const Recoil impulse(Format::moved(j0, -plan.travel_bits));
+        sums.add_changes(plan, impulse, Recoil(Format::moved(j1, -plan.travel_bits)));
+        taken = taken + impulse;
       }
     };
     // Advances to a sub-step or two before the touch.

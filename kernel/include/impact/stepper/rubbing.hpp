@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Dry friction within a step, for a contact that feels it (motion/friction.hpp has that of whole steps). A flight
+// contains the friction that the step began with. Where the sliding turns or ends, the rest of the step needs another
+// one. With a rate of sliding that is linear in a part of the step, v0 to v1, z of the part is left after the turn:
+//
+//     z = v1/(v1 - v0)
+//
+//     abs(f + v1 - v0) <= r      it sticks           friction takes v1
+//     otherwise                  it slides back      friction takes z (r - f), at most v1
+//
+// f and r are what the friction so far and the full one take of the rate in that part. Derivation: docs/flight.md.
+
+#include <impact/numeric/formula.hpp>
+#include <impact/numeric/in.hpp>
+
+namespace impact {
+
+// The friction of a step, in the coordinates of the stop. Friction counts as what it takes of the rate in a step.
+template <class Format>
+struct Rubbing {
+  using Penetration = impact::Penetration<typename Format::Value>;
+
+  Penetration full;   // 0: none
+  Penetration force;  // of the flight; then at the step's end
+  int slides;         // 1 into the stop, -1 out of it, 0 if it sticks
+  bool meets_stop;    // false: all of the step was flight
+  bool has_turned;    // before the stop
+  Penetration way;    // of the flight, if it has turned
+  Penetration slid;   // the way of sliding
+};
+
+// The friction in a part of the step.
+template <class Format>
+struct PartRubbing {
+  using Value = typename Format::Value;
+  using Penetration = impact::Penetration<Value>;
+
+  Penetration full, force;
+  int slides;
+
+  // What friction takes of the rate, its moment about the part's end, and what is left of the part after the turn. The
+  // latter two are over the part's duration.
+  struct Taken {
+    Penetration rate, moment;
+    decltype(Format::constant(0)) left;
+  };
+  // At the part's end, with `rate` as if the friction had not changed.
+  constexpr Taken follow(Penetration before, Penetration rate) {
+    if (slides > 0 ? is_positive(rate) : slides < 0 && is_negative(rate)) return {};
+    const bool back = is_negative(rate), turns = !is_positive(mirrored(before, back));
+    const Penetration end = mirrored(rate, back), start = mirrored(before, back), needed = force + (rate - before);
+    const auto left = Format::quotient(positive_part(end), turns ? positive_part(end - start) : positive_part(end));
+    Penetration taken = end;
+    if (turns && !is_positive(mirrored(needed, is_negative(needed)) - full)) {
+      slides = 0;
+      force = needed;
+    } else {
+      const Penetration turned = Format::value(left * (full - mirrored(force, back)));
+      if (is_positive(taken - turned)) taken = turned;
+      slides = back ? -1 : 1;
+      force = mirrored(full, back);
+    }
+    taken = mirrored(taken, back);
+    return {taken, Format::value(half(Format::value(left * taken))), left};
+  }
+};
+
+}  // namespace impact

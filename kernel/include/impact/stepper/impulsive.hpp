@@ -11,7 +11,7 @@
 // time from touch to centroid. An impact creates no energy, for any t and any restitution. If A presses the ball to its
 // stop, a force over the step, f = d/(b + h^2/2m), ends the step with the ball on the stop. From then on the ball
 // rests: the force keeps it there and does no work. In a field the ball is lifted only as far as the energy
-// suffices that the force has taken. There is one impact per step.
+// suffices that the force has taken. There is one impact per step. Dry friction turns at the impact's instant.
 
 #include <impact/law/impact_force.hpp>
 #include <impact/law/rebound.hpp>
@@ -122,7 +122,7 @@ struct Impulsive {
 
     static constexpr ContactTraits traits = [] {
       ContactTraits own;
-      own.is_instantaneous = own.sees_change = own.knows_way = true;
+      own.is_instantaneous = own.sees_change = own.knows_way = own.feels_friction = true;
       return own;
     }();
 
@@ -147,13 +147,19 @@ struct Impulsive {
     template <class Seen>
     [[gnu::always_inline]] constexpr Reaction<Format, Force> solve(const Plan& plan, const Units& units,
                                                                    const Seen& step) {
-      const SplitImpulse impulse = impulse_of(plan, units, step);
+      [[maybe_unused]] Impulse<Value> friction{};
+      const SplitImpulse impulse = impulse_of(plan, units, step, friction);
       Reaction<Format, Force> reaction{as_forces(impulse.main), as_forces(impulse.ball), step.penetration, {}, {}, {}};
       if constexpr (Seen::is_recorded) {
         reaction.record.force = {reaction.ball.j0, Format::value(half(reaction.ball.j0))};
         // The work at the average rate; the change of the rate may be twice a Value.
         reaction.record.way = Penetration(impulse.rate - impulse.ball.j0);
         reaction.record.rate = Penetration(impulse.rate);
+      }
+      if constexpr (Seen::is_rubbed) {
+        const Impulse<Force> by_friction = as_forces(friction);
+        reaction.main = {reaction.main.j0 + by_friction.j0, reaction.main.j1 + by_friction.j1};
+        reaction.ball = {reaction.ball.j0 + by_friction.j0, reaction.ball.j1 + by_friction.j1};
       }
       return reaction;
     }
@@ -168,7 +174,8 @@ struct Impulsive {
       return {Force(impulse.j0), Force(impulse.j1)};
     }
     template <class Seen>
-    [[gnu::always_inline]] constexpr SplitImpulse impulse_of(const Plan& plan, const Units& units, Seen step) {
+    [[gnu::always_inline]] constexpr SplitImpulse impulse_of(const Plan& plan, const Units& units, Seen step,
+                                                             [[maybe_unused]] Impulse<Value>& friction) {
       const Value trial = step.penetration, rate = step.rate, travel = step.travel;
       const Value before = trial - travel;
       constexpr bool is_in_field = Seen::is_in_field;
@@ -182,13 +189,14 @@ struct Impulsive {
       // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
       if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
         return rest_on_stop(plan, trial, depth_at_rest, {}, weight,
-                            support(plan, units, trial - bare(depth_at_rest), rate));
+                            support(plan, units, trial - bare(depth_at_rest), rate), step);
       if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
         acceleration = main_part + bare(units.increment_of_rate(step.ball_increment));
       }
+      if constexpr (Seen::is_rubbed) acceleration = acceleration - bare(step.rubbing->force);
       const Value pace = is_positive(travel) ? travel : rate;
       const auto way = Format::divisor(without_sign(pace));
       const Value half_acceleration = Format::value(half(acceleration)),
@@ -221,14 +229,16 @@ struct Impulsive {
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - half_rate)) {
           if (!is_inside) phase = Phase::apart;
+          if constexpr (Seen::is_rubbed) friction = rub(*step.rubbing, t, at.rate, rate, impulse, travel, beyond);
           return at.split(t, impulse);
         }
       }
       const Value from = is_positive(before) ? before : Value{};
       const Support on_the_stop = support(plan, units, trial - from, rate);
       const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(half(quarter(half_rate))));
-      if (!sends_back) return rest_on_stop(plan, trial, from, from - before, weight, on_the_stop);
+      if (!sends_back) return rest_on_stop(plan, trial, from, from - before, weight, on_the_stop, step);
       is_at_rest = 1;
+      if constexpr (Seen::is_rubbed) stick(*step.rubbing, from - before);
       const Value force = clamped(plan, units, plan.support.by_rate * rate),
                   inside = trial - plan.support.penetration * force;
       depth_at_rest = Penetration(left_inside(inside, weight, force, inside - before));
@@ -244,12 +254,41 @@ struct Impulsive {
       const Value force = clamped(plan, units, plan.support.by_penetration * way);
       return {force, Format::value(half(rate)) - plan.support.half_rate * force};
     }
+    template <class Seen>
     [[gnu::always_inline]] constexpr SplitImpulse rest_on_stop(const Plan& plan, Value trial, Value from, Value way,
-                                                               Value weight, const Support& support) {
+                                                               Value weight, const Support& support,
+                                                               [[maybe_unused]] const Seen& step) {
+      if constexpr (Seen::is_rubbed) stick(*step.rubbing, way);
       const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
       is_at_rest = 1;
       depth_at_rest = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
       return support_impulse(plan, support.force, last, way);
+    }
+    // Dry friction after an impact, t before the step's end: against the rebound, and again forward if the ball comes
+    // back. `beyond`: the way from then on without the impact.
+    template <class Share>
+    static constexpr Impulse<Value> rub(Rubbing<Format>& step, Share t, Value rate_there, Value rate_at_end,
+                                        Value impulse, Value travel, Value beyond) {
+      step.meets_stop = is_positive(step.full);
+      if (!step.meets_stop) return {};
+      const Penetration full = Format::value(t * step.full), turned = -full - Format::value(t * step.force),
+                        rebound(rate_there - impulse - impulse), end(rate_at_end - impulse - impulse);
+      PartRubbing<Format> rest{full, -full, -1};
+      const auto taken = rest.follow(rebound, end - turned);
+      const Penetration moment = Format::value(half(turned)) + taken.moment;
+      const Value back = Format::value(t * bare(moment)), hit = Format::value(t * impulse),
+                  last = Format::value(
+                      half(Format::value(taken.left * Format::value(t * bare(end - turned - taken.rate)))));
+      step.slides = rest.slides;
+      step.slid = Penetration(travel - beyond - (beyond - hit - hit - back) + last + last);
+      return {Format::value(half(bare(turned + taken.rate))), Format::value(half(back))};
+    }
+    // A ball at rest on its stop is held without friction.
+    static constexpr void stick(Rubbing<Format>& step, Value way) {
+      step.meets_stop = is_positive(step.full);
+      step.slid = Penetration(mirrored(way, step.slides < 0));
+      step.slides = 0;
+      step.force = {};
     }
     // A force over the step, against which the ball moves by `way`, and an impulse at its end. Both take the energy of
     // one impulse at the rate J + (f way + last^2)/J.

@@ -66,9 +66,9 @@ host::Case with_stop(const Scene& scene, double stiffness) {
   return run;
 }
 
-template <class Format, class ContactLaw, class Stepper>
+template <class Format, class ContactLaw, class Stepper, class... Parts>
 double error(const host::Case& run, double h, double duration) {
-  using Driven = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format, Gravity>;
+  using Driven = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format, Gravity, Parts...>;
   const auto plan = Driven::PlanType::make(run.scene, bounds_of(run.scene), h);
   EXPECT_EQ(plan.status, PlanStatus::ok) << run.scene.contact_stiffness << " at " << h;
   Driven absorber(plan);
@@ -136,6 +136,43 @@ TEST(StiffStop, IsAsExactInFixedPoint) {
   for (const Scene& scene : {driven(), heavy()}) expect_one_bound<Fixed32, HookeNewton>(scene, 1.2, 2e-9);
 }
 TEST(StiffStop, IsAsExactInFloat) { expect_one_bound<Float32, HuntCrossley>(driven(), 1, 1e-8); }
+
+// Dry friction turns at the impact's instant, and in flight at the turn's. The bounds are those without it.
+Scene rubbing(Scene scene, double friction) {
+  scene.ball_friction = friction;
+  return scene;
+}
+template <class Format, class ContactLaw>
+double error_with_friction(const Scene& scene, double stiffness, double h) {
+  return error<Format, ContactLaw, SubsteppedMoment<>, DryFriction>(with_stop<ContactLaw>(scene, stiffness), h, 0.4);
+}
+template <class Format, class ContactLaw>
+void expect_one_bound_with_friction(double more = 0) {
+  for (const Scene& scene : {rubbing(driven(), 0.5), rubbing(driven(), 2), rubbing(heavy(), 3), rubbing(hanging(), 1)})
+    for (const double stiffness : {3e4, 3e6, 3e7, 1e9, 1e12}) {
+      if (more > 0 && stiffness > 1e9) continue;
+      SCOPED_TRACE(testing::Message() << scene.ball_friction << " N, " << stiffness);
+      EXPECT_LT((error_with_friction<Format, ContactLaw>(scene, stiffness, 1e-3)), 1e-6 + more);
+      EXPECT_LT((error_with_friction<Format, ContactLaw>(scene, stiffness, 1e-4)), 1e-7 + more);
+    }
+}
+TEST(StiffStop, IsAsExactWithFriction) {
+  expect_one_bound_with_friction<Float64, HuntCrossley>();
+  expect_one_bound_with_friction<Float64, Exact>();
+  expect_one_bound_with_friction<Float64, HookeNewton>();
+  for (const double stiffness : {3e4, 3e7, 1e9, 1e12})
+    EXPECT_LT((error_with_friction<Float64, HuntCrossley>(rubbing(driven(), 0.5), stiffness, 1e-5)), 2e-8) << stiffness;
+}
+// Floats round each state; the tool's rule takes up to 512 sub-steps in these formats.
+TEST(StiffStop, IsAsExactWithFrictionInFloat) { expect_one_bound_with_friction<Float32, HuntCrossley>(1e-8); }
+// An impact is one impulse. What it neglects is its duration, which does not depend on the step.
+TEST(StiffStop, ImpulsiveWithFrictionDoesNotDependOnTheStep) {
+  for (const double friction : {0.5, 2.0}) {
+    const host::Case run = with_stop<HookeNewton>(rubbing(driven(), friction), 1e12);
+    for (const double h : {1e-3, 1e-4})
+      EXPECT_LT((error<Float64, HookeNewton, Impulsive, DryFriction>(run, h, 0.4)), 2e-7) << friction << " " << h;
+  }
+}
 
 TEST(StiffStop, ConvergesToFourthOrder) {
   for (const double stiffness : {1e8, 1e10}) {

@@ -262,10 +262,15 @@ struct DryFriction : ScenePart {
     set(plan, state, -impulse);
     state.impulse = impulse;
   }
+  // What turn() has changed: the rate at the step's end by `taken`, and x2 - x1 by `moved`, against the load.
+  template <class Value>
+  struct Turned {
+    Value taken, moved, load;
+  };
   // After a step of flight in which the sliding may have turned, ended or begun. `way` and `rate`: of the step, and at
-  // its end, with its friction; `ahead`: of the coming step, without friction. Returns the way of sliding.
+  // its end, with its friction; `ahead`: of the coming step, without friction.
   template <class Plan, class State, class Value, class Long>
-  static constexpr Value turn(const Plan& plan, State& state, Value way, Value rate, Long ahead) {
+  static constexpr Turned<Value> turn(const Plan& plan, State& state, Value way, Value rate, Long ahead) {
     using Format = typename Plan::FormatType;
     const Value full = plan.friction.full, impulse = state.impulse, coming = plan.units.relative(ahead);
     // What friction works against at the step's end, and a sixth of its change in the step.
@@ -274,9 +279,9 @@ struct DryFriction : ScenePart {
     const bool back = before < 0;
     if (before == 0 ? is_positive(size(rate) - full) : !is_negative(mirrored(rate, back))) {
       slide_on(plan, state, before == 0 ? is_negative(rate) : back);
-      return size(way);
+      return {};
     }
-    Value slid{}, moved{}, taken = rate;
+    Value moved{}, taken = rate;
     bool turns_back = false;
     if (before != 0) {
       const Value end = mirrored(rate, back), slope = mirrored(load - impulse, back), own_bend = mirrored(bend, back);
@@ -284,7 +289,6 @@ struct DryFriction : ScenePart {
       const Value bent = Format::value(left * own_bend), third = bent + bent + bent;
       // The way back by the friction so far.
       const Value gone = Format::value(left * (end - Format::value(left * (Format::value(half(slope)) - bent))));
-      slid = size(mirrored(way, back) - gone);
       turns_back = is_positive(third + third - mirrored(load, back) - full);
       Value ahead_of_it = -gone;
       if (turns_back) {
@@ -292,7 +296,6 @@ struct DryFriction : ScenePart {
         if (is_positive(more + end)) more = -end;
         ahead_of_it = Format::value(half(Format::value(left * more)));
         taken = mirrored(-more, back);
-        slid = slid + size(gone + ahead_of_it);
       }
       moved = mirrored(ahead_of_it, back);
     }
@@ -307,19 +310,18 @@ struct DryFriction : ScenePart {
         const auto since = Format::quotient(positive_part(beyond), positive_part(third + third + third));
         const Value reached = Format::value(half(Format::value(since * beyond))),
                     gone = Format::value(since * reached) * Format::short_constant(1.0 / 3);
-        slid = slid + gone;
         moved = moved + mirrored(gone, loaded_back);
         taken = rate - mirrored(reached, loaded_back);
         next = mirrored(full, loaded_back);
       } else if (before == 0 && !is_positive(size(coming) - full)) {
         stick(plan, state, impulse, ahead);
         state.impulse = next;
-        return slid;
+        return {taken, moved, load};
       }
     }
     move_ball(plan, state, moved);
     change_to(plan, state, next, taken);
-    return slid;
+    return {taken, moved, load};
   }
 
  private:

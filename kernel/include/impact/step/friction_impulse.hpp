@@ -144,8 +144,20 @@ struct FrictionImpulse {
     }
     count_slid(m, rubbing.slid);
   }
+  // Both masses lose the work of the impulse that the step began with, and what the change at its end takes.
   [[gnu::noinline]] static constexpr void turn(Model& m, Penetration way) {
-    count_slid(m, Friction::turn(m.plan, m.state, way, sliding_rate(m), m.way_ahead()));
+    [[maybe_unused]] const Penetration impulse = m.state.impulse, rate = sliding_rate(m);
+    [[maybe_unused]] const auto by = Friction::turn(m.plan, m.state, way, rate, m.way_ahead());
+    if constexpr (Model::counts_slid_way) {
+      count_loss(m, impulse, way);
+      count_loss(m, by.taken, rate - Format::value(half(by.taken)));
+      count_loss(m, by.moved, by.load);
+    }
+  }
+  static constexpr void count_loss(Model& m, Penetration impulse, Penetration way) {
+    const auto quarter = work(bare(m.plan.friction.half_by_full * Penetration(Format::value(half(impulse)))), way);
+    m.state.slid.add(quarter + quarter);
+    m.state.slid.add(quarter + quarter);
   }
   [[gnu::always_inline]] static constexpr void slide_or_turn(Model& m, Long main_travel) {
     const Penetration way = m.way_flown(main_travel);

@@ -210,6 +210,11 @@ struct DryFriction : ScenePart {
     if (is_positive(missing - full * Plan::FormatType::short_constant(0x1p-10))) return 0;
     return back ? -1 : 1;
   }
+  // What half of an impulse takes of the rate of sliding.
+  template <class Plan, class Value>
+  static constexpr Value half_taken(const Plan& plan, Value impulse) {
+    return plan.friction.main_rate_ahead * impulse + plan.friction.ball_ahead * impulse;
+  }
   // When the motion begins, and after a correction: a ball that slides has the full friction.
   template <class Plan, class State, class Value>
   static constexpr void begin_sliding(const Plan& plan, State& state, Value rate) {
@@ -319,6 +324,8 @@ struct DryFriction : ScenePart {
         return {taken, moved, load};
       }
     }
+    // The impulse that takes it, since one of the same size takes s of it, and 1/s is 2 - s.
+    taken = taken + taken - half_taken(plan, taken) - half_taken(plan, taken);
     move_ball(plan, state, moved);
     change_to(plan, state, next, taken);
     return {taken, moved, load};

@@ -55,8 +55,7 @@ struct FrictionImpulse {
       const Penetration way = m.plan.units.relative(m.way_ahead()), full = m.plan.friction.full;
       if constexpr (Contact::traits.feels_friction) {
         Friction::begin(m.plan, m.state, way, excess, full + full);
-        const Penetration by_impulse = Format::value(half(Penetration(m.state.impulse)));
-        Friction::begin_sliding(m.plan, m.state, m.relative_rate(false) + by_impulse);
+        Friction::begin_sliding(m.plan, m.state, m.relative_rate(false) + half_taken(m));
       } else {
         Friction::begin(m.plan, m.state, way, excess, full);
       }
@@ -97,8 +96,9 @@ struct FrictionImpulse {
   // The rest, up to after_flight(), is for a contact that feels friction.
 
   // The rate of sliding at the step's end.
-  static constexpr Penetration sliding_rate(const Model& m) {
-    return m.relative_rate(false) - Format::value(half(Penetration(m.state.impulse)));
+  static constexpr Penetration sliding_rate(const Model& m) { return m.relative_rate(false) - half_taken(m); }
+  static constexpr Penetration half_taken(const Model& m) {
+    return Friction::half_taken(m.plan, Penetration(m.state.impulse));
   }
   static constexpr void count_slid([[maybe_unused]] Model& m, [[maybe_unused]] Penetration way) {
     if constexpr (Model::counts_slid_way) {
@@ -146,11 +146,14 @@ struct FrictionImpulse {
   }
   // Both masses lose the work of the impulse that the step began with, and what the change at its end takes.
   [[gnu::noinline]] static constexpr void turn(Model& m, Penetration way) {
-    [[maybe_unused]] const Penetration impulse = m.state.impulse, rate = sliding_rate(m);
-    [[maybe_unused]] const auto by = Friction::turn(m.plan, m.state, way, rate, m.way_ahead());
+    [[maybe_unused]] const Penetration impulse = m.state.impulse;
+    [[maybe_unused]] Penetration before{};
+    if constexpr (Model::counts_slid_way) before = rubbing_rate(m) - half_taken(m);
+    [[maybe_unused]] const auto by = Friction::turn(m.plan, m.state, way, sliding_rate(m), m.way_ahead());
     if constexpr (Model::counts_slid_way) {
+      const Penetration after = rubbing_rate(m) + half_taken(m);
       count_loss(m, impulse, way);
-      count_loss(m, by.taken, rate - Format::value(half(by.taken)));
+      count_loss(m, by.taken, Format::value(half(before)) + Format::value(half(after)));
       count_loss(m, by.moved, by.load);
     }
   }

@@ -19,12 +19,14 @@ struct Restart {
   static constexpr Standing<Value> standing(const Model& m, bool left) {
     const Penetration<Value> in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), left);
     const auto &x1 = m.state.x1, &x2 = m.state.x2;
-    Penetration<Value> friction{};
-    if constexpr (Model::Friction::is_friction && Contact::traits.feels_friction)
+    Penetration<Value> friction{}, half_taken{};
+    if constexpr (Model::Friction::is_friction && Contact::traits.feels_friction) {
       friction = mirrored(Penetration<Value>(m.state.impulse), left);
+      half_taken = mirrored(FrictionImpulse<Model>::half_taken(m), left);
+    }
     // Exact on both sides, whereas mirrored() of a state may be one LSB off.
-    return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1),
-            m.relative_rate(left) + Model::Format::value(half(friction)), in_half_a_step + in_half_a_step - friction};
+    return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1), m.relative_rate(left) + half_taken,
+            in_half_a_step + in_half_a_step - friction};
   }
 
   // The scene's initial state.

@@ -158,7 +158,7 @@ struct Step {
     if constexpr (feels_friction) {
       FrictionStep::enter(m, rubbing, left);
       approach.rubbing = &rubbing;
-      approach.rate = approach.rate - Format::value(half(rubbing.force));
+      if (FrictionStep::acts(m)) approach.rate = approach.rate - mirrored(FrictionStep::half_taken(m), left);
     }
     Penetration way = m.way_flown(main_travel);
     if constexpr (feels_friction)

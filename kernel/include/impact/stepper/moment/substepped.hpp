@@ -453,9 +453,9 @@ struct SubsteppedMoment {
       }
       constexpr void slide(Penetration way) { slid = slid + mirrored(way, is_negative(way)); }
       // What it takes of the rate's change in a sub-step.
-      constexpr Penetration bending(const Plan& plan) const { return plan.part * (part.force - assumed); }
+      constexpr Penetration bending(const Plan& plan) const { return rate_in_a_part(plan, part.force - assumed); }
       constexpr void act(const Plan& plan, Sums& sums) {
-        if (acts) add(plan, sums, part.force - assumed, Format::value(half(bending(plan))));
+        if (acts) add(plan, sums, part.force - assumed, Format::value(half(plan.part * (part.force - assumed))));
       }
       // At a sub-step's end, at the rate that contact has left. The ball was at `before`.
       constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration at_rate, Penetration before) {
@@ -465,9 +465,10 @@ struct SubsteppedMoment {
         const Penetration moment = plan.part * by.moment;
         if (is_positive(by.rate) || is_negative(by.rate)) {
           add(plan, sums, by.rate, moment);
-          contact.rub(plan.inner, moment, plan.part * by.rate, plan.part * (part.force - force));
+          contact.rub(plan.inner, raised(plan, moment), rate_in_a_part(plan, by.rate),
+                      rate_in_a_part(plan, part.force - force));
         }
-        fly(at_rate - by.rate, contact.penetration - before);
+        fly(at_rate - by.rate, lowered(plan, contact.penetration) - before);
       }
       // The rest of a step after the ball has left, of k sub-steps.
       constexpr void leave(const Plan& plan, Sums& sums, Penetration free_rate, int k) {
@@ -493,8 +494,12 @@ struct SubsteppedMoment {
 
      private:
       constexpr void add(const Plan& plan, Sums& sums, Penetration j0, Penetration j1) {
-        const Recoil impulse(Format::moved(j0, -plan.travel_bits));
-        sums.add_changes(plan, impulse, Recoil(Format::moved(j1, -plan.travel_bits)));
+        const Recoil impulse(Format::moved(j0, -plan.travel_bits)), moment(Format::moved(j1, -plan.travel_bits));
+        sums.x.add(plan.main_x * moment, 0);
+        sums.u =
+            sums.u + plan.main_u * impulse + Recoil(Format::moved(plan.main_u_by_moment * moment, -plan.moment_bits));
+        sums.y.add(moment, 0);
+        sums.w = sums.w + impulse;
         taken = taken + impulse;
       }
     };

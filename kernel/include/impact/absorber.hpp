@@ -334,7 +334,7 @@ class AbsorberOf
   //     - the next step would clamp the state.
   // It does not authenticate. If forged bytes pass these checks, every step is still defined and ends in range or with
   // a fault. But the motion may be impossible for this absorber, and the features' records may have any value.
-  static constexpr uint32_t state_version = 5;
+  static constexpr uint32_t state_version = 6;
   struct Saved {
     uint32_t version, plan_identity;
     State state;

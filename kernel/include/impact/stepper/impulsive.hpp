@@ -229,7 +229,8 @@ struct Impulsive {
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - half_rate)) {
           if (!is_inside) phase = Phase::apart;
-          if constexpr (Seen::is_rubbed) friction = rub(*step.rubbing, t, at.rate, rate, impulse, travel, beyond);
+          if constexpr (Seen::is_rubbed)
+            friction = rub(*step.rubbing, t, at.rate, rate, impulse, travel, no_more(beyond, travel));
           return at.split(t, impulse);
         }
       }
@@ -265,7 +266,7 @@ struct Impulsive {
       return support_impulse(plan, support.force, last, way);
     }
     // Dry friction after an impact, t before the step's end: against the rebound, and again forward if the ball comes
-    // back. `beyond`: the way from then on without the impact.
+    // back. `beyond`: the way in the step from then on without the impact.
     template <class Share>
     static constexpr Impulse<Value> rub(Rubbing<Format>& step, Share t, Value rate_there, Value rate_at_end,
                                         Value impulse, Value travel, Value beyond) {

@@ -327,6 +327,11 @@ constexpr Signed<bits> mirrored(Signed<bits> x, bool left) {
   const uint32_t sign = 0u - static_cast<uint32_t>(left);
   return {static_cast<int32_t>((static_cast<uint32_t>(x.raw) ^ sign) - sign)};
 }
+// To the left by the complement: an LSB less than -x.
+template <int bits>
+constexpr Signed<bits> mirrored_down(Signed<bits> x, bool left) {
+  return {x.raw ^ -static_cast<int32_t>(left)};
+}
 template <int bits>
 constexpr Signed<bits> minus_mirrored(Signed<bits> x, bool left) {
   return -mirrored(x, left);

@@ -85,6 +85,11 @@ template <class Real>
 constexpr Real mirrored(Real x, bool left) {
   return left ? -x : x;
 }
+// The same, in Fixed32 an LSB less to the left.
+template <class Real>
+constexpr Real mirrored_down(Real x, bool left) {
+  return mirrored(x, left);
+}
 template <class Real>
 constexpr Real minus_mirrored(Real x, bool left) {
   return left ? x : -x;

@@ -86,6 +86,7 @@ struct In : detail::NumberOf<Value> {
   [[gnu::always_inline]] friend constexpr auto twice(In x) { return in<Unit>(twice(bare(x))); }
   [[gnu::always_inline]] friend constexpr In afresh(In x) { return In(afresh(bare(x))); }
   [[gnu::always_inline]] friend constexpr In mirrored(In x, bool left) { return In(mirrored(bare(x), left)); }
+  [[gnu::always_inline]] friend constexpr In mirrored_down(In x, bool left) { return In(mirrored_down(bare(x), left)); }
   [[gnu::always_inline]] friend constexpr In minus_mirrored(In x, bool left) {
     return In(minus_mirrored(bare(x), left));
   }

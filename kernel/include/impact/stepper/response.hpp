@@ -57,7 +57,8 @@ struct Response : Answer<Gain, Unit> {
 inline constexpr double largest_share = 1 - 0x1p-31;
 
 // The same for an impulse and a moment in units of their changes of rate and penetration. The ball has its share of
-// them, with its sign, and the main mass the rest; dx1 contains the effect of spring and damper meanwhile.
+// them, and the main mass the rest, with the opposite sign; dx1 contains the effect of spring and damper meanwhile. In
+// Fixed32 the share of an impulse of zero may be rounded to one LSB, which then pushes the ball away from its stop.
 template <class Gain>
 struct SharedResponse {
   static constexpr bool is_sudden = false;
@@ -67,10 +68,10 @@ struct SharedResponse {
   template <class Units, class State, class Reaction>
   [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction& reaction,
                                               bool left) const {
-    const auto impulse = mirrored(reaction.main, left);
-    const auto ball_j0 = ball * impulse.j0, ball_j1 = ball * impulse.j1;
-    units.recoil(state.x1, impulse.j1 + ball_j1);
-    units.recoil(state.dx1, dx1 * impulse.j0 + dx1_by_moment * impulse.j1);
+    const auto j0 = mirrored_down(reaction.main.j0, !left), j1 = mirrored_down(reaction.main.j1, !left);
+    const auto ball_j0 = ball * j0, ball_j1 = ball * j1;
+    units.recoil(state.x1, ball_j1 - j1);
+    units.recoil(state.dx1, dx1 * j0 + dx1_by_moment * j1);
     units.recoil(state.x2, ball_j1);
     units.recoil(state.dx2, ball_j0);
   }

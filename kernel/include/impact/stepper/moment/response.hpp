@@ -50,9 +50,9 @@ struct MomentResponse {
                                                            const UnitExponents& unit) const {
     const Scaled<Format> gain{unit};
     const double scale = 1 / mobility(terms), ball = scale / terms.ball_mass;
-    return {gain(-ball),
-            gain(constant::smaller(scale * flow.e12 * g0, largest_share)),
-            gain(scale * (flow.e12 * hg1 + flow.e11 * gx)),
+    return {gain(ball),
+            gain(-constant::smaller(scale * flow.e12 * g0, largest_share)),
+            gain(-scale * (flow.e12 * hg1 + flow.e11 * gx)),
             gain(1),
             gain(ball + scale * g0),
             gain(scale * hg1)};

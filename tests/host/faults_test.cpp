@@ -205,6 +205,55 @@ TYPED_TEST(Faults, ASpeedThatAForceAddsInAStep) {
                                                                                                       sine);
     }
 }
+// In Fixed32 a step at this bound is shorter than an LSB of a position. The speed passed six times its bound in silence.
+TYPED_TEST(Faults, ASpeedBelowAnLsb) {
+  Scene scene;
+  scene.stops = Stops::none;
+  scene.main_mass = 4;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
+  scene.contact_stiffness = 3.6e9;
+  const Bounds bounds{2, 0.006, 0, 5};
+  const double h = 1e-7, limit = 1.01 * bounds.speed, in_a_step = bounds.force / scene.main_mass * h;
+  for (const int sign : {-1, 1}) {
+    auto absorber = made<Absorber<AtRunTime, Hertz, Moment, Sampled, TypeParam>>(scene, bounds, h);
+    while (absorber.fault() == Fault::none) {
+      ASSERT_LT(std::abs(absorber.reading().v1), limit);
+      for (int n = 0; n < 1000 && absorber.fault() == Fault::none; ++n)
+        absorber.step(absorber.sample_of(sign * bounds.force));
+    }
+    EXPECT_EQ(absorber.fault(), Fault::speed);
+    EXPECT_GT(sign * absorber.reading().v1, bounds.speed);
+    EXPECT_LT(sign * absorber.reading().v1, limit + in_a_step);
+    absorber.step(absorber.sample_of(sign * bounds.force));
+    EXPECT_LT(std::abs(absorber.reading().v1), limit + in_a_step);
+  }
+}
+// Friction acts at the end of a step. A speed that it takes beyond a bound raises the fault in that step: until then
+// every state is one that restore() accepts.
+TYPED_TEST(Faults, ASpeedThatFrictionMakes) {
+  Scene scene;
+  scene.main_mass = 34;
+  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
+  scene.ball_mass = 0.375;
+  scene.clearance = 1e-4;
+  scene.v1 = -0.04;
+  scene.x2 = 8e-4;
+  scene.ball_friction = 27;
+  scene.stops = Stops::left;
+  const Bounds bounds{1e-3, 0.1, 0, 1000, 20};
+  const double h = 5.4e-4;
+  using Rubbed = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam, BaseAcceleration, DryFriction>;
+  auto absorber = made<Rubbed>(scene, bounds, h);
+  while (absorber.fault() == Fault::none) {
+    const auto now = absorber.reading();
+    EXPECT_LT(std::abs(now.v1), limit_of(bounds.speed));
+    EXPECT_LT(std::abs(now.v2), limit_of(bounds.speed) + 1e-4 * bounds.speed);
+    Rubbed twin(absorber.plan);
+    ASSERT_TRUE(twin.restore(absorber.save()));
+    absorber.step(absorber.sample_of(-bounds.force), typename TypeParam::Value{});
+  }
+  EXPECT_EQ(absorber.fault(), Fault::speed);
+}
 // A classical scheme multiplies the energy of a stiff contact. Its force also adds to the distance of the coming step.
 TYPED_TEST(Faults, ASpeedThatAClassicalSchemeMakes) {
   for (const double stiffness : {1e6, 1e8, 1e10}) {

@@ -245,6 +245,86 @@ TEST(WatchedScenes, AForceBeyondItsUnitIsClamped) {
   EXPECT_GT(forces[30], forces[29]);
 }
 
+// Corrects a copy of the absorber by a displacement and a velocity, and steps it until a fault.
+template <class Kernel>
+Fault fault_after(const Kernel& absorber, double dx, double dv) {
+  Kernel corrected(absorber.plan);
+  EXPECT_TRUE(corrected.restore(absorber.save()));
+  const auto raw = [](double x, double unit) { return static_cast<int32_t>(x / unit * 0x1p31); };
+  broken.count = 0;
+  corrected.correct({raw(dx, absorber.plan.displacement_unit())}, {raw(dv, absorber.plan.velocity_unit())});
+  const Fault at_once = corrected.fault();
+  for (int n = 0; n < 20 && corrected.fault() == Fault::none; ++n) {
+    EXPECT_EQ(broken.count, 0) << broken.condition << ": dx " << dx << ", dv " << dv;
+    corrected.step();
+  }
+  return at_once;
+}
+// A correction may take a ball to its deepest and its fastest at once. No motion does that.
+TEST(WatchedScenes, ACorrectionOfADeepContact) {
+  Scene scene = pair(0.313255, 0.00126229, 2.31166e-06, 103933330, 0);
+  scene.main_stiffness = 0.224357;
+  scene.v1 = -0.327348;
+  scene.x2 = -6.77101e-07;
+  scene.v2 = -0.872083;
+  scene.stops = Stops::left;
+  const Bounds bounds{0.000122687, 1.63276, 7.22647e-06, 0};
+  using Deep = Absorber<AtRunTime, Hertz, EnergyConsistent, NoDrive, Fixed32>;
+  const auto plan = Deep::PlanType::make(scene, bounds, 6.39641e-07);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Deep absorber(plan);
+  for (int n = 0; n < 60; ++n) {
+    absorber.step();
+    for (const double dv : {0.3, 0.6, 0.9, 1.2}) fault_after(absorber, 0, dv);
+  }
+}
+// The stated bound of penetration is 150 times what the bound of speed allows. So deep, the force was beyond its unit.
+// And a penetration far beyond its unit was no fault where the limit was the unit's end.
+TEST(WatchedScenes, ACorrectionBeyondWhatTheBoundsAllow) {
+  Scene scene = pair(4487.77, 0.0139426, 0.635784, 4806.94, 899.601);
+  scene.v2 = 0.4;
+  scene.x2 = 0.3175;
+  const Bounds bounds{6.57823, 0.817068, 3.72689, 0};
+  using Wide = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Fixed32>;
+  const auto wide = Wide::PlanType::make(scene, bounds, 0.00027984);
+  ASSERT_EQ(wide.status, PlanStatus::ok);
+  Wide absorber(wide);
+  while (!absorber.is_touching()) absorber.step();
+  EXPECT_EQ(fault_after(absorber, -0.47, 0), Fault::penetration);
+  EXPECT_EQ(fault_after(absorber, -1e-3, 0), Fault::none);
+
+  Scene stiff = pair(5.67027e-05, 0.00372174, 0, 27236079832.8, 5975.2);
+  stiff.v2 = 0.037;
+  stiff.stops = Stops::right;
+  using Stiff = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Fixed32>;
+  const auto plan = Stiff::PlanType::make(stiff, {0.00408054, 3.73654, 0.00114728, 15.3707}, 1.41095e-07);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Stiff touching(plan);
+  while (!touching.is_touching()) touching.step();
+  EXPECT_EQ(fault_after(touching, -0.0036, 0), Fault::penetration);
+}
+// A force that pulls, of a law that may, is compared with the largest that pushes.
+TEST(WatchedScenes, APullIsRestored) {
+  Scene scene = pair(1, 1, 1e-3, 1e6, 0);
+  scene.contact_damping = 1500;
+  scene.tension = Tension::allow;
+  scene.v2 = 1;
+  using Pulling = Absorber<AtRunTime, HookeNewton, CentralDifference, NoDrive, Fixed32>;
+  const auto plan = Pulling::PlanType::make(scene, {0.1, 1, 0, 0}, 2e-4);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Pulling absorber(plan);
+  bool pulls = false;
+  for (int n = 0; n < 100 && absorber.fault() == Fault::none; ++n) {
+    absorber.step();
+    pulls = pulls || is_negative(absorber.state().contact.force);
+    Pulling twin(plan);
+    EXPECT_TRUE(twin.restore(absorber.save())) << n;
+    EXPECT_EQ(broken.count, 0) << broken.condition;
+    broken.count = 0;
+  }
+  EXPECT_TRUE(pulls);
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, WatchedFixed32,
                          testing::ValuesIn(kinds({Stepper::average, Stepper::central, Stepper::moment,
                                                   Stepper::moment_4, Stepper::moment_8, Stepper::moment_n,

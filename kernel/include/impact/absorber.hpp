@@ -369,10 +369,10 @@ class AbsorberOf
     const bool is_other_contact = next.change.contact != plan.change.contact;
     change_plan<PlanType>(plan, next, Machine::state);
     if constexpr (!Source::is_constant) Source::go_on_under(next);
-    Machine::clamp_to_range();
     (restart<Features>(), ...);
     if constexpr (counts_slid_way) Machine::state.slid = {};
     FrictionStep::start(machine(), excess);
+    Machine::clamp_to_range();
     if (is_other_contact && Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), false);
     publish();
     return true;

@@ -58,7 +58,7 @@ template <class Format>
 template <class Format>
 inline constexpr uint32_t proved_bits = 0;
 template <>
-inline constexpr uint32_t proved_bits<Fixed32> = 0xbbf88836;
+inline constexpr uint32_t proved_bits<Fixed32> = 0x69e6fb6f;
 template <>
 inline constexpr uint32_t proved_bits<Float32> = 0x1fbec415;
 template <>

@@ -73,8 +73,8 @@ struct Fixed32Units {
   int position_exponent, displacement_shift, damped_shift, increment_shift, push_shift, penetration_shift,
       penetration_exponent, force_bits;
   struct {
-    int32_t main, ball, way, speed;  // of a state's upper word
-    int32_t penetration;             // of a Value
+    int32_t main, ball, way;     // of a state's upper word
+    int32_t speed, penetration;  // of a displacement's Value and of a penetration's
   } limits;                          // StateLimits, rounded up
 
   static constexpr Fixed32Units make(const UnitExponents& e, double gap, const StateLimits& limits, double, double) {
@@ -91,7 +91,7 @@ struct Fixed32Units {
             e.penetration,
             e.force,
             {raw(limits.main, e.position), raw(limits.ball, e.position), raw(limits.way, e.position),
-             raw(limits.speed, e.position), raw(limits.penetration, e.penetration)}};
+             raw(limits.speed, e.displacement), raw(limits.penetration, e.penetration)}};
   }
 
   // Further than two positions in range are apart.
@@ -238,7 +238,18 @@ struct Fixed32Units {
     const auto upper = static_cast<int32_t>(x.raw >> 32);
     return (upper ^ upper >> 31) < limit;
   }
-  constexpr bool is_too_deep(Penetration<Value> penetration) const { return penetration.raw > limits.penetration; }
+  // Of a speed as the displacement that it makes in a step.
+  constexpr bool is_speed(Long w) const { return w.raw < most_speed() && w.raw > -most_speed(); }
+  constexpr int64_t most_speed() const { return int64_t{limits.speed} << displacement_shift; }
+  // Takes from w what `speed` is above the limit.
+  constexpr void clamp_speed(Long& w, Long speed) const {
+    if (!is_speed(speed)) w.raw -= speed.raw - (speed.raw > 0 ? most_speed() - 1 : 1 - most_speed());
+  }
+  // True if a displacement's limit is too few LSBs of a position to show a speed to 2 %.
+  static constexpr bool is_coarse(double way, const UnitExponents& e) {
+    return way < 64 * constant::power_of_two(e.position - 31);
+  }
+  constexpr bool is_too_deep(Penetration<Value> penetration) const { return penetration.raw >= limits.penetration; }
   static constexpr bool is_sound(Long) { return true; }
   static constexpr bool is_sound(Value) { return true; }
   static constexpr Value clamped(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }

@@ -203,6 +203,11 @@ struct RealFormat {
       if (__builtin_is_constant_evaluated()) return size(x) <= limit;
       return magnitude_bits(x) <= magnitude_bits(limit);
     }
+    constexpr bool is_speed(Long w) const { return is_within(w, limits.speed); }
+    constexpr void clamp_speed(Long& w, Long speed) const {
+      if (!is_speed(speed)) w.add((speed.sum > 0 ? limits.speed : -limits.speed) - speed.value());
+    }
+    static constexpr bool is_coarse(double, const UnitExponents&) { return false; }
     constexpr bool is_too_deep(Penetration<Value> penetration) const { return !(penetration <= limits.penetration); }
     static constexpr bool clamp(Long& x, Real limit) {
       if (is_within(x, limit)) return false;

@@ -111,7 +111,9 @@ class PlanMaking {
     basis.terms.rubbing = scene.ball_friction / basis.terms.reduced_mass();
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
     basis.terms.deepest = Contact::deepest(basis.terms);
-    if (!(bounds.penetration > 0)) basis.terms.largest_penetration = basis.terms.deepest;
+    // A bound above what the other bounds allow is of use only where free flight goes deeper than that.
+    constexpr bool is_of_flight = Contact::traits.is_instantaneous || Contact::traits.keeps_force;
+    if (!(bounds.penetration > 0) || !is_of_flight) basis.terms.largest_penetration = basis.terms.deepest;
     return basis;
   }
 
@@ -150,19 +152,16 @@ class PlanMaking {
     largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
     largest.position = bounds.displacement;
     largest.way = bounds.speed * h;
-    // With the half of friction's impulse that acts in the coming step.
-    double fastest = largest.way;
-    if constexpr (Friction::is_friction) fastest += basis.friction_way / 2;
-    // The change of h v by spring, damper and drive in a step: half of a step's change.
-    largest.displacement = fastest + h * h / 2 * terms.pressing;
+    // With the change of h v by spring, damper and drive in half a step, and with the half of friction's impulse that
+    // acts in the coming step.
+    largest.displacement = largest.way + h * h / 2 * terms.pressing;
+    if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
     // If the ball crosses the clearance in a step, it may be beyond the stop when a contact begins in the next step, by
     // the displacements of both masses.
     const double way = terms.largest_rate * h * (terms.crosses() && !Contact::traits.crosses_cavity ? 2 : 1);
-    // Free flight from a state in contact ends deeper than contact lets the ball go. With (d/D)^2 + (d'/V)^2 <= 1
-    // (power laws: (d/D)^(5/2)) it ends at most (D^2 + (5/4) (h V)^2)^(1/2) deep.
-    const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
-                 flown = way / longer;
-    largest.penetration = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
+    // Free flight from a state in contact ends deeper than contact lets the ball go. After a correction the ball may be
+    // at its deepest and at its fastest at once.
+    largest.penetration = limit_of(terms.largest_penetration) + way;
     // An impact changes the rate of sliding by at most twice the largest rate, and friction by at most that rate in a
     // step.
     const double largest_change = scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
@@ -175,7 +174,6 @@ class PlanMaking {
       const double in_field = h * h * Field::largest(scene, bounds);
       largest.way += in_field;
       largest.displacement += in_field;
-      fastest += in_field;
     }
     // A kept force has a share in the displacement of the coming step, at most half of its effect in a step.
     if constexpr (Contact::traits.keeps_force) {
@@ -187,7 +185,7 @@ class PlanMaking {
     const double offset = Field::is_sampled ? h * h * Field::largest(scene, bounds) / 6 : 0;
     largest.limits.main = limit_of(bounds.displacement + offset);
     largest.limits.way = limit_of(largest.displacement);
-    largest.limits.speed = limit_of(fastest);
+    largest.limits.speed = limit_of(bounds.speed * h);
     // Also for a displacement that has just passed its limit, since the check comes afterwards.
     const double spring = scene.main_stiffness * (largest.limits.main + 2 * largest.limits.way),
                  damper = scene.main_damping * 2 * largest.limits.way / h;
@@ -203,8 +201,8 @@ class PlanMaking {
     if (Contact::traits.is_instantaneous)
       largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
     // An impact that takes no time has no way. A force at the step's end does not read the depth of the flight.
-    const bool is_of_flight =
-        (Contact::traits.keeps_force || largest.is_as_deep_as_flight) && !(bounds.penetration > 0);
+    const bool is_stated = bounds.penetration > 0 && (Contact::traits.keeps_force || terms.deepest >= bounds.penetration),
+               is_of_flight = (Contact::traits.keeps_force || largest.is_as_deep_as_flight) && !is_stated;
     largest.limits.penetration = limit_of(Contact::traits.is_instantaneous ? largest.penetration
                                           : is_of_flight ? constant::smaller(of_flight, largest.penetration)
                                                          : terms.largest_penetration);
@@ -272,7 +270,8 @@ class PlanMaking {
     plan.left_stop = scene.stops == Stops::both || scene.stops == Stops::left;
     plan.right_stop = scene.stops != Stops::left;
     plan.crosses = terms.crosses() && Contact::traits.crosses_cavity;
-    plan.checks_speeds = largest.limits.way > 1.25 * largest.limits.speed;
+    plan.checks_speeds =
+        largest.limits.way > 1.25 * largest.limits.speed || Format::Units::is_coarse(largest.limits.way, exponents);
     plan.x1 = units.state_at(scene.x1);
     const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
     const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);

@@ -60,7 +60,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   double force_scale, drive_scale;  // units of State's forces and of the drive's, N
   bool left_stop, right_stop;
   bool crosses;                      // a step can leave one stop and touch the other
-  bool checks_speeds;                // forces may change a speed in a step by more than half of its bound
+  bool checks_speeds;                // the limit of a displacement is not close enough to its speed's
   Long x1, dx1, x2, dx2;             // the initial state
   uint32_t identity;                 // the fingerprint of scene, bounds, step and types
   PlanChange<Format, Drive> change;  // read by correct() and by a change of plan

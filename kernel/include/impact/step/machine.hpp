@@ -122,30 +122,43 @@ struct Machine : Source {
   constexpr void raise(Fault fault) {
     if (state.fault == Fault::none) state.fault = fault;
   }
-  // Clamps what flight changes. Between two stops the ball's position is checked by contact.
+  static constexpr bool moves_ball_in_flight = Field::is_field || Friction::is_friction;
+  // h v1 and h v2.
+  struct Speeds {
+    Long main, ball;
+  };
+  constexpr Speeds speeds() const {
+    Speeds now{state.dx1, state.dx2};
+    plan.units.displace(now.main, rate_ahead());
+    plan.units.displace(now.ball, -Field::ball_rate(plan, state));
+    if constexpr (Friction::is_friction) {
+      plan.units.displace(now.main, -(plan.friction.main_rate_ahead * state.impulse));
+      plan.units.displace(now.ball, plan.friction.ball_ahead * state.impulse);
+    }
+    if constexpr (Contact::traits.keeps_force) {
+      const auto force = mirrored(state.contact.force, contact_is_left());
+      plan.units.displace(now.main, -(plan.contact.dx1_share * force));
+      plan.units.displace(now.ball, plan.contact.dx2_share * force);
+    }
+    return now;
+  }
+  // Whether what flight changes is in range. Between two stops the ball's position is checked by contact.
   [[gnu::always_inline]] constexpr bool flight_is_in_range() const {
     const auto& limits = plan.units.limits;
     return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.way) &&
            ((plan.left_stop && plan.right_stop) || plan.units.is_within(state.x2, limits.ball)) &&
-           (!Field::is_field || plan.units.is_within(state.dx2, limits.way)) &&
+           (!moves_ball_in_flight || plan.units.is_within(state.dx2, limits.way)) &&
            (!plan.checks_speeds || speeds_are_in_range());
   }
-  // The displacements of the coming step do not show a speed where the forces change it too much in a step.
+  // The displacements of the coming step do not show a speed where the forces change it too much in a step, or where
+  // the bound is only some LSBs of a position.
   [[gnu::noinline]] constexpr bool speeds_are_in_range() const {
-    Long main = state.dx1, ball = state.dx2;
-    plan.units.displace(main, rate_ahead());
-    plan.units.displace(ball, -Field::ball_rate(plan, state));
-    if constexpr (Contact::traits.keeps_force) {
-      const auto force = mirrored(state.contact.force, contact_is_left());
-      plan.units.displace(main, -(plan.contact.dx1_share * force));
-      plan.units.displace(ball, plan.contact.dx2_share * force);
-    }
-    const auto limit = plan.units.limits.speed;
-    return plan.units.is_within(main, limit) && plan.units.is_within(ball, limit);
+    const Speeds now = speeds();
+    return plan.units.is_speed(now.main) && plan.units.is_speed(now.ball);
   }
-  // Clamps what contact changes.
+  // Whether what contact changes is in range.
   [[gnu::always_inline]] constexpr bool contact_is_in_range() const {
-    return flight_is_in_range() && (Field::is_field || plan.units.is_within(state.dx2, plan.units.limits.way));
+    return flight_is_in_range() && (moves_ball_in_flight || plan.units.is_within(state.dx2, plan.units.limits.way));
   }
   constexpr bool is_in_range(const State& any) const {
     const auto& limits = plan.units.limits;
@@ -162,11 +175,19 @@ struct Machine : Source {
     const bool is_far = is_main_far || is_ball_far,
                is_fast = is_main_fast || is_ball_fast || (plan.checks_speeds && !speeds_are_in_range());
     raise(is_far ? Fault::displacement : is_fast ? Fault::speed : Fault::penetration);
-    if (is_far || is_fast) end_contact();
-    return is_far || is_fast;
+    if (!is_far && !is_fast) return false;
+    end_contact();
+    if (plan.checks_speeds) {
+      const Speeds now = speeds();
+      units.clamp_speed(state.dx1, now.main);
+      units.clamp_speed(state.dx2, now.ball);
+    }
+    return true;
   }
   // Returns true if the state was beyond its limits.
-  constexpr bool clamp_to_range() { return !is_in_range(state) && clamp(); }
+  constexpr bool clamp_to_range() {
+    return (!is_in_range(state) || (plan.checks_speeds && !speeds_are_in_range())) && clamp();
+  }
   constexpr void end_contact() {
     state.contact.phase = Phase::apart;
     if constexpr (Contact::traits.keeps_force) state.contact.force = Force<Value>{};

@@ -60,10 +60,9 @@ struct Step {
         if constexpr (traits.starts_from_rate) change.bend = of_drive.bend;
       }
       contact(m, increment, main_travel, change);
-    } else if (!m.flight_is_in_range()) {
-      m.clamp();
-    } else if constexpr (Friction::is_friction) {
+    } else {
       FrictionStep::after_flight(m, main_travel);
+      clamp_if_out_of_range(m);
     }
     m.record_step();
   }
@@ -117,19 +116,21 @@ struct Step {
   [[gnu::always_inline]] static constexpr void contact_and_friction(Model& m, Increment increment, Long main_travel,
                                                                     SeenChange change) {
     StopRubbing rubbing{};
-    if constexpr (feels_friction) {
-      if (FrictionStep::turns_before_stop(m, rubbing, main_travel)) return clamp_if_out_of_range(m);
+    if constexpr (!Friction::is_friction) {
       solve_contact(m, increment, main_travel, change, rubbing);
-      if (rubbing.meets_stop)
-        FrictionStep::after_stop(m, rubbing);
-      else
-        FrictionStep::after_flight(m, main_travel);
-    } else if constexpr (Friction::is_friction) {
-      const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
-      solve_contact(m, increment, main_travel, change, rubbing);
-      if (FrictionStep::acts(m)) FrictionStep::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
     } else {
-      solve_contact(m, increment, main_travel, change, rubbing);
+      if constexpr (!feels_friction) {
+        const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
+        solve_contact(m, increment, main_travel, change, rubbing);
+        if (FrictionStep::acts(m)) FrictionStep::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
+      } else if (!FrictionStep::turns_before_stop(m, rubbing, main_travel)) {
+        solve_contact(m, increment, main_travel, change, rubbing);
+        if (rubbing.meets_stop)
+          FrictionStep::after_stop(m, rubbing);
+        else
+          FrictionStep::after_flight(m, main_travel);
+      }
+      clamp_if_out_of_range(m);
     }
   }
 
@@ -311,7 +312,7 @@ struct Step {
     return rate_at_touch<Format>(way, way.share(without_sign(approach.penetration)), approach.travel, approach.rate,
                                  units.increment_of_rate(approach.increment), 0);
   }
-  // The range check of a flight that was deferred to a contact, if no contact followed.
+  // The range check of a flight, with the friction that acts at its end.
   [[gnu::always_inline]] static constexpr void clamp_if_out_of_range(Model& m) {
     if (!m.flight_is_in_range()) m.clamp();
   }

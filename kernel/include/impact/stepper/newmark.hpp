@@ -78,8 +78,8 @@ struct Pointwise {
       const double h = terms.step, way = terms.largest_rate * h, changed = h * h * (terms.pressing + terms.rubbing),
                    mobility = h * h / terms.reduced_mass(), d = terms.largest_penetration,
                    flight = (terms.crosses() ? 2 : 1) * way;
-      Reach reach{slack * constant::larger(constant::square_root(d * d + 1.25 * flight * flight), 3 * flight + changed),
-                  slack * (way + changed), slack * (4 * way + 2 * changed), 0};
+      Reach reach{slack * constant::larger(limit_of(d) + flight, 3 * flight + changed), slack * (way + changed),
+                  slack * (4 * way + 2 * changed), 0};
       const double damping = terms.damping_time * reach.rate / h,
                    law = terms.stiffness *
                          (terms.is_linear ? reach.trial + damping : terms.to_the_power(reach.trial) * (1 + damping));
@@ -167,7 +167,8 @@ struct Pointwise {
     // The remaining effect of a kept force is in the range of a displacement.
     constexpr bool valid(const Plan& plan, const Units& units) const {
       return this->has_sound_damping() && units.is_sound(plan.dx1_share * force) &&
-             units.is_sound(plan.dx2_share * force) && !is_positive(force - plan.largest.force) &&
+             units.is_sound(plan.dx2_share * force) &&
+             !is_positive(Format::value(positive_part(force)) - bare(plan.largest.force)) &&
              !(plan.clamped && is_negative(force));
     }
 

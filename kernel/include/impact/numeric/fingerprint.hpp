@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A number that tells sets of parameters apart: FNV-1a, 32 bits, over words. Two sets agree by chance once in 2^32.
+// A 32-bit hash of a set of parameters: FNV-1a over words. Two different sets have the same hash once in 2^32.
 
 #include <stdint.h>
 
@@ -12,7 +12,7 @@ struct Fingerprint {
   uint32_t value = 0x811c9dc5;
 
   constexpr void add(uint32_t word) { value = (value ^ word) * UINT32_C(0x01000193); }
-  // All 53 bits, by arithmetic: C++17 has no other way into a double in a constant expression. Below 2^-900 it is 0.
+  // Adds all 53 bits, by arithmetic: C++17 constant expressions cannot read them. A size below 2^-900 counts as 0.
   constexpr void add_number(double x) {
     if (!(constant::magnitude(x) >= 0x1p-900)) return add(0);
     const int exponent = constant::exponent_above(constant::magnitude(x));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The fixed-point format of the step. Values are Q1.31 fractions of a power of two that the plan chooses for each
-// quantity from the scene's bounds; states are 64-bit integers at one common scale, because rounding to 32 bits
-// at each step would accumulate.
+// The fixed-point format of the step. A Value is a Q1.31 fraction of a power of two, which the plan chooses for each
+// quantity from the bounds. States are 64-bit integers in one common unit, since rounding to 32 bits in each step would
+// accumulate.
 
 #include <stddef.h>
 
@@ -18,7 +18,7 @@
 namespace impact {
 
 struct Fixed32 : Fixed32Numbers {
-  static constexpr uint32_t kind = 0;  // a saved state is of one kind of format
+  static constexpr uint32_t kind = 0;  // part of a saved state's identity
   using Units = Fixed32Units;
   using Oscillator = IntegerOscillator;
   // Calling the contact costs less than saving the registers that inlining it would need in a free step.
@@ -26,14 +26,14 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr bool has_spare_registers = false;
   static constexpr bool is_real = false;
 
-  // weight x y, with the weight's shift after both products.
+  // weight x y. The weight's right shift follows both products.
   template <int bits>
   static constexpr Value product(Weight weight, Value x, Unsigned<bits> y) {
     const int ahead = weight.bits_ahead(), after = weight.shift + ahead;
     const int32_t weighted = high_product(to_left(x.raw, ahead), weight.mantissa);
     return moved({high_product(weighted, with_sign(y).raw)}, after + bits - 33);
   }
-  // (a + weight y) x for a and y below 1, with the weight's shift to the left before both; the sum is below 3.
+  // (a + weight y) x for a and y below 1 and a sum below 3. If the weight shifts left, x is shifted instead.
   template <int more, int bits>
   static constexpr Value product_of_sum(Unsigned<more> a, Weight weight, Unsigned<bits> y, Value x) {
     const int ahead = weight.bits_ahead(), after = weight.shift + ahead;
@@ -42,20 +42,19 @@ struct Fixed32 : Fixed32Numbers {
     return {shifted_product(to_left(x.raw, ahead), sum.raw, 3)};
   }
 
-  // In [0, 1). Other values, of a stepper far outside its range, are clamped.
+  // A constant in [0, 1). A stepper far outside its range has other values, which are clamped.
   static constexpr Unsigned<32> constant(double x) {
     return {x > 0 ? static_cast<uint32_t>(impact::constant::smaller(x * 4294967296.0 + 0.5, 4294967295.0)) : 0};
   }
   static constexpr Short short_constant(double x) { return {static_cast<uint32_t>(x * 65536.0 + 0.5)}; }
-  // For a number below 1.
+  // x must be below 1.
   template <int bits>
   static constexpr Unsigned<32> factor(Unsigned<bits> x) {
     return with_bits<32>(x);
   }
-  // gain * x for a state in range and a gain >= 0, in fewer instructions than the gain's own product. A shift to the
-  // right rounds down; a sum of one such term less another rounds to nearest on average. A shift to the left rounds to
-  // nearest within a sixth of the product's LSB, from the one or two bits of x that are worth about half of it. The
-  // product's lower word is not needed.
+  // gain * x for a state in range and a gain >= 0, in fewer instructions than Gain's operator *. A right shift rounds
+  // down, which cancels on average in the difference of two terms. A left shift adds about half an LSB of the product
+  // to x, as 1 or 2 LSBs of x. The error is then at most 2/3 LSB of the product, whose lower word is not computed.
   [[gnu::always_inline]] static constexpr Value term(Gain gain, Value x) {
     if (gain.mantissa == 0) return {0};
     if (gain.shift > 0) return {high_product(x.raw, gain.mantissa) >> gain.shift};
@@ -63,8 +62,8 @@ struct Fixed32 : Fixed32Numbers {
     const auto ahead = static_cast<int32_t>(static_cast<uint32_t>(x.raw) + half_lsb);
     return {to_left(high_product(ahead, gain.mantissa), -gain.shift)};
   }
-  // gain * x, which may be less than an LSB. A shift to the right rounds at random, by the lower word of a state, so
-  // that on average nothing is lost. Rounded down, a weak damper would take half an LSB in each step.
+  // gain * x, which may be less than an LSB. A right shift rounds at random, with the lower word of a state as the
+  // random number, so the average error is 0. If it rounded down, a weak damper would lose half an LSB per step.
   [[gnu::always_inline]] static constexpr Value dithered_term(Gain gain, Value x, Long chance) {
     if (gain.mantissa == 0 || gain.shift <= 0) return term(gain, x);
     const auto carried = static_cast<int32_t>(static_cast<uint32_t>(chance.raw) >> (32 - gain.shift));
@@ -79,13 +78,13 @@ struct Fixed32 : Fixed32Numbers {
                                                                       Long chance) {
     return In<Value, To>(dithered_term(gain.own, x, chance));
   }
-  // Rounded down, for a gain of 0 or a power of two from 2^-32 on.
+  // gain * x, rounded down. The gain is 0 or a power of two of at least 2^-32.
   static constexpr Value moved_term(Gain gain, Value x) {
     const int bits = gain.shift + 2;
     return gain.mantissa == 0 ? Value{0} : moved(x, bits < 31 ? bits : 31);
   }
-  // x -> gain * x / divisor, for |x| up to divisor / gain. The divisor is positive, the gain not negative; a gain that
-  // is 2^31 or more for a divisor of a few LSBs is clamped there.
+  // The gain of x -> gain * x / divisor for |x| up to divisor / gain, gain >= 0 and divisor > 0. For a divisor of a few
+  // LSBs it is clamped to 2^31.
   static constexpr Gain gain_over(Gain gain, Value divisor) {
     if (gain.mantissa == 0) return {0, 0};
     const int zeros = leading_zeros(static_cast<uint32_t>(divisor.raw));
@@ -95,10 +94,10 @@ struct Fixed32 : Fixed32Numbers {
     if (shift < -32) return {INT32_MAX, -32};
     return {mantissa << spare, shift};
   }
-  // A converter's counts as Values: of 2^31.
+  // A count of a converter is an LSB of a Value.
   static constexpr int count_exponent = 31;
   static constexpr Value counted(int32_t counts) { return {counts}; }
-  // The counts of 1, beyond which there is no Value, less what a gain and its product round: four LSBs.
+  // The counts of 1, minus a margin of 8 LSBs for the rounding of gain and product. A Value of 1 would wrap.
   static constexpr double most_counts(double per_one) { return constant::magnitude(per_one) * (1 - 0x1p-28); }
   static constexpr ClampedGain count_gain(double per_one) { return {gain(per_one, 0, count_exponent)}; }
   static constexpr int32_t counts(ClampedGain gain, Value x, int32_t least, int32_t most) {
@@ -109,7 +108,7 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Value largest_sample(double) { return {INT32_MAX}; }
   static constexpr bool is_within(Value, Value) { return true; }
   static constexpr Value clamped_to(Value x, Value, Value) { return x; }
-  // True if a restored sum has room for 2^31 more of the largest Values.
+  // For a restored state. A sum is sound if it has room for 2^31 more entries of any size.
   static constexpr bool is_sound(Gain gain) { return gain.shift >= -32 && gain.shift < 31; }
   static constexpr bool is_sound(Value) { return true; }
   static constexpr bool is_sound(Energy) { return true; }
@@ -119,8 +118,8 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent; }
   static constexpr Value reading(int32_t native) { return {native}; }
   static constexpr int32_t native(Value reading) { return reading.raw; }
-  // A fraction as a Value, clamped to the ends of its range, and 0 for a NaN. The unit of a constant is 2^31 - 1, so
-  // that 1 is a Value. That of a float is 2^31, since a float has no 2^31 - 1.
+  // A fraction as a Value, clamped to +-(1 - 2^-31), and 0 for a NaN. A double is scaled by 2^31 - 1, so that 1 is in
+  // range. A float is scaled by 2^31, since 2^31 - 1 is not a float.
   static constexpr Value sample(double fraction) {
     return {fraction >= 1    ? INT32_MAX
             : fraction <= -1 ? -INT32_MAX
@@ -157,34 +156,34 @@ struct Fixed32 : Fixed32Numbers {
     return {
         opaque(numerator.raw < denominator.raw ? quotient_q32<b <= 31>(numerator.raw, denominator.raw) : ~UINT32_C(0))};
   }
-  // x / y, y > 0; nothing where that is no Value.
+  // x / y for y > 0, and 0 if |x| >= y.
   static constexpr Value signed_quotient(Value x, Value y) {
     const bool is_left = x.raw < 0;
     const Value size = mirrored(x, is_left);
     if (size.raw >= y.raw) return {};
     return mirrored(value(quotient(without_sign(size), without_sign(y))), is_left);
   }
-  // A divisor that is used several times.
+  // A divisor of several quotients.
   struct Divisor {
     int32_t own;
     uint32_t inverse;
     int zeros;
 
-    // x <= divisor
+    // x / divisor for x <= divisor.
     constexpr Unsigned<32> share(Unsigned<31> x) const {
       const uint32_t ahead = x.raw << zeros;
       return {opaque(x.raw < static_cast<uint32_t>(own)
                          ? (high_product(ahead, inverse) << 1) | ((ahead * inverse) >> 31)
                          : ~UINT32_C(0))};
     }
-    // A larger number is treated as the divisor.
+    // x / divisor, clamped to +-1.
     constexpr Signed<29> ratio(Value x) const {
       const int32_t clamped = x.raw > own ? own : x.raw < -own ? -own : x.raw;
       const auto ahead = to_left(clamped, zeros - 1);
       return {opaque(high_product(ahead, opaque(static_cast<int32_t>(inverse >> 1))))};
     }
   };
-  // 0 < x < 1; beyond that, from a state beyond its bounds, x is clamped.
+  // For 0 < x < 1. A state beyond its bounds has another x, which is clamped.
   static constexpr Divisor divisor(Unsigned<31> x) {
     if (x.raw - 1 >= INT32_MAX) x.raw = INT32_MAX;
     const int zeros = normalise<1>(x.raw);
@@ -195,30 +194,30 @@ struct Fixed32 : Fixed32Numbers {
     IMPACT_EXPECT(numerator.raw <= denominator.raw && denominator.raw > 0);
     return {rough_quotient_q31(numerator.raw, denominator.raw)};
   }
-  // To 16 bits, rounded down; numerator <= denominator.
+  // The quotient has 16 bits and is rounded down. numerator <= denominator
   template <int bits>
   static constexpr Short short_quotient(Unsigned<bits> numerator, Unsigned<bits> denominator) {
     IMPACT_EXPECT(numerator.raw <= denominator.raw && denominator.raw > 0);
     return {quotient_q16(numerator.raw, denominator.raw)};
   }
-  // z^2 / 5p, |z| <= p, for a small part of a sum.
+  // z^2 / (5 p) for |z| <= p, for a small term of a sum.
   template <int bits>
   static constexpr Unsigned<bits + 1> square_over_five(Signed<bits> z, Unsigned<bits> p) {
     IMPACT_EXPECT(int64_t{z.raw} <= p.raw && -int64_t{z.raw} <= p.raw);
     return {opaque(static_cast<uint32_t>(impact::square_over_five(z.raw, p.raw)))};
   }
-  // x / (1 + y) for y >= 0, in the unit in which 1/2 is `half_one`
+  // x / (1 + y) for y >= 0. `half_one` is 1/2 in the unit of y.
   static constexpr Value over_one_plus(Value x, Value y, Value half_one) {
     const auto one = static_cast<uint32_t>(half_one.raw);
     return value(x * Unsigned<32>{quotient_q32(one, one + (static_cast<uint32_t>(y.raw) >> 1))});
   }
-  // t + by, from 0 to 1.
+  // t + by, clamped to the range from 0 to 1.
   static constexpr Unsigned<32> moved_share(Unsigned<32> t, Signed<29> by) {
     const auto step = static_cast<uint32_t>(by.raw < 0 ? -by.raw : by.raw) << 3;
     if (by.raw < 0) return {t.raw < step ? 0 : t.raw - step};
     return {t.raw > ~step ? ~UINT32_C(0) : t.raw + step};
   }
-  // One Newton step for a root t of a decreasing function: by its value over its steepness.
+  // One step of Newton's method from t, for a function with this value and the slope -steepness at t.
   static constexpr Unsigned<32> corrected(Unsigned<32> t, Value value, Unsigned<31> steepness) {
     const bool later = value.raw > 0;
     const auto raw = static_cast<uint32_t>(value.raw);
@@ -231,19 +230,19 @@ struct Fixed32 : Fixed32Numbers {
     constexpr int32_t quarter = 1 << 29;
     return {x.raw > quarter ? quarter : x.raw < -quarter ? -quarter : x.raw};
   }
-  // k of 2^bits parts of 1, for k below 2^bits; and the number of parts in x, rounded down.
+  // parts: k / 2^bits for k below 2^bits. parts_of: the number of such parts in x, rounded down.
   static constexpr Unsigned<32> parts(int k, int bits, Gain) { return {static_cast<uint32_t>(k) << (32 - bits)}; }
   static constexpr int parts_of(Value x, int bits, Gain) { return x.raw >> (31 - bits); }
   static constexpr Value times(Value x, int k) {
     return {static_cast<int32_t>(static_cast<uint32_t>(x.raw) * static_cast<uint32_t>(k))};
   }
-  // x * 2^bits, clamped.
+  // x * 2^bits, clamped to the range of a Value.
   static constexpr Value raised(Value x, int bits) {
     const int32_t most = INT32_MAX >> bits;
     return {to_left(x.raw > most ? most : x.raw < -most ? -most : x.raw, bits)};
   }
-  // A sum of numbers over 2^bits, with 32 bits below an LSB. It begins at half an LSB, so that taking the upper word
-  // rounds to nearest.
+  // A sum of terms x / 2^bits, with 32 bits below an LSB. It starts at half an LSB, so that its upper word is rounded
+  // to nearest.
   struct Sum {
     int64_t raw = INT64_C(1) << 31;
 
@@ -256,13 +255,13 @@ struct Fixed32 : Fixed32Numbers {
     constexpr void add(Value x, int bits, Gain) { add(x, bits); }
     constexpr Value value() const { return {upper_word(raw)}; }
   };
-  // By how many bits the numbers can be shifted to the left and stay below a quarter.
+  // The number of bits by which all x can be shifted left and stay within +-1/4.
   template <class... Values>
   static constexpr int spare_bits(Values... x) {
     const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };
     return leading_zeros((size(x) | ...)) - 3;
   }
-  // Of the unit in which a number up to `largest` is a Value.
+  // The exponent of the unit in which numbers up to `largest` are Values.
   static constexpr int exponent_of(double largest) { return impact::constant::exponent_above(largest); }
   static constexpr Value power_of_two(int exponent) { return {opaque(INT32_C(1) << (31 + exponent))}; }
   // x / (x + a) for x >= 0
@@ -280,21 +279,21 @@ struct Fixed32 : Fixed32Numbers {
     const Unsigned<31> part = {opaque(static_cast<uint32_t>(x.raw >> balance.bits))};
     return quotient(part, part + Unsigned<31>{balance.a});
   }
-  // Clamped at 1.
+  // The square root, clamped to 1.
   template <int bits>
   static constexpr Unsigned<32> root_of_product(Unsigned<bits> x) {
     static_assert(bits <= 32, "no such product");
     constexpr int above = 32 - bits;
     return {square_root_q32(x.raw <= UINT32_MAX >> above ? x.raw << above : ~UINT32_C(0))};
   }
-  // x^(4/5), x > 0 (precise: x >= 0)
+  // x^(4/5) for x > 0, with `is_precise` for x >= 0.
   template <bool is_precise = false>
   static constexpr Value power_four_fifths(Value x) {
     if (is_precise && x.raw == 0) return x;
     IMPACT_EXPECT(x.raw > 0);
     return value(Unsigned<31>{power_four_fifths_q31<is_precise>(static_cast<uint32_t>(x.raw))});
   }
-  // Between the values at even steps of y from 0 to 1.
+  // Linear interpolation. `values` belong to equidistant y from 0 to 1.
   template <size_t size>
   static constexpr Value interpolated(const Value (&values)[size], Unsigned<32> y) {
     constexpr int bits = constant::exponent_above(size - 1);
@@ -315,7 +314,7 @@ struct Fixed32 : Fixed32Numbers {
     IMPACT_EXPECT(x.raw > 0);
     return {KnownSquareRoot::of(x.raw)};
   }
-  // For a restored state: true if the square is within a quarter, since no step's prediction has a larger error.
+  // For a restored state: true if root^2 is within 1/4 of x, the largest error of a step's prediction.
   static constexpr bool is_root_beside(Root root, Value x) {
     const auto apart = static_cast<int32_t>((high_square(root.raw) << 1) - static_cast<uint32_t>(x.raw));
     return root.raw > 0 && root.raw <= UINT32_C(1) << 31 && x.raw > 0 && apart <= 1 << 29 && apart >= -(1 << 29);

@@ -2,7 +2,7 @@
 #pragma once
 // The numbers of Fixed32: Values are Q1.31 fractions, states 64-bit integers, and constants a mantissa with a shift.
 //
-// Rounding: a Gain rounds to nearest where it shifts right, and otherwise down.
+// Rounding: a Gain rounds to nearest. After a left shift by n bits the lowest min(n, 2) bits are 0.
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/fraction.hpp>
@@ -26,12 +26,12 @@ struct Fixed32Numbers {
       IMPACT_EXPECT(is_in_64_bits(Wide{a.raw} - b.raw));
       return {static_cast<int64_t>(static_cast<uint64_t>(a.raw) - static_cast<uint64_t>(b.raw))};
     }
-    // To the left by the complement: one of 2^63 less.
+    // For `left` it is the complement, which is one LSB of 2^-63 below -x.
     friend constexpr Long mirrored(Long x, bool left) { return {x.raw ^ -static_cast<int64_t>(left)}; }
     constexpr bool is_negative() const { return raw < 0; }
   };
 
-  // A sum of energies without rounding, with room for 2^33 of the largest.
+  // An exact sum of energies, with room for 2^33 products of the largest Values.
   struct Tally {
     uint32_t low, middle;
     int32_t high;
@@ -61,11 +61,11 @@ struct Fixed32Numbers {
       if (bits > 0) {
         if (is_power_of_two) {
           const int32_t twice = x.raw >> (bits - 1);
-          return {twice - (twice >> 1)};  // half up without the overflow of the largest number
+          return {twice - (twice >> 1)};  // rounds half up, without overflow
         }
         return {(high_product(x.raw, gain.mantissa) + (1 << (bits - 1))) >> bits};
       }
-      // Shifted to the left before the product as far as it cannot overflow, to keep the product's low bits.
+      // As much as possible of a left shift precedes the product, to keep low bits. This cannot overflow.
       const int after = bits < -2 ? 2 : -bits;
       const auto ahead = to_left(x.raw, -bits - after);
       const int32_t product = is_power_of_two ? ahead : rounded_high_product(ahead, gain.mantissa);
@@ -73,7 +73,7 @@ struct Fixed32Numbers {
     }
   };
 
-  // A gain whose product may be out of range; it is clamped there.
+  // A gain whose product may be out of range. The product is clamped.
   struct ClampedGain : Gain {
     friend constexpr Value operator*(ClampedGain gain, Value x) {
       if (gain.shift >= -1) return static_cast<const Gain&>(gain) * x;
@@ -82,7 +82,7 @@ struct Fixed32Numbers {
       const int32_t clamped = product > quarter ? quarter : product < -quarter ? -quarter : product;
       return {to_left(clamped, 2)};
     }
-    // For a number that is known not to be negative.
+    // For x >= 0.
     friend constexpr Value operator*(ClampedGain gain, Unsigned<31> x) {
       const auto known = static_cast<int32_t>(x.raw);
       if (gain.shift >= -1) return static_cast<const Gain&>(gain) * Value{known};
@@ -92,15 +92,15 @@ struct Fixed32Numbers {
 
    private:
     static constexpr int32_t quarter = INT32_MAX >> 2;
-    // To the left by -2 - shift before the product, and by 2 after it, where it is at most the largest mantissa's half.
+    // x is shifted left by -2 - shift before the product, and the product by 2.
     constexpr int32_t most() const { return INT32_MAX >> (-2 - shift); }
     constexpr int32_t product(int32_t x) const { return rounded_high_product(to_left(x, -2 - shift), mantissa); }
   };
 
-  // A gain that rounds down if it shifts to the left, to the middle of two values; it takes two instructions less.
+  // A gain that takes two instructions less. A left shift by 1 rounds to the middle of two results, a longer one down.
   struct Weight : Gain {
-    // To the left before a product that keeps its upper word only: a mantissa of a half leaves x, of a product within
-    // 1, one bit more than that.
+    // The left shift of x before a product that keeps only its upper word. The mantissa is at least 2^30, and the
+    // product below 1, so x fits.
     constexpr int bits_ahead() const { return shift < -2 ? -2 - shift : 0; }
     [[gnu::always_inline]] friend constexpr Value operator*(Weight weight, Value x) {
       if (is_wide && weight.shift >= 0) return {instruction::rounded_product(x.raw, weight.mantissa, weight.shift)};
@@ -115,7 +115,7 @@ struct Fixed32Numbers {
   static constexpr Gain gain(double factor, int from, int to) {
     const double scaled = factor * constant::power_of_two(from - to);
     if (scaled == 0) return {0, 0};
-    // No product stays in range: the stepper is far outside its own.
+    // No product stays in range. The stepper is far outside its range.
     if (!(constant::magnitude(scaled) < 0x1p31)) return {scaled < 0 ? -INT32_MAX : INT32_MAX, -32};
     int e = constant::exponent_above(constant::magnitude(scaled));
     int64_t mantissa = constant::nearest(scaled * constant::power_of_two(31 - e));
@@ -126,7 +126,7 @@ struct Fixed32Numbers {
     if (-1 - e > 30) return {0, 0};
     return {static_cast<int32_t>(mantissa), -1 - e};
   }
-  // Below 2^-30 it is 0: product_of_sum() shifts to the right by two bits more than the weight's own.
+  // Up to 2^-31 it is 0, since product_of_sum() shifts right by two bits more than the weight.
   static constexpr Weight weight(double factor, int from, int to) {
     const Gain found = gain(factor, from, to);
     return found.shift < 30 ? Weight{found} : Weight{};
@@ -140,15 +140,15 @@ struct Fixed32Numbers {
   }
 
   static constexpr Value lsb() { return {1}; }
-  // A small difference; 0 if it is within the rounding of its terms.
+  // x, or 0 if |x| is within the rounding of its terms, 4 LSBs.
   static constexpr Value beyond_rounding(Value x) { return {static_cast<uint32_t>(x.raw) + 4 > 8 ? x.raw : 0}; }
-  // Numbers in a temporary unit that is 2^bits times as fine, or as coarse for bits < 0.
+  // Converts to a temporary unit, which is 2^-bits of the common one, and back.
   struct OwnUnit {
     int left, right;
 
     constexpr Value own(Value x) const { return {to_left(x.raw >> right, left)}; }
     constexpr Value common(Value x) const { return {to_left(x.raw >> left, right)}; }
-    // Clamped where the common unit has no room.
+    // The same, clamped to the range of the common unit.
     constexpr Value common_clamped(Value x) const {
       const int32_t most = INT32_MAX >> right, raw = x.raw >> left;
       return {to_left(raw > most ? most : raw < -most ? -most : raw, right)};
@@ -156,9 +156,9 @@ struct Fixed32Numbers {
   };
   static constexpr OwnUnit own_unit(int bits) { return {bits > 0 ? bits : 0, bits > 0 ? 0 : -bits}; }
 
-  // At most 1.
+  // The smaller of the gain and 1.
   static constexpr Gain at_most_one(Gain gain) { return gain.shift < -1 ? Gain{INT32_MAX, -1} : gain; }
-  // A gain over 2^bits, below 1/2, rounded down: its shift is known to be to the right.
+  // A gain divided by 2^bits, below 1/2. Its product shifts right only, and rounds down.
   struct Fraction {
     int32_t mantissa;
     int shift;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The functions that the step's formulas use besides +, - and *, for real numbers. fraction.hpp has the same functions
-// for fixed point, where most of them only move the binary point. Functions that return their argument here change the
-// type there.
+// The functions of the step's formulas besides +, - and *, in floating point. fraction.hpp has the same functions for
+// fixed point, where most only move the binary point. Functions that return their argument here change its type there.
 
 #include <stdint.h>
 
@@ -68,8 +67,7 @@ template <class Real>
 constexpr bool is_negative(Real x) {
   return x < 0;
 }
-// x, or 0 if x is negative. It tests the sign bit, without a comparison of floats. A NaN with a positive sign stays a
-// NaN.
+// x, or 0 if x is negative. It tests the sign bit instead of comparing floats. A NaN without that bit stays a NaN.
 template <class Real>
 constexpr Real positive_part(Real x) {
   if (__builtin_is_constant_evaluated()) return x > 0 ? x : 0;

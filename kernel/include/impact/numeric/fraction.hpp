@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// 32-bit fixed-point numbers whose type has the number of fraction bits, so that formulas read as formulas. The product
-// of two is the high word of the full product. A sum has the fraction bits of its coarser operand.
+// 32-bit fixed-point numbers whose type states the number of fraction bits, so that formulas stay readable. A product
+// is the high word of the full product. A sum has the fraction bits of its coarser operand.
 //
 //     Signed<31>: [-1, 1) in steps of 2^-31 (Q1.31 in ARM's notation, which counts the sign bit)
 //     Unsigned<32>: [0, 1) in steps of 2^-32 (UQ0.32)
 //
-// A product and a shift to fewer fraction bits round down: the error is in (-1, 0] LSBs. Nothing saturates here. The
-// author of a formula must show that its values fit. A state beyond its bounds may make values that do not fit. They
-// are defined modulo 2^32, and the step then clamps the state (fault.hpp).
+// A product and a shift to fewer fraction bits round down: the error is in (-1, 0] LSBs. Nothing saturates. A formula
+// must ensure that its values fit. For a state beyond its bounds they may wrap modulo 2^32, and the step then clamps
+// the state (fault.hpp).
 
 #include <stdint.h>
 
@@ -27,13 +27,13 @@ struct Unsigned {
   friend constexpr bool operator==(Unsigned x, Unsigned y) { return x.raw == y.raw; }
 };
 
-// A factor in [0, 1) in steps of 2^-16, and in [0, 1/2) for a signed operand. It is for small terms, where 16 bits
-// suffice. On a processor without a long multiplication, a product with it costs a third of a full product.
+// A factor of small terms, for which 16 bits suffice: in [0, 1) in steps of 2^-16, for a signed operand in [0, 1/2).
+// Without a long multiplication, its product costs a third of a full product.
 struct Short {
   uint32_t raw;
 };
 
-// The same number with another number of fraction bits. Fewer bits round down. With more bits the number must fit.
+// The same number with other fraction bits. Fewer bits round down. With more bits the number must fit.
 template <int to, int from>
 constexpr Signed<to> with_bits(Signed<from> x) {
   if constexpr (to <= from)
@@ -136,8 +136,7 @@ constexpr Signed<bits> operator*(Signed<bits> x, Short y) {
   return {short_product(x.raw, static_cast<int32_t>(y.raw))};
 }
 
-// The exact product of two numbers, with 62 fraction bits in 64 bits, or a sum of a few. It is an entry of
-// EnergyLedger.
+// An entry of EnergyLedger: the exact product of two numbers, in 64 bits with 62 fraction bits, or a sum of a few.
 struct Energy {
   int64_t raw;
 
@@ -156,7 +155,7 @@ constexpr Energy work(Signed<a> x, Signed<b> y) {
   return {full_product(x.raw, y.raw) >> (a + b - 62)};
 }
 
-// Factors that are powers of two cost nothing: they move the binary point.
+// Factors that are powers of two move the binary point and take no instruction.
 template <template <int> class Number, int bits>
 constexpr Number<bits + 1> half(Number<bits> x) {
   return {x.raw};
@@ -183,8 +182,8 @@ constexpr Unsigned<2 * bits - 32> square(Signed<bits> x) {
   return {static_cast<uint32_t>(high_square(x.raw))};
 }
 
-// A barrier for a factor of several products. Without it GCC extends the factor to 64 bits once for all of them, and
-// each product takes five instructions instead of one.
+// A barrier for a factor of several products. Without it GCC extends the factor to 64 bits, and each product takes five
+// instructions instead of one.
 template <template <int> class Number, int bits>
 constexpr Number<bits> afresh(Number<bits> x) {
   return {opaque(x.raw)};

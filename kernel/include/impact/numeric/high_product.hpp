@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Integer operations of fixed point for which not every processor has an instruction: the high half of a product of two
-// 32-bit numbers, the count of leading zeros, and a sum of 64 bits.
+// Integer operations of fixed point that are not one instruction on every processor: the high half of a 32-bit product,
+// the count of leading zeros, and a 64-bit sum.
 //
 //     high_product(a, b)         = floor(a b / 2^32)          for two signed or two unsigned operands, exact
 //     full_product(a, b)         = a b                        in 64 bits, for two signed operands
@@ -21,8 +21,8 @@
 
 #include <stdint.h>
 
-// A condition that must be true for a result to fit its type. A test defines this macro to check each one in wider
-// integers: tests/host/watched_fixed32.hpp.
+// A condition under which a result fits its type. A test checks each one in wider integers
+// (tests/host/watched_fixed32.hpp).
 #ifndef IMPACT_EXPECT
 #define IMPACT_EXPECT(condition) static_cast<void>(0)
 #endif
@@ -36,10 +36,9 @@ inline constexpr bool is_wide = true;
 inline constexpr bool is_wide = false;
 #endif
 
-// Optimisation barriers: opaque(x) returns x, but the compiler knows nothing about the result. Without it GCC takes
-// four instructions instead of one for some products of signed numbers. It does so if it knows that a factor is not
-// negative, or is the upper word of a longer number. A constant, and any number on a 64-bit or Thumb-1 processor,
-// passes unchanged.
+// Optimisation barriers: opaque(x) returns x, but the compiler knows nothing about the result. If GCC knows that a
+// factor is not negative, or that it is an upper word, some signed products take four instructions instead of one.
+// Constants, and all numbers on 64-bit and Thumb-1 processors, pass without a barrier.
 inline int32_t veiled(int32_t x) {
   __asm__("" : "+r"(x));
   return x;
@@ -64,11 +63,10 @@ constexpr int32_t to_left(int32_t x, int bits) {
   return static_cast<int32_t>(static_cast<uint32_t>(x) << bits);
 }
 
-// The upper word. The shift is unsigned, since after a signed one GCC knows that the result is an upper word (see
-// above).
+// The shift is unsigned: after a signed one GCC would know that the result is an upper word (see above).
 constexpr int32_t upper_word(int64_t x) { return static_cast<int32_t>(static_cast<uint64_t>(x) >> 32); }
 
-// The same barrier for an address, so that the compiler reads all of an entry from there.
+// The same barrier for an address. The compiler then reads all members relative to it.
 template <class Entry>
 inline const Entry* veiled(const Entry* x) {
   __asm__("" : "+r"(x));
@@ -124,7 +122,7 @@ constexpr int normalise(uint32_t& x) {
 
 }  // namespace instruction
 
-// x 2^bits modulo 2^64, for bits from 1 to 63. Up to 31 bits, a 32-bit processor makes each word by itself, which takes
+// x 2^bits modulo 2^64, for bits from 1 to 63. Up to 31 bits, a 32-bit processor computes the two words separately, in
 // fewer instructions than a 64-bit shift.
 constexpr int64_t shifted_left(int32_t x, int bits) {
   if (is_wide || bits > 31) return static_cast<int64_t>(static_cast<uint64_t>(static_cast<int64_t>(x)) << bits);
@@ -133,7 +131,7 @@ constexpr int64_t shifted_left(int32_t x, int bits) {
 }
 
 #if defined(__thumb2__) && defined(__OPTIMIZE__)
-// Both instructions of a 64-bit sum can shift their operand. A compiler uses the shift of the second one only.
+// Both instructions of a 64-bit sum can shift their operand. Compilers use only the second one's shift.
 [[gnu::always_inline]] inline int64_t assembled_sum(int64_t sum, int32_t x, int bits) {
   uint32_t low, high;
   __asm__ __inline__(
@@ -154,9 +152,8 @@ constexpr int64_t shifted_left(int32_t x, int bits) {
       : "cc");
   return static_cast<int64_t>(uint64_t{high} << 32 | low);
 }
-// Assembly is only for sums that are not known at compile time. A known sum may belong to the constructor of a static
-// object, which must stay a constant initialisation. While GCC tests for one, __builtin_is_constant_evaluated() is
-// false.
+// A sum that is known at compile time needs no assembly. It may belong to a static object, whose initialisation must
+// stay constant. While GCC tests for that, __builtin_is_constant_evaluated() is false.
 [[gnu::always_inline]] constexpr bool is_assembled(int64_t sum, int bits) {
   return !__builtin_constant_p(sum) && !__builtin_is_constant_evaluated() && __builtin_constant_p(bits) && bits < 32;
 }
@@ -180,7 +177,7 @@ constexpr void add_shifted(int64_t& sum, int32_t x, int bits) {
 
 namespace composed {
 
-// A product from 16-bit halves, with a = ah 2^16 + al:
+// A product of 16-bit halves, with a = ah 2^16 + al:
 //
 //     a b / 2^32 = ah bh + (ah bl + al bh + al bl / 2^16) / 2^16
 //
@@ -191,8 +188,8 @@ struct Product {
 };
 
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
-// The high word in 18 instructions and four of the eight low registers. Compiled from the formula, it spills registers.
-// `shift` moves an upper half down: asrs for signed words, lsrs for unsigned ones.
+// The high word in 18 instructions and four of the eight low registers. Compilers spill registers for it. `shift` is
+// asrs for signed words and lsrs for unsigned ones.
 #define IMPACT_ASSEMBLED_PRODUCT(Word, shift)                 \
   inline Word assembled_product(Word a, Word b) {             \
     Word al, bl, kept;                                        \
@@ -226,16 +223,15 @@ IMPACT_ASSEMBLED_PRODUCT(uint32_t, "lsrs")
 #undef IMPACT_ASSEMBLED_PRODUCT
 #endif
 
-// True if both operands are known at compile time. The two operands are tested first, because
-// __builtin_is_constant_evaluated() is false while GCC tests for a constant initialisation. With that test alone, GCC
-// would initialise at run time.
+// True if both operands are known at compile time. While GCC tests for a constant initialisation, only
+// __builtin_constant_p() is true. Without it GCC would initialise at run time.
 template <class Word>
 constexpr bool is_constant(Word a, Word b) {
   return (__builtin_constant_p(a) && __builtin_constant_p(b)) || __builtin_is_constant_evaluated();
 }
 
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
-// Written in assembly because a compiler replaces a product with a constant by sums of shifts.
+// In assembly, because compilers replace a product with a constant by many shifts and sums.
 inline int32_t assembled_short_product(int32_t a, int32_t b) {
   int32_t high, low;
   __asm__(

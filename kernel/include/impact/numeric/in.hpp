@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Values that carry their unit in their type, and gains that lead from one unit to another. They cost nothing.
+// Values whose type has their unit, and gains that convert one unit to another. The types cost no instructions.
 //
 //     Push + Push, half(Push), Push * number    a Push
 //     Push + Penetration, Push + Value          does not compile
-//     gain * Push                               what the gain leads to; one from another unit does not compile
-//     Push * Push, root, quotient               a plain Value, as in the inner arithmetic of a formula
-//     Push(value)                               a plain Value becomes a Push only by this name
+// gain * Push in the gain's second unit; its first one must be Push, or it does not compile Push * Push, root, quotient
+// a plain Value, for the inner arithmetic of a formula Push(value) the only conversion of a plain Value to a Push
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/formula.hpp>
@@ -29,7 +28,7 @@ using Recoil = Of<&UnitExponents::recoil>;
 using Penetration = Of<&UnitExponents::penetration>;
 using Field = Of<&UnitExponents::field>;
 
-// A factor contains the SI value of these units: force_unit (law/terms.hpp), and a sample's.
+// Units without an exponent. Their SI values are factors: force_unit (law/terms.hpp) and the unit of a sample.
 struct Stated {
   static constexpr int exponent(const UnitExponents&) { return 0; }
 };
@@ -61,7 +60,7 @@ template <class Value, class Unit>
   return static_cast<Value>(x);
 }
 
-// A Value in a unit. It may be read as a plain Value.
+// A Value in a unit. It converts to a plain Value.
 template <class Value, class Unit>
 struct In : detail::NumberOf<Value> {
   In() = default;
@@ -137,7 +136,7 @@ constexpr auto work(In<First, Unit> x, In<Second, Other> y) {
   return work(bare(x), bare(y));
 }
 
-// A gain that leads from one unit to another.
+// A gain that converts one unit to another.
 template <class Gain, class From, class To>
 struct GainOf {
   Gain own;
@@ -149,7 +148,7 @@ template <class Gain, class From, class To, class Value>
 template <class Gain, class From, class To, class Value, class Unit>
 void operator*(GainOf<Gain, From, To>, In<Value, Unit>) = delete;
 
-// Makes constants of a plan: a number in SI units becomes the Value, the gain or the weight that it initialises.
+// Converts a number in SI units to the constant of a plan that it initialises: a Value, a gain or a weight.
 template <class Format>
 struct Scaled {
   const UnitExponents& units;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A sinusoid with one sample per step, by one multiplication, without a table and without libm:
+// A sinusoid with one sample per step, by one multiplication, without table or libm:
 //
 //     s' = s + d        d = d_before - curvature s        curvature = 4 sin^2(turn / 2), turn = pulsation * step
 //
-// This recurrence, the "magic circle", is exact for every sinusoid of that pulsation. In integers it is also a
-// reversible map of a grid onto itself, so the amplitude cannot grow or decay steadily. At 40 rad/s and h = 1e-4 the
-// amplitude drifts by 3e-7 in 24 h. The curvature has 31 bits, so the phase drifts by less than pulsation * time *
-// 2^-31 (soak_test.cpp). The exception is a period that is within 1e-8 of three, four or six steps, but not equal.
-// There the roundings repeat in each period for long, and the amplitude's error reaches 1e-2 within 3e7 steps.
+// This recurrence, the "magic circle", is exact for every sinusoid of that pulsation. In integers it is a reversible
+// map of a grid onto itself, so the amplitude cannot grow or decay steadily. At 40 rad/s and h = 1e-4 s the amplitude
+// drifts by 3e-7 in 24 h. The curvature has 31 bits, so the phase drifts by less than pulsation * time * 2^-31
+// (soak_test.cpp). A period within 1e-8 of three, four or six steps, but not equal, repeats its roundings for long. The
+// amplitude's error then reaches 1e-2 within 3e7 steps.
 
 #include <stdint.h>
 
@@ -48,9 +48,9 @@ struct IntegerOscillator {
       plan.curvature_bits = 62;
     }
     int64_t mantissa = constant::nearest(curvature * constant::power_of_two(plan.curvature_bits + plan.fine_bits));
-    // A curvature that rounds up to the next power of two, such as 2 minus an LSB of a double for four steps per
-    // period. The largest mantissa would be another curvature. Since all periods would round alike, the amplitude would
-    // drift by 2^-31 per step.
+    // A curvature may round up to the next power of two: for four steps per period it is 2 minus an LSB of a double. If
+    // it were clamped to the largest mantissa, all periods would round alike, and the amplitude would drift by 2^-31
+    // per step.
     if (mantissa > INT32_MAX) {
       mantissa /= 2;
       --plan.curvature_bits;
@@ -78,8 +78,8 @@ struct IntegerOscillator {
     };
     return {shifted(value_head, 32), shifted(slope_head, 32 - plan.slope_bits + plan.fine_bits)};
   }
-  // Goes on by one step. Above 2 rad per step the curvature's term alone can exceed 64 bits. The sum is in range again,
-  // since all arithmetic is modulo 2^64.
+  // Advances by one step. Above 2 rad per step the curvature's term may exceed 64 bits. The sum does not, and all
+  // arithmetic is modulo 2^64.
   [[gnu::always_inline]] constexpr void advance(const Plan& plan) {
     slope = less_shifted(slope, high_product(value_head(), plan.curvature), 64 - plan.curvature_bits);
     value = static_cast<int64_t>(static_cast<uint64_t>(value) + static_cast<uint64_t>(slope >> plan.fine_bits));
@@ -106,10 +106,9 @@ struct IntegerOscillator {
   }
 };
 
-// The recurrence in floating point, in metres, for double and for plain float. In float the amplitude wanders by some
-// 6e-8 sqrt(steps). Below 1e-6 rad per step a float loses LSBs of the slope in each sum. The error within two periods
-// is then 5e-3 at 1e-6 rad and a half at 1e-7 rad. With a period that is within 1e-7 of three or four steps, but not
-// equal, the error reaches 6e-2 within 1e7 steps.
+// The recurrence in floating point, in metres. In float the amplitude performs a random walk of some 6e-8 sqrt(steps).
+// Below 1e-6 rad per step each sum loses LSBs of the slope: within two periods the error is 5e-3 at 1e-6 rad and 0.5 at
+// 1e-7 rad. For a period within 1e-7 of three or four steps, but not equal, it reaches 6e-2 within 1e7 steps.
 template <class Real>
 struct RealOscillator {
   struct Plan {

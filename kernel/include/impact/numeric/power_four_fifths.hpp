@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// x^(4/5), from the exponent of x by table and from its mantissa by a straight line. With x = 2^(5q + r) (1 + f),
+// x^(4/5), by a table for the exponent of x and a straight line for its mantissa. With x = 2^(5q + r) (1 + f),
 //
 //     x^(4/5) ~ 16^q 2^(4r/5) (1 + (2^(4/5) - 1) f)
 //
-// The result is continuous and never falls. It is at most 0.96 % below the true power. With `is_precise` a cubic with
-// the same ends replaces the line, and the relative error is at most 4.4e-5:
+// The result is continuous and monotonic, and at most 0.96 % below the true power. With `is_precise` a cubic with the
+// same ends replaces the line, and the relative error is at most 4.4e-5:
 //
 //     1 + (2^(4/5) - 1) f + f (1 - f) (0.05781 - 0.0143 f)
 //
-// The same bits on every target: a float's bits are taken apart as integers, and a few products follow.
+// Every target computes the same bits: integer arithmetic on a float's bits, then a few products.
 
 #include <stdint.h>
 
@@ -22,8 +22,7 @@ inline constexpr double four_fifths_octave = 1.741101126592248;  // 2^(4/5)
 inline constexpr double four_fifths_slope = four_fifths_octave - 1;
 inline constexpr double four_fifths_bend = 0.0578083562, four_fifths_skew = 0.0142990512;
 
-// 2^(-4r/5) 2^31 and 2^(4r/5) for r = 0..4. They are outside the functions, because a function's own table would be
-// copied to the stack.
+// 2^(-4r/5) 2^31 and 2^(4r/5) for r = 0..4. A table inside a function would be copied to the stack.
 inline constexpr uint32_t four_fifths_octaves_q31[5] = {2147483648u, 1233405466u, 708405415u, 406872067u, 233686637u};
 inline constexpr float four_fifths_octaves[5] = {1.0f, 1.74110113f, 3.03143313f, 5.27803164f, 9.18958684f};
 
@@ -48,7 +47,7 @@ template <bool is_precise = false>
 inline float power_four_fifths(float x) {
   const uint32_t bits = bits_of(x), biased = bits >> 23;
   if (biased - 1 >= 254) return 0;
-  // 2^(biased - 127) = 2^(5 (q - 26) + r), q and r of biased + 3
+  // 2^(biased - 127) = 2^(5 (q - 26) + r) with biased + 3 = 5 q + r
   const uint32_t q = fifth_of(biased + 3);
   const float start = four_fifths_octaves[biased + 3 - 5 * q] * float_of((127 - 104 + 4 * q) << 23);
   const float mantissa = float_of((bits & 0x007fffff) | 0x3f800000);

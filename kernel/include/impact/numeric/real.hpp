@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The floating-point formats of the step: Float32 (float with compensated state and an integer sine), Float32Plain (one
-// float a state, the fewest cycles), and Float64 for the host, which separates the method's error from rounding.
+// The floating-point formats of the step. Float32 has compensated states of two floats and an integer sine.
+// Float32Plain has one float per state and the fewest cycles. Float64 is for a host and shows the method's error
+// without rounding.
 //
-// A format offers: Value, what a step computes with; Long, what it carries from step to step; Gain, a constant of the
-// plan that multiplies a Value; Units, the powers of two that Values count in. Floating point keeps metres, metres per
-// step and newtons: its units are all 1, and the functions that elsewhere move points and signs do nothing.
+// A format has these types: a step computes with Values, a state is a Long, and a Gain is a constant of the plan that
+// multiplies a Value. Units are the powers of two in which Values count. In floating point all units are 1: metres,
+// metres per step and newtons. Functions that convert units or signs in fixed point do nothing here.
 //
-// A state that passes its limit is clamped there, and what is no number becomes 0.
+// A state beyond its limit is clamped to it, and a NaN becomes 0.
 
 #include <stddef.h>
 
@@ -23,14 +24,14 @@ namespace impact {
 constexpr float size(float x) { return __builtin_fabsf(x); }
 constexpr double size(double x) { return __builtin_fabs(x); }
 
-// The sign bit, without a comparison.
+// True if the sign bit is set.
 template <class Real>
 constexpr bool has_sign(Real x) {
   if (__builtin_is_constant_evaluated()) return x < 0;
   return bits_as<BitsOf<Real>>(x) < 0;
 }
 
-// A state in one machine number.
+// A state in one number.
 template <class Real>
 struct PlainState {
   Real sum;
@@ -45,8 +46,8 @@ struct PlainState {
   constexpr double total() const { return static_cast<double>(sum); }
 };
 
-// A state with the rounding error of its last addition (Kahan 1965): sum + rest keeps some 40 bits through millions of
-// small increments.
+// A state with the rounding error of its last addition (Kahan 1965). After millions of small increments, sum + rest has
+// some 40 correct bits.
 template <class Real>
 struct CompensatedState {
   Real sum, rest;
@@ -58,10 +59,10 @@ struct CompensatedState {
     rest = term - (next - sum);
     sum = next;
   }
-  // The difference of the sums is exact between half of `least` and twice of it, and rounded to its own LSB beyond.
+  // The difference of the sums is exact from half of `least` to twice `least`, and else rounded to its own LSB.
   constexpr Real value_beyond(CompensatedState least) const { return (sum - least.sum) + (rest - least.rest); }
-  // With the rounding error of the difference of the sums (Knuth's two-sum), because a penetration is small compared
-  // with the sums.
+  // Includes the rounding error of the difference of the sums (Knuth's two-sum), since a penetration is far smaller
+  // than they are.
   friend constexpr CompensatedState operator-(CompensatedState a, CompensatedState b) {
     const Real difference = a.sum - b.sum, taken = a.sum - difference, left = difference + taken;
     return {difference, (a.sum - left) + (taken - b.sum) + (a.rest - b.rest)};
@@ -74,7 +75,7 @@ struct CompensatedState {
   constexpr double total() const { return static_cast<double>(sum) + static_cast<double>(rest); }
 };
 
-// The bits of a number's magnitude. They have the order of the magnitudes, with infinity and then NaN above all.
+// The bits of the magnitude, in the order of magnitudes. Infinity is above all numbers, and NaN above infinity.
 template <class Real>
 inline auto magnitude_bits(Real x) {
   return bits_of(x) << 1;
@@ -82,7 +83,7 @@ inline auto magnitude_bits(Real x) {
 
 template <class RealType, template <class> class State, class OscillatorType>
 struct RealFormat {
-  static constexpr uint32_t kind = sizeof(RealType) == sizeof(float) ? 0 : 2;  // a saved state is of one kind of format
+  static constexpr uint32_t kind = sizeof(RealType) == sizeof(float) ? 0 : 2;  // part of a saved state's identity
   static constexpr bool is_real = true;
   using Real = RealType;
   using Value = Real;
@@ -94,7 +95,7 @@ struct RealFormat {
   using Tally = CompensatedState<Real>;
   using Oscillator = OscillatorType;
   static constexpr bool calls_contact = false;
-  // True if a step in contact can keep the state in registers: an FPU has 32 of them, x86 only 16.
+  // True if a step in contact can keep the state in registers. An FPU has 32 of them, x86 only 16.
 #if defined(IMPACT_HAS_FPU) && !defined(__SSE2__)
   static constexpr bool has_spare_registers = true;
 #else
@@ -132,7 +133,7 @@ struct RealFormat {
     static constexpr Penetration<Value> increment_of_rate(Increment<Value> increment) {
       return Penetration<Value>(bare(increment));
     }
-    // An addition from outside: clamped to the limit, and 0 if it is no number.
+    // Clamps a correction to its limit. A NaN becomes 0. Returns true if it changed x.
     static constexpr bool clamp(Real& x, Real limit) {
       if (is_within(x, limit)) return false;
       x = x > 0 ? limit : x < 0 ? -limit : 0;
@@ -143,7 +144,7 @@ struct RealFormat {
     static constexpr void add_position(Long& x, Position<Value> by) { x.add(by); }
     static constexpr void add_displacement(Long& w, Displacement<Value> by) { w.add(by); }
 
-    // More than the distance of two positions in range.
+    // A distance that two positions in range never have, m.
     static constexpr double out_of_reach(const UnitExponents&) { return 0x1p22; }
 
     static constexpr Long state(double x) {
@@ -181,7 +182,7 @@ struct RealFormat {
     static constexpr Penetration<Value> relative(Long x, Long other) {
       return Penetration<Value>(x.value_beyond(other));
     }
-    // The change in a step, to the resolution of a Value, for any division of a displacement into sum and rest.
+    // The difference at the resolution of a Value. It does not depend on how sum and rest share a displacement.
     static constexpr Penetration<Value> travel(Long x, Long other) {
       return Penetration<Value>(x.value() - other.value());
     }
@@ -198,7 +199,7 @@ struct RealFormat {
     static constexpr Value clamped_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }
     static constexpr bool is_within(Long x, Real limit) { return is_within(x.sum, limit); }
-    // Also false for what is no number.
+    // False for a NaN.
     static constexpr bool is_within(Real x, Real limit) {
       if (__builtin_is_constant_evaluated()) return size(x) <= limit;
       return magnitude_bits(x) <= magnitude_bits(limit);
@@ -217,7 +218,7 @@ struct RealFormat {
       x.sum = clamped;
       return true;
     }
-    // For a restored state, whose parts may be anything.
+    // For a restored state, whose bits may be arbitrary.
     static constexpr bool is_sound(Long x) { return is_within(x.value(), 2 * x.sum); }
     static constexpr bool is_sound(Value x) { return is_within(x, static_cast<Real>(0x1p20)); }
     static constexpr Value one() { return 1; }
@@ -236,10 +237,10 @@ struct RealFormat {
     const double scaled = factor * constant::power_of_two(from - to), most = static_cast<double>(largest_gain);
     return static_cast<Real>(constant::larger(-most, constant::smaller(scaled, most)));
   }
-  // gain * x. For a constant gain of 0 there is no product, which a compiler would keep because of -0 and NaN.
+  // gain * x. If the gain is a constant 0, the product is omitted, which a compiler may not do because of -0 and NaN.
   static constexpr Value term(Gain gain, Value x) { return gain == 0 ? 0 : gain * x; }
   static constexpr Value dithered_term(Gain gain, Value x, const Long&) { return term(gain, x); }
-  // Of a power of two.
+  // gain * x for a power of two.
   static constexpr Value moved_term(Gain gain, Value x) { return gain * x; }
   template <class From, class To>
   static constexpr In<Value, To> term(GainOf<Gain, From, To> gain, In<Value, From> x) {
@@ -251,12 +252,12 @@ struct RealFormat {
   }
   static constexpr Gain largest_gain =
       sizeof(Real) == sizeof(float) ? static_cast<Real>(0x1p100) : static_cast<Real>(0x1p900);
-  // gain in [0, 128). An impact at the speed 0 has the damping of a very slow one.
+  // For a gain in [0, 128). An impact at the speed 0 has the damping of a very slow one.
   static constexpr Gain gain_over(Gain gain, Value divisor) {
     constexpr auto least = static_cast<Real>(0x1p-92);
     return gain / (divisor > least ? divisor : least);
   }
-  // Of a number of any size: none.
+  // A floating-point number has no fixed LSB.
   static constexpr Value lsb() { return 0; }
   static constexpr Value beyond_rounding(Value x) { return x; }
   static constexpr Value moved(Value x, int) { return x; }
@@ -268,7 +269,7 @@ struct RealFormat {
   static constexpr OwnUnit own_unit(int) { return {}; }
   static constexpr Gain at_most_one(Gain gain) { return gain; }
   static constexpr Gain fraction(Gain gain, int) { return gain; }
-  // A converter's counts need no conversion.
+  // The counts of a converter need no conversion.
   static constexpr int count_exponent = 0;
   static constexpr Value counted(int32_t counts) { return static_cast<Real>(counts); }
   static constexpr double most_counts(double) { return 0x1p31; }
@@ -285,7 +286,7 @@ struct RealFormat {
   static constexpr Value clamped_to(Value x, Value bound, Value if_no_number) {
     return x > bound ? bound : x < -bound ? -bound : if_no_number;
   }
-  // For a restored state: true if it is far from infinity.
+  // For a restored state: true if x is below 2^100 (double: 2^900).
   static constexpr bool is_sound(Real x) { return magnitude_bits(x) < magnitude_bits(largest_gain); }
   static constexpr bool is_sound(Tally tally) { return is_sound(tally.value()); }
   static constexpr int oscillator_exponent(const IntegerOscillator::Plan& plan) { return plan.exponent - 31; }
@@ -308,17 +309,17 @@ struct RealFormat {
   static constexpr int spare_bits(Values...) {
     return 0;
   }
-  // No number: -1/4.
+  // A NaN becomes -1/4.
   static constexpr Real within_a_quarter(Real x) {
     constexpr auto quarter = static_cast<Real>(0.25);
     return x > -quarter ? (x < quarter ? x : quarter) : -quarter;
   }
-  // k parts of 1, each of the size `part`; and the number of parts in x, between -1 and 1.
+  // parts: k times `part`. parts_of: the number of whole parts in x, for x from -1 to 1.
   static constexpr Real parts(int k, int, Gain part) { return static_cast<Real>(k) * part; }
   static constexpr int parts_of(Real x, int, Gain part) { return static_cast<int>(x / part); }
   static constexpr Real times(Real x, int k) { return x * static_cast<Real>(k); }
   static constexpr Real raised(Real x, int) { return x; }
-  // A sum of parts of numbers, or without a part of whole numbers.
+  // A sum of terms part * x, or of terms x.
   struct Sum {
     Real total = 0;
 
@@ -332,10 +333,10 @@ struct RealFormat {
   using Balance = Real;
   static constexpr Balance balance(double a) { return static_cast<Real>(constant::larger(a, 1e-30)); }
   static constexpr Real share(Real x, Balance a) { return x / (x + a); }
-  // For a number that rounding may leave below 0.
+  // The root of x, which rounding may have made negative. It is then 0.
   static constexpr Real root_of_product(Real x) { return root(positive_part(x)); }
   static constexpr Real root(Real x) { return correct_root(x); }
-  // The root of x > 0. For numbers near x an FPU computes each root again.
+  // The root of x > 0. An FPU computes the roots of numbers near x directly.
   struct KnownRoot {
     Real root;
 
@@ -348,7 +349,7 @@ struct RealFormat {
   static constexpr Real power_four_fifths(Real x) {
     return static_cast<Real>(impact::power_four_fifths<is_precise>(static_cast<float>(x)));
   }
-  // Between the values at even steps of y from 0 to 1.
+  // Linear interpolation. `values` belong to equidistant y from 0 to 1.
   template <size_t size>
   static constexpr Real interpolated(const Real (&values)[size], Real y) {
     const Real at = y * static_cast<Real>(size - 1);
@@ -370,11 +371,11 @@ struct RealFormat {
   static constexpr Real short_quotient(Real numerator, Real denominator) { return numerator / denominator; }
   static constexpr Real square_over_five(Real z, Real p) { return z * z / (5 * p); }
   static constexpr Real over_one_plus(Real x, Real y, Real) { return x / (1 + y); }
-  // One Newton step for a root t in 0 to 1 of a decreasing function: by its value over its steepness.
+  // One step of Newton's method from t, for a function with this value and the slope -steepness at t. From 0 to 1.
   static constexpr Real corrected(Real t, Real value, Real steepness) {
     return steepness > 0 ? moved_share(t, value / steepness) : t;
   }
-  // t + by, from 0 to 1.
+  // t + by, clamped to the range from 0 to 1.
   static constexpr Real moved_share(Real t, Real by) {
     const Real next = t + by;
     return next > 0 ? (next < 1 ? next : 1) : 0;

@@ -3,9 +3,9 @@
 // Reciprocals and quotients without a divide instruction, in 32-bit integer arithmetic. Every target computes the same
 // bits.
 //
-// For d in [2^31, 2^32) a table of 16 parabolas (128 bytes) gives X = 2^48 / d within 2^32 / d. One pass of Newton's
-// iteration squares the relative error: r = 2^15 X + X e / 2^32 with e = 2^47 - d X / 2. All rounding is down, so r
-// never exceeds 2^63 / d. Derivation: docs/fixed_point.md.
+// For d in [2^31, 2^32) a table of 16 parabolas (128 bytes) gives X = 2^48 / d with an error of at most 2^32 / d. One
+// pass of Newton's iteration squares the relative error: r = 2^15 X + X e / 2^32 with e = 2^47 - d X / 2. It rounds
+// down, so r never exceeds 2^63 / d. Derivation: docs/fixed_point.md.
 
 #include <stdint.h>
 
@@ -15,8 +15,8 @@
 namespace impact {
 
 struct ReciprocalTable {
-  // The coefficients of 2^48 / d in one of 16 equal parts of [2^31, 2^32), by powers of t in [0, 1) from its start.
-  // They have two fraction bits.
+  // The coefficients of 2^48 / d in one of 16 equal parts of [2^31, 2^32), in powers of t. From the start of the part
+  // to its end t rises from 0 to 1. The coefficients have two fraction bits.
   struct Segment {
     int32_t constant;
     int16_t slope, bend;
@@ -58,7 +58,7 @@ constexpr uint32_t reciprocal_q31(uint32_t d) {
 }
 
 // (numerator / denominator) 2^32 for numerator <= denominator and denominator > 0. The result is never above the true
-// quotient, and below it by less than 1 plus 2^-30 of the quotient. For numerator = 0 it is 0.
+// quotient, and falls short by less than 1 plus 2^-30 of the quotient. For numerator = 0 it is 0.
 template <bool is_even = false>
 constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
   numerator <<= normalise<1>(denominator);
@@ -74,7 +74,7 @@ constexpr uint32_t rough_quotient_q31(uint32_t numerator, uint32_t denominator) 
 }
 
 // (numerator / denominator) 2^16 for numerator <= denominator and denominator > 0. The denominator is rounded up to 16
-// bits. The result is less than 2^16 and never above the true quotient. It is below it by less than 1 plus 2^-15 of the
+// bits. The result is below 2^16 and never above the true quotient. It falls short by less than 1 plus 2^-15 of the
 // quotient.
 namespace instruction {
 
@@ -100,8 +100,7 @@ constexpr uint32_t quotient_q16(uint32_t numerator, uint32_t denominator) {
 }  // namespace composed
 
 // z^2 / (5 p) for |z| <= p, in units of half an LSB, rounded down. The ratio z / (5 p) is rounded towards zero in units
-// of 2^-18, and p is rounded up to 14 bits. The result is below the true one by less than z 2^-18 plus a relative 2^18
-// / p.
+// of 2^-18, and p is rounded up to 14 bits. The result falls short by less than z 2^-18, plus a relative 2^18 / p.
 namespace instruction {
 
 constexpr int32_t square_over_five(int32_t z, uint32_t p) {

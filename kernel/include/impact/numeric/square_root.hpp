@@ -3,9 +3,9 @@
 // Square root by table, for fixed-point numbers and for the bits of a float. All arithmetic is in integers, so every
 // target computes the same bits.
 //
-// The argument is Y = 4^k U with U in [1/4, 1). In each of 48 segments of U a cubic in t from -1 to 1 replaces sqrt(U).
-// A larger argument never has a smaller root. The relative error is at most 2^-27, and the table has 768 bytes. The
-// root of a float is correctly rounded. Derivation: docs/fixed_point.md.
+// The argument is Y = 4^k U with U in [1/4, 1). In each of 48 segments of U a cubic in t from -1 to 1 approximates
+// sqrt(U). The result is monotonic. Its relative error is at most 2^-27, and the table has 768 bytes. The root of a
+// float is correctly rounded. Derivation: docs/fixed_point.md.
 
 #include <stddef.h>
 #include <stdint.h>
@@ -18,8 +18,8 @@ namespace impact {
 
 struct SquareRootTable {
   static constexpr int index_bits = 6, order = 3;
-  // The coefficient of t^k has 32 + k fraction bits, except that of t^3. It has as many as make it 16 bits wide, and is
-  // multiplied by 16 bits of t.
+  // The coefficient of t^k has 32 + k fraction bits. That of t^3 has so many that it is 16 bits wide, for a product
+  // with 16 bits of t.
   static constexpr int third_bits = 3 * index_bits + 17;
   struct Segment {
     uint32_t constant;
@@ -72,8 +72,8 @@ struct SquareRootTable {
 
 inline constexpr SquareRootTable square_root_table{};
 
-// sqrt(Y) 2^32 for Y = y / 2^32 and every y. The error is at most 2^-27 of the result plus 1/2. A larger y never has a
-// smaller root. The root of 0 is 0, that of 4^k is 2^(16+k), and that of 2^32 - 1 is 2^32 - 2.
+// sqrt(Y) 2^32 for Y = y / 2^32 and every y. The error is at most 2^-27 of the result plus 1/2. The result is
+// monotonic. The root of 0 is 0, that of 4^k is 2^(16+k), and that of 2^32 - 1 is 2^32 - 2.
 constexpr uint32_t square_root_q32(uint32_t y) {
   if (y == 0) return 0;
   const int shift = normalise<2>(y);
@@ -86,14 +86,14 @@ constexpr uint32_t square_root_q31(uint32_t y) {
   return square_root_table.root(y) >> (shift + 1);
 }
 
-// The root of Y = y / 2^31 with 0 < Y < 1, in LSBs of 2^-31, and the roots of numbers Z near Y by a parabola:
+// The root of Y = y / 2^31 for 0 < Y < 1, in LSBs of 2^-31, and by a parabola the roots of numbers Z near Y:
 //
 //     t = (Z - Y)/(2 sqrt(Y))        sqrt(Z) ~ sqrt(Y) + t - t^2/(2 sqrt(Y))
 //
 // With e = (Z - Y)/Y, the error is -e^3/16 of sqrt(Y) to the lowest order. For e from -1/2 to 1 the result is at most
 // 0.012 sqrt(Y) above the true root and 0.04 sqrt(Y) below it. The slope's error and truncation add at most |e| 2^-12
-// sqrt(Y) and four LSBs. For e > 0 the result is therefore at most 6e-6 above the true root. Beyond Z = 2 Y the result
-// is that for 2 Y.
+// sqrt(Y) and four LSBs. For e > 0 the result is therefore at most 6e-6 of the true root, plus four LSBs, above it. For
+// Z > 2 Y it is the result for 2 Y.
 struct KnownSquareRoot {
   int32_t y;
   uint32_t root, slope;  // slope: 2^(15 - bits)/(2 sqrt(Y))
@@ -129,9 +129,9 @@ inline double double_of(uint64_t bits) { return bits_as<double>(bits); }
 #define IMPACT_HAS_FPU
 #endif
 
-// The correctly rounded root of a float. Subnormal numbers, +0, -0 and infinity have their own correct roots. The
-// result is 0 for y < 0 and for a NaN. The table's root, truncated to the 24 bits q of a float, is the nearest float or
-// the one below it. In integers, q + 1 is nearer if y > (q + 1/2)^2, which is y - q^2 > q.
+// The correctly rounded root of a float, also for subnormal numbers, +0, -0 and infinity. It is 0 for y < 0 and for a
+// NaN. The table's root, truncated to the 24 bits q of a float, is the nearest float or the one below it. In integers,
+// q + 1 is nearer if y > (q + 1/2)^2, or y - q^2 > q.
 inline float square_root(float y) {
   constexpr uint32_t smallest_normal = 0x00800000, infinity = 0x7f800000;
   const uint32_t bits = bits_of(y);
@@ -150,7 +150,7 @@ inline float square_root(float y) {
   return float_of((static_cast<uint32_t>((exponent + 125) >> 1) << 23) + root);
 }
 
-// The same for a double, bit by bit in 54 passes. It is for formats of a host that has no instruction for it.
+// The same for a double, bit by bit in 54 passes, for processors without an instruction for it.
 inline double square_root(double y) {
   constexpr uint64_t smallest_normal = uint64_t{1} << 52, infinity = uint64_t{2047} << 52;
   const uint64_t bits = bits_of(y);
@@ -162,7 +162,7 @@ inline double square_root(double y) {
     for (exponent = 1; left < smallest_normal; left <<= 1) --exponent;
   else
     left |= smallest_normal;
-  left <<= 2 - (exponent & 1);  // so that the root has one bit more than a double, which rounds it
+  left <<= 2 - (exponent & 1);  // the root's 54th bit rounds it
   uint64_t root = 0, twice = 0;
   for (uint64_t digit = uint64_t{1} << 53; digit > 0; digit >>= 1, left <<= 1) {
     const uint64_t trial = twice + digit;
@@ -174,9 +174,9 @@ inline double square_root(double y) {
   return double_of((static_cast<uint64_t>((exponent + 1021) >> 1) << 52) + ((root + (root & 1)) >> 1));
 }
 
-// The correctly rounded root by the processor's instruction, or else by square_root(): the same bits for every y >= 0.
-// For y < 0 and for a NaN the result may be a NaN. The instruction is written in assembly, because a compiler would add
-// a call to libm's sqrt() that sets errno.
+// The correctly rounded root, by the processor's instruction or by square_root(). Both give the same bits for y >= 0.
+// For y < 0 and for a NaN the result may be a NaN. It is in assembly, because a compiler would add a call to libm's
+// sqrt() that sets errno.
 inline float correct_root(float y) {
 #if defined(IMPACT_HAS_FPU)
   float root;

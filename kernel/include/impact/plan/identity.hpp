@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Fingerprints of a plan's scene, states and contacts, for saved states and changes of plan.
+// Fingerprints of scene, state and contact, which saved states and changes of plan compare.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/fingerprint.hpp>
@@ -22,7 +22,7 @@ constexpr Fingerprint fingerprint_of(const Scene& scene, const Bounds& bounds, d
   fingerprint.add(static_cast<uint32_t>(scene.tension));
   return fingerprint;
 }
-// All values of a rig, including those that a plan does not read.
+// Includes the values of a rig that its plan does not read.
 constexpr uint32_t fingerprint_of_rig(const Scene& scene, const Bounds& bounds, double step) {
   const double numbers[] = {IMPACT_LAW_VALUES(IMPACT_VALUE) IMPACT_PART_VALUES(IMPACT_VALUE)
                                 IMPACT_PART_BOUNDS(IMPACT_BOUND)};
@@ -32,7 +32,8 @@ constexpr uint32_t fingerprint_of_rig(const Scene& scene, const Bounds& bounds, 
 }
 #undef IMPACT_VALUE
 #undef IMPACT_BOUND
-// The units of a state. A base's samples are in units of their bound, and their immediate share in gravity's unit.
+// Everything that determines the units of a state. Samples of a base are in units of their bound, their immediate share
+// in gravity's unit.
 template <class Field>
 constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bounds, double h,
                                            const UnitExponents& unit) {
@@ -47,8 +48,8 @@ constexpr Fingerprint fingerprint_of_state(const Scene& scene, const Bounds& bou
   }
   return fingerprint;
 }
-// The units of a contact under way: of the step, and the contact's own. With EnergyConsistent a resolved contact keeps
-// other numbers than a stiff one (is_sudden); which one it is also depends on the pressing forces.
+// The parameters and units of an ongoing contact. With EnergyConsistent a resolved contact stores other numbers than a
+// stiff one (is_sudden), which also depends on the pressing forces.
 constexpr Fingerprint fingerprint_of_contact(const ContactTerms& terms, const UnitExponents& unit,
                                              const UnitExponents& own, bool is_sudden) {
   const double numbers[] = {terms.ball_mass, terms.main_mass,    terms.main_stiffness, terms.main_damping,

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How a plan is made. Scene, bounds and step give the flow and the contact's terms. These give the largest values of a
-// step's numbers, and so their units. Then every constant follows. Between these stages a scene is rejected that cannot
-// be planned.
+// How a plan is made. Scene, bounds and step determine the flow and the contact's terms. These determine the largest
+// values of a step's numbers, these the units, and the units the constants. Each stage may reject the scene.
 
 #include <impact/law/resolution.hpp>
 #include <impact/law/terms.hpp>
@@ -36,7 +35,7 @@ class PlanMaking {
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double h) {
     const Plan plan = made(scene, bounds, h);
     if constexpr (Field::is_field) {
-      // If the field is the reason that a quantity has no room, the status names the field.
+      // If there is room without the field, the status names the field.
       const bool has_no_room = plan.status == PlanStatus::displacement_bound ||
                                plan.status == PlanStatus::speed_bound || plan.status == PlanStatus::contact_stiffness;
       Scene calm = scene;
@@ -54,7 +53,7 @@ class PlanMaking {
   struct Basis {
     LinearFlow flow, ball;
     ContactTerms terms;
-    double friction_way;  // of the sliding, by friction's force in a step, m
+    double friction_way;  // change of the sliding displacement per step by friction in one step, m
   };
 
   static constexpr Plan made(Scene scene, const Bounds& bounds, double h) {
@@ -79,7 +78,7 @@ class PlanMaking {
     return plan;
   }
 
-  // A stated value needs its part among the absorber's parts.
+  // A stated value requires its part in the absorber's type.
   static constexpr PlanStatus status_of_parts(const Scene& scene, const Bounds& bounds) {
     const auto is_stated = [](double x) { return x < 0 || x > 0; };
 #define IMPACT_CHECK(object, name, least, most, unit, its_status, meaning, part) \
@@ -117,25 +116,26 @@ class PlanMaking {
     return basis;
   }
 
-  // Checks that the parts of the scene can work at this step, and the initial state.
+  // Checks the step for the parts of the scene, and the initial state.
   static constexpr PlanStatus status_of_motion(const Scene& scene, const Bounds& bounds, const Basis& basis) {
     const double way = basis.terms.largest_rate * basis.terms.step;
-    // A ball that may cross the cavity in one step is first found up to two steps' way inside a stop. Putting it back
-    // would do work against a field, and friction would miss that way. Such a scene is rejected.
+    // If the ball can cross the cavity in one step, a contact may first see it up to two steps' displacement inside a
+    // stop. Putting it back would do work against a field, and friction would not act on that distance.
     const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
     if (has_parts && scene.stops == Stops::both && 2 * way >= scene.clearance) return PlanStatus::clearance;
     if constexpr (Friction::is_friction) {
-      // An impulse of friction acts forward, and partly in the coming step.
+      // An impulse of friction must act forward, and a part of it in the coming step.
       const LinearFlow& flow = basis.flow;
       if (!(flow.e12 > 0 && flow.constant_start() > 0 && flow.constant_increment() > flow.constant_start()))
         return PlanStatus::step;
       if (!(basis.friction_way <= way)) return PlanStatus::ball_friction;
     }
-    // The state keeps a position less a sample's share, and the check of its bound must not be wider by more than that.
+    // The state is a position minus the share of a sample, h^2 a/6. The check of its bound is wider by that, at most 1
+    // %.
     if (Field::is_sampled &&
         bounds.base_acceleration * basis.terms.step * basis.terms.step / 6 > 0.01 * bounds.displacement)
       return PlanStatus::base_acceleration_bound;
-    // Rejects a ball that is deeper than one that starts apart can get. Impacts that take no time store no energy and
+    // Rejects a ball that is deeper than any ball that starts apart. Impacts that take no time store no energy and
     // place the ball on its stop.
     if (!Contact::traits.is_instantaneous && initial_penetration(scene) > basis.terms.deepest_start)
       return PlanStatus::initial_displacement;
@@ -166,7 +166,7 @@ class PlanMaking {
     // step.
     const double largest_change = scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
     largest.penetration = larger(largest.penetration, largest_change);
-    // A contact reads the rate of free flight at the step's end, and sub-steps also what they change of it.
+    // A contact reads the rate of free flight at the step's end. Sub-steps also read their change of it.
     if constexpr (Contact::traits.reads_rate)
       largest.penetration = larger(largest.penetration, (Contact::traits.starts_from_rate ? 2.02 : 1.01) * h *
                                                             (terms.largest_rate + h * terms.pressing));
@@ -175,13 +175,13 @@ class PlanMaking {
       largest.way += in_field;
       largest.displacement += in_field;
     }
-    // A kept force has a share in the displacement of the coming step, at most half of its effect in a step.
+    // A force at the step's end also acts in the coming step, by at most half of its effect in a step.
     if constexpr (Contact::traits.keeps_force) {
       UnitBounds of_forces = largest;
       Contact::room(terms, of_forces);
       largest.displacement += of_forces.push / 2;
     }
-    // In a sampled field the state keeps a position less up to h^2 a/6 (motion/field.hpp).
+    // In a sampled field the state is a position minus up to h^2 a/6 (motion/field.hpp).
     const double offset = Field::is_sampled ? h * h * Field::largest(scene, bounds) / 6 : 0;
     largest.limits.main = limit_of(bounds.displacement + offset);
     largest.limits.way = limit_of(largest.displacement);
@@ -194,10 +194,10 @@ class PlanMaking {
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
     const double of_flight = largest.penetration;
     Contact::room(terms, largest);
-    // The contact may have lowered it, so it is raised again. Friction compares the displacements of both masses.
+    // The contact may have lowered it. Friction compares the displacements of both masses.
     if (largest_change > 0)
       largest.penetration = larger(largest.penetration, larger(largest_change, 2 * largest.limits.way));
-    // With other steppers a deeper start is rejected.
+    // The ball may start at any depth. Other steppers reject a deep start.
     if (Contact::traits.is_instantaneous)
       largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
     // An impact that takes no time has no way. A force at the step's end does not read the depth of the flight.
@@ -206,15 +206,15 @@ class PlanMaking {
     largest.limits.penetration = limit_of(Contact::traits.is_instantaneous ? largest.penetration
                                           : is_of_flight ? constant::smaller(of_flight, largest.penetration)
                                                          : terms.largest_penetration);
-    // Between two stops the stops limit the ball.
+    // Between two stops the ball is limited by them.
     const bool is_between = scene.stops == Stops::both;
     largest.limits.ball = largest.limits.main;
     if (is_between)
       largest.limits.ball +=
           largest.gap + larger(limit_of(largest.penetration), largest.limits.penetration) + largest.limits.way;
     largest.apart = (is_between ? largest.limits.ball : 2 * largest.limits.main) + 2 * largest.limits.way;
-    // A rate of penetration counts in the penetrations' unit, also of a state that has just passed its limits: the
-    // displacements of the coming step, and what is between those and the speeds.
+    // The unit of penetrations must also have room for rates, even of a state that has just passed its limits. `ahead`
+    // is the largest difference between a displacement of the coming step and a speed.
     const LinearFlow& flow = basis.flow;
     const double ahead =
         constant::magnitude(1 / flow.e12 - 1) * largest.limits.way +
@@ -232,7 +232,7 @@ class PlanMaking {
     const double h = terms.step;
     const PlanStatus status = status_of(Units::overflow_of(exponents, largest));
     if (status != PlanStatus::ok) return status;
-    // The way of the fastest impact in a step must be resolved.
+    // Half a step's displacement at the fastest impact must be more than an LSB.
     if (!Units::resolves(terms.largest_rate * h / 2, exponents.penetration)) return PlanStatus::speed_bound;
     const double lighter = constant::smaller(scene.ball_mass, scene.main_mass);
     if (!Contact::traits.is_instantaneous && !Units::resolves(terms.force_unit * h * h / lighter, exponents.recoil))
@@ -241,7 +241,7 @@ class PlanMaking {
       return PlanStatus::contact_stiffness;
     if (largest.finest_penetration > 0 && !Units::resolves(largest.finest_penetration, exponents.penetration))
       return PlanStatus::contact_stiffness;
-    // A friction below 64 LSBs of the rate is too coarse.
+    // Friction must change the rate by more than 64 LSBs in a step.
     if (scene.ball_friction > 0 && !Units::resolves(basis.friction_way / 64, exponents.penetration))
       return PlanStatus::ball_friction;
     return PlanStatus::ok;
@@ -289,7 +289,7 @@ class PlanMaking {
       static_cast<typename Plan::FieldConstants&>(plan) =
           Field::template make_plan<Format>(scene, bounds, flow, ball, exponents, units);
     if constexpr (Friction::is_friction) {
-      // The largest immediate share of a sample in x2 - x1.
+      // The largest immediate share of the samples in x2 - x1.
       const double at_once = Drive::largest_at_once(scene, bounds, flow) +
                              Field::largest(scene, bounds) * constant::magnitude(field_at_once);
       static_cast<typename Plan::FrictionConstants&>(plan) =

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The constants of a step, made from a scene, its bounds and a step length (plan/making.hpp). All are constant
-// expressions in double, so that a firmware image holds only those that its step reads, and a host can make the same
-// plan at run time.
+// The constants of a step, which follow from scene, bounds and step (plan/making.hpp). All are constant expressions in
+// double. A firmware image contains only those that its step reads, and a host can make the same plan at run time.
 
 #include <stdint.h>
 
@@ -21,7 +20,7 @@
 namespace impact {
 
 namespace detail {
-// Not constexpr, so that the compiler names the mistake in a constant.
+// Not constexpr, so the compiler's error message for a constant contains this name.
 inline void a_sample_is_more_than_its_bound() {}
 }  // namespace detail
 
@@ -41,23 +40,23 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   using Long = typename Format::Long;
   using ContactType = typename Stepper::template Contact<Format, ContactLaw>;
 
-  // True if the absorber's type names the part, and if it has it: BaseAcceleration has weight too.
+  // names: the absorber's type names the part. has: the part acts. BaseAcceleration includes Gravity.
   template <class Part>
   static constexpr bool names = __is_base_of(Part, Field) || __is_base_of(Part, Friction);
   template <class Part>
   static constexpr bool has = names<Part> || (__is_base_of(Part, Gravity) && Field::is_sampled);
 
-  PlanStatus status;  // unless ok, the rest is meaningless
+  PlanStatus status;  // if not ok, the rest is invalid
   double step;        // h, s
   typename Format::Units units;
-  // Of the recurrence in linear_flow.hpp, and of a velocity from the displacement of the coming step.
+  // The recurrence of linear_flow.hpp, and the conversion of the coming step's displacement to a velocity.
   GainOf<Gain, unit::Position, unit::Increment> stiffness;
   GainOf<Gain, unit::Damped, unit::Increment> damping;
   GainOf<Gain, unit::Displacement, unit::Penetration> rate_by_dx1;
   GainOf<Gain, unit::Position, unit::Penetration> rate_by_x1;
   typename Drive::template Plan<Format> drive;
   typename ContactType::Plan contact;
-  double force_scale, drive_scale;  // units of State's forces and of the drive's, N
+  double force_scale, drive_scale;  // units of the contact's and the drive's forces, N
   bool left_stop, right_stop;
   bool crosses;                      // a step can leave one stop and touch the other
   bool checks_speeds;                // the limit of a displacement is not close enough to its speed's
@@ -65,8 +64,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   uint32_t identity;                 // the fingerprint of scene, bounds, step and types
   PlanChange<Format, Drive> change;  // read by correct() and by a change of plan
 
-  // Makes a plan; `step` is in s. If `status` is not ok, only `status` is valid. It uses double arithmetic: call it for
-  // a constant, or on a host.
+  // Makes a plan; `step` is in s. It uses double arithmetic: call it for a constant, or on a host.
   static constexpr Plan make(const Scene& scene, const Bounds& bounds, double step) {
     return PlanMaking<Plan>::make(scene, bounds, step);
   }
@@ -101,7 +99,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     else
       return {};
   }
-  // The same for the base's acceleration in m/s^2 and Bounds::base_acceleration.
+  // The same for a base acceleration in m/s^2 and Bounds::base_acceleration.
   template <class Real>
   constexpr Native<Quantity::base_acceleration, Value> base_sample_of(Real acceleration) const {
     static_assert(Field::is_sampled, "base_sample_of() requires BaseAcceleration: append it to the absorber's type");
@@ -140,7 +138,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   }
 
  private:
-  // From a float while running, without a division, or from a double as a constant.
+  // A float is converted while running, without a division. A double must be a constant in firmware.
   template <Quantity quantity>
   static constexpr Native<quantity, Value> sample_in(float x, float per_unit, double, Value) {
     const float fraction = x * per_unit;

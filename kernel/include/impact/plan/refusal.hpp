@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The compiler's message for a rig that cannot be planned: one message, which names the value and its range
-// (status.hpp). Where a range depends on the scene, its end is in the template's name next to the message.
+// The compiler's message for a rig that cannot be planned. It names the value and its range (status.hpp). If a range
+// depends on the scene, the name of the template next to the message contains its end.
 
 #include <stdint.h>
 
@@ -53,7 +53,7 @@ constexpr bool accepts() {
   static_assert(status != PlanStatus::contact_damping_unstated,
                 "Rig::scene.contact_damping is not stated, and its default belongs to HuntCrossley with the default "
                 "contact_stiffness. State c1; impact-sim --restitution computes it");
-  // Within their own ranges, it is the values together that leave no room.
+  // If each value is in its own range, it is their combination that leaves no room.
   constexpr PlanStatus together =
       status == out_of_range(Rig::scene) || status == out_of_range(Rig::bounds) ? PlanStatus::ok : status;
   static_assert(
@@ -105,8 +105,8 @@ constexpr bool accepts() {
       "which impact-sim --restitution computes");
   static_assert(!PlanType::DriveType::is_sampled || status == PlanStatus::force_bound || Rig::bounds.force > 0,
                 "the drive is Sampled: state Rig::bounds.force, N, the largest sample");
-  // True if something else may carry the weight, or if there is no spring. Otherwise the main mass leaves its bounds
-  // from any start when its weight stretches the spring beyond them.
+  // True if samples may balance the weight, or without a spring. Otherwise a weight that stretches the spring beyond
+  // the bound moves the main mass out of its bounds from any start.
   constexpr bool is_carried =
       PlanType::FieldType::is_sampled || PlanType::DriveType::is_sampled || !(Rig::scene.main_stiffness > 0);
   static_assert(

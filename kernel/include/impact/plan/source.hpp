@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The source of an absorber's plan. A rig states scene, bounds and step as constants, and the plan is a constant of the
-// image. With AtRunTime the constructor gets the plan.
+// The source of an absorber's plan. A rig's scene, bounds and step are constants, and so is its plan. With AtRunTime
+// the constructor gets the plan.
 
 #include <impact/plan/plan.hpp>
 #include <impact/plan/refusal.hpp>
@@ -10,8 +10,8 @@ namespace impact {
 
 struct AtRunTime {};
 
-// `identity` is the rig's fingerprint. It is part of the name of everything that is compiled for a rig. Two files of a
-// program may each have their own `Rig`, and a linker would merge functions and constants of the same name.
+// `identity` is the rig's fingerprint, a part of the name of everything that is compiled for it. Two files of a program
+// may each have a `Rig`, and a linker would merge functions and constants of the same name.
 template <class Rig, class PlanType_, uint32_t identity>
 class PlanSource {
  public:
@@ -39,7 +39,7 @@ class PlanSource {
   constexpr PlanSource() { (void)refusal::accepts<Rig, PlanType, plan.status>(); }
 };
 
-// An absorber's own copy of its plan. A program may read it; only retune() replaces it.
+// An absorber's copy of its plan. Programs may read it. Only retune() replaces it.
 template <class PlanType>
 class PlanInUse : public PlanType {
  public:

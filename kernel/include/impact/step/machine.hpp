@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The plan's constants and the state that a step changes, with the functions of both: positions, rates, the stop that
-// the ball is in and how deep, and the clamping of a state that is out of range.
+// The plan's constants and the state that a step changes, with functions of both: positions, rates, the ball's stop and
+// its penetration, and the clamping of a state out of range.
 //
-// `left` selects the stop; rates and depths are positive into it.
+// `left` selects the stop. Rates and penetrations are positive into it.
 
 #include <stdint.h>
 
@@ -36,14 +36,14 @@ struct Machine : Source {
   // True if friction's work is counted: with EnergyLedger or a feature derived from it.
   static constexpr bool counts_slid_way = Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
 
-  // All that changes from step to step. It is a plain struct, which can be copied and restored.
+  // All that a step changes. It is a plain struct, which can be copied and restored.
   struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
-    // Of the main mass and of the ball: displacement, as position_of() reads it, and the displacement that the coming
-    // step will make (motion/linear_flow.hpp).
+    // Main mass and ball: the displacement, to be read by position_of(), and the displacement in the coming step
+    // (motion/linear_flow.hpp).
     Long x1, dx1, x2, dx2;
     typename Drive::template State<Format> drive;
     Contact contact;
-    uint16_t at_left;  // the stop of the contact under way or last
+    uint16_t at_left;  // bit 0: the present or last contact is at the left stop
     Fault fault;
     constexpr bool is_left() const { return at_left & 1; }
   };
@@ -57,12 +57,12 @@ struct Machine : Source {
   constexpr void record_step() { (Features::after_step(plan, state), ...); }
   constexpr void record_correction() { (Features::after_correction(plan, state), ...); }
 
-  // The position for a number of the state. In a sampled field the state has it without the immediate share of the last
+  // The position of a mass, from x1 or x2. In a sampled field the state excludes the immediate share of the last
   // sample.
   constexpr Long position_of(Long x) const { return Field::position(plan, state, x); }
 
-  // h v1 less the displacement of the main mass in the coming step. Spring, damper, drive and field take it from h v1,
-  // on average over that step.
+  // h v1 minus the main mass's displacement in the coming step. This is the average effect of spring, damper, drive and
+  // field over that step.
   constexpr Penetration rate_ahead_without_field() const {
     Penetration ahead =
         plan.rate_by_dx1 * plan.units.displacement(state.dx1) + plan.rate_by_x1 * plan.units.position(state.x1);
@@ -70,7 +70,7 @@ struct Machine : Source {
     return ahead;
   }
   constexpr Penetration rate_ahead() const { return rate_ahead_without_field() - Field::main_rate(plan, state); }
-  // Rate of penetration.
+  // The rate of penetration.
   constexpr Penetration relative_rate(bool left) const {
     return mirrored(
         plan.units.relative(state.dx2, state.dx1) - rate_ahead_without_field() - Field::rate_apart(plan, state), left);
@@ -84,28 +84,28 @@ struct Machine : Source {
     if (plan.left_stop && plan.right_stop) return plan.units.beyond_stops(x2, x1);
     return plan.left_stop ? plan.units.beyond_stop(x1, x2) : plan.units.beyond_stop(x2, x1);
   }
-  // The stop that the ball would be in: of two stops, the one on its side.
+  // The stop that the ball can touch: with two stops, the one on its side.
   constexpr bool ball_is_left() const {
     return plan.left_stop && (!plan.right_stop || (state.x2 - state.x1).is_negative());
   }
   constexpr Penetration depth_in(bool left) const {
     return plan.units.penetration(mirrored(state.x2 - state.x1, left));
   }
-  // 0 unless the ball is inside a stop. (The difference of both positions counts modulo 2^64 in Fixed32: a ball far
-  // from the only stop may seem deep inside it.)
+  // The penetration, or 0 if the ball is outside both stops. The check is necessary: in Fixed32 the difference of the
+  // positions wraps modulo 2^64, and a ball far from the only stop would seem deep inside it.
   constexpr Penetration depth_beyond_stop() const {
     return is_beyond_stop() ? depth_in(ball_is_left()) : Penetration{};
   }
 
-  // Adds the immediate share of the samples at the step's end to a displacement of the main mass, or subtracts it from
-  // the ball's relative displacement.
+  // Adds the immediate share of the samples at the step's end to a displacement of the main mass. If `is_ball`,
+  // subtracts it from the ball's displacement relative to the main mass.
   constexpr void add_at_once([[maybe_unused]] Long& way, [[maybe_unused]] Value force,
                              [[maybe_unused]] Value acceleration, [[maybe_unused]] bool is_ball) const {
     if constexpr (Drive::is_sampled) plan.units.add(way, mirrored(state.drive.at_once(plan.drive, force), is_ball));
     if constexpr (Field::is_sampled)
       if (Field::acts_at_once(plan)) plan.units.add(way, mirrored(Field::at_once(plan, acceleration), is_ball));
   }
-  // The change of x2 - x1 in the coming step, by the last samples.
+  // The change of x2 - x1 in the coming step if the samples stay as they are.
   constexpr Long way_ahead() const {
     Long way = state.dx2 - state.dx1;
     Value force{}, acceleration{};
@@ -114,7 +114,7 @@ struct Machine : Source {
     add_at_once(way, force, acceleration, true);
     return way;
   }
-  // The change of x2 - x1 by a step's flight.
+  // The change of x2 - x1 in the step by free flight.
   constexpr Penetration way_flown(Long main_travel) const {
     return plan.units.travel(Field::ball_travel(plan, state), main_travel);
   }
@@ -165,8 +165,8 @@ struct Machine : Source {
     return plan.units.is_within(any.x1, limits.main) && plan.units.is_within(any.dx1, limits.way) &&
            plan.units.is_within(any.x2, limits.ball) && plan.units.is_within(any.dx2, limits.way);
   }
-  // Clamps a state beyond a limit, with a fault, and returns true if it did. For a ball that is too deep in a stop at a
-  // step's end it raises the fault only.
+  // Raises the fault of a state beyond a limit, and clamps displacements. Returns false, and clamps nothing, if only
+  // the penetration is too deep.
   [[gnu::noinline]] constexpr bool clamp() {
     const auto& units = plan.units;
     const auto& limits = units.limits;

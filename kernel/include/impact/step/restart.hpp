@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How a motion begins: the state before the first step, and how a contact under way continues after a correction or a
-// change of plan.
+// The state before the first step, and the state of an ongoing contact after a correction or a change of plan.
 
 #include <impact/step/friction_impulse.hpp>
 #include <impact/step/machine.hpp>
@@ -15,7 +14,7 @@ struct Restart {
   using Contact = typename Model::Contact;
   using Value = typename Model::Value;
 
-  // The ball in its stop between two steps.
+  // The ball inside its stop, between two steps.
   static constexpr Standing<Value> standing(const Model& m, bool left) {
     const Penetration<Value> in_half_a_step = mirrored(m.rate_ahead() + Field::ball_rate(m.plan, m.state), left);
     const auto &x1 = m.state.x1, &x2 = m.state.x2;
@@ -24,7 +23,7 @@ struct Restart {
       friction = mirrored(Penetration<Value>(m.state.impulse), left);
       half_taken = mirrored(FrictionImpulse<Model>::half_taken(m), left);
     }
-    // Exact on both sides, whereas mirrored() of a state may be one LSB off.
+    // Exact at both stops, whereas mirrored() of a state may be off by one LSB.
     return {m.plan.units.penetration(left ? x1 - x2 : x2 - x1), m.relative_rate(left) + half_taken,
             in_half_a_step + in_half_a_step - friction};
   }
@@ -49,8 +48,8 @@ struct Restart {
     m.start_features();
   }
 
-  // Continues a contact at its present penetration. After a correction it keeps its load, and its damping is clamped to
-  // what a step tolerates. Under another plan it continues like a contact that begins there.
+  // Continues a contact at its present penetration. After a correction it keeps its load, with its damping clamped to
+  // the largest that a step tolerates. With another plan it restarts there.
   static constexpr void resume_contact(Model& m, bool is_same_plan) {
     const auto& units = m.plan.units;
     auto& state = m.state;
@@ -75,7 +74,7 @@ struct Restart {
         m.end_contact();
       }
   }
-  // Places a ball at its stop that a correction has put into the stop without a contact.
+  // Places the ball at the face of its stop if a correction has moved it inside without a contact.
   static constexpr void push_out(Model& m) {
     if (is_positive(m.depth_beyond_stop())) m.state.x2 = m.plan.units.stop(m.state.x1, m.ball_is_left());
   }

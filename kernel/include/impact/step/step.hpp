@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A step, from top to bottom. Both masses fly freely to its end (motion/linear_flow.hpp), with the drive's share s,
+// A step. First both masses fly freely to its end (motion/linear_flow.hpp), with the drive's share s,
 //
 //     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2
 //
 // with the new x1 and the old dx1 on the right. If the ball is then inside a stop, the contact (stepper/contact.hpp)
-// solves for the impulse J0 and the moment J1 of its force within the step. Both masses respond to J0 and J1. Dry
-// friction acts at the step's end. Hints for compilers are in compiler.hpp.
+// computes the impulse J0 and the moment J1 of its force in the step, to which both masses respond. Dry friction acts
+// at the step's end. compiler.hpp explains hints for compilers.
 
 #include <impact/compiler.hpp>
 #include <impact/step/friction_impulse.hpp>
@@ -42,7 +42,7 @@ struct Step {
   };
   using SeenChange = typename detail::Either<traits.starts_from_rate, ChangeFromStart, ChangeAtEnd>::Type;
 
-  // `force` and `acceleration` are the samples at the step's end. They are read only if drive or field are sampled.
+  // `force` and `acceleration` are the samples at the step's end, for a sampled drive and a sampled field.
   static constexpr void step(Model& m, Value force, Value acceleration) {
     if (m.is_refused()) return;
     accept_samples(m, force, acceleration);
@@ -50,7 +50,7 @@ struct Step {
     Long main_travel = m.state.dx1;  // in this step
     m.add_at_once(main_travel, force, acceleration, false);
     const Increment increment = fly(m, main_travel, force, acceleration);  // of dx1
-    // The range of a flight that meets a stop is checked after the contact.
+    // If the flight meets a stop, the range is checked after the contact.
     if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
       SeenChange change{};
       if constexpr (traits.sees_change || Model::records) {
@@ -67,7 +67,7 @@ struct Step {
     m.record_step();
   }
 
-  // Clamps a sample that is beyond its bound or is no number, with a fault.
+  // Clamps a sample that is beyond its bound or a NaN, with a fault.
   [[gnu::always_inline]] static constexpr void accept_samples([[maybe_unused]] Model& m, [[maybe_unused]] Value& force,
                                                               [[maybe_unused]] Value& acceleration) {
     if constexpr (Drive::is_sampled)
@@ -85,7 +85,7 @@ struct Step {
     m.raise(Fault::sample);
   }
 
-  // Moves both masses to the step's end, as if nothing touched.
+  // Moves both masses to the step's end, without a contact. Returns the change of dx1.
   [[gnu::always_inline]] static constexpr Increment fly(Model& m, const Long& main_travel, [[maybe_unused]] Value force,
                                                         [[maybe_unused]] Value acceleration) {
     const auto& plan = m.plan;
@@ -101,7 +101,7 @@ struct Step {
     if constexpr (Field::is_field) Field::fly(plan, state, acceleration);
     return increment;
   }
-  // The one call boundary of a step, in the formats that need it (compiler.hpp).
+  // The only function call of a step, in formats that need it (compiler.hpp).
   [[gnu::always_inline]] static constexpr void contact(Model& m, Increment increment, Long main_travel,
                                                        SeenChange change) {
     if constexpr (Format::calls_contact)
@@ -183,8 +183,8 @@ struct Step {
     if constexpr (!traits.starts_from_rate)
       if (goes_on && plan.crosses && state.contact.phase == Phase::apart) cross_cavity(m, increment, !left);
   }
-  // A ball that has left one stop reaches the other in the same step. It is treated as if it had flown freely with the
-  // rate at which it left. No plan lets it cross the cavity in a step in a field.
+  // A ball leaves one stop and reaches the other in the same step. The flight between them is computed as free, at the
+  // rate at which it left. With a field no plan allows this.
   [[gnu::noinline]] static constexpr void cross_cavity(Model& m, Increment increment, bool left) {
     StopApproach approach{};
     if (!find_contact(m, approach, left)) return;
@@ -198,13 +198,13 @@ struct Step {
     apply_contact(m, approach, increment, left, {});
   }
 
-  // The effect of a kept force in the step after its own.
+  // The effect of a force at the step's end in the next step.
   [[gnu::always_inline]] static constexpr void apply_kept_force(Model& m, Force<Value> force) {
     m.plan.units.push(m.state.dx1, m.plan.contact.dx1_next * force);
     m.plan.units.push(m.state.dx2, -(m.plan.contact.dx2_next * force));
   }
-  // Puts the ball back to its stop before the touch. A penetration by free flight would store energy that no force has
-  // supplied. Returns false if that ends the step.
+  // Places the ball at the face of its stop before the touch. A penetration by free flight would store energy that no
+  // force has supplied. Returns false if no contact remains in this step.
   [[gnu::always_inline]] static constexpr bool put_back(Model& m, Approach<Value>& approach, bool left) {
     m.plan.units.displace(m.state.x2, -mirrored(approach.before, left));
     approach.penetration = approach.travel;
@@ -212,8 +212,8 @@ struct Step {
     return is_positive(approach.penetration);
   }
 
-  // Writes the penetration at the step's end, with a fault if it is beyond its bound. Returns true if a contact is
-  // under way or begins.
+  // Computes the penetration at the step's end, with a fault if a Value has no room for it. Returns true if a contact
+  // continues or begins.
   [[gnu::always_inline]] static constexpr bool find_contact(Model& m, Approach<Value>& approach, bool left) {
     const auto relative_displacement = mirrored(m.state.x2 - m.state.x1, left);
     approach.penetration = m.plan.units.penetration(relative_displacement);
@@ -230,8 +230,8 @@ struct Step {
     auto& state = m.state;
     Contact& contact = state.contact;
     [[maybe_unused]] const bool begins = contact.phase == Phase::apart;
-    // A ball may be inside the stop without having moved into it: by rounding, or by crossing a cavity that is shorter
-    // than the way of a step.
+    // A ball may be inside the stop without having moved into it: by rounding, or if it crosses its cavity in less than
+    // a step.
     if (contact.phase == Phase::apart && is_positive(approach.before)) {
       if constexpr (!traits.puts_back) {
         approach.before = Penetration{};
@@ -249,8 +249,8 @@ struct Step {
       approach.increment = minus_mirrored(increment, left);
     }
     if constexpr (traits.is_instantaneous) approach.main_rate = mirrored(main_rate(m), left);
-    // A law at the step's end reads the rate with the friction of the whole step. Half of that impulse is still to
-    // come.
+    // A law at the step's end reads the rate after the friction of the whole step. Half of that impulse is still to
+    // act.
     [[maybe_unused]] const auto rate = approach.rate;
     if constexpr (Friction::is_friction && traits.keeps_force)
       approach.rate = rate - mirrored(Format::value(half(state.impulse)), left);
@@ -284,7 +284,7 @@ struct Step {
       if (plan.crosses) follow_crossings(m, reaction);
     return true;
   }
-  // Each touch of the other stop in the step. The work of all is in the first record.
+  // Records each touch of the other stop in the step. The first record contains the work of all.
   template <class Number>
   static constexpr void follow_crossings(Model& m, Reaction<Format, Number>& reaction) {
     for (uint32_t i = 0; i < reaction.crossings; ++i) {

@@ -1,5 +1,5 @@
-// The error of the method: the kernel in double against the reference over 1 s of the paper's scene, with x1 every 10
-// ms. The bounds are the errors of prototypes of these schemes, to two digits.
+// The error of the method: x1 of the kernel in double, every 10 ms, against the reference over 1 s of the paper's
+// scene. The bounds are the errors of prototypes of these schemes, to two digits.
 
 #include "paper_runs.hpp"
 
@@ -61,8 +61,8 @@ INSTANTIATE_TEST_SUITE_P(Pointwise, Accuracy,
                                          Known{Law::hooke_newton, Stepper::average, 5e-4, 3.9e-3},
                                          Known{Law::hooke_newton, Stepper::average, 1e-4, 3.1e-3}));
 
-// If the contact force jumps, one scene says little, because the phase of the next impact within its step amplifies any
-// error. Over 41 neighbouring drives, the median error at 0.1 ms is compared with the 1e-7 m required of this scheme.
+// If the contact force jumps, the phase of the next impact within its step amplifies any error, and one scene proves
+// little. The median error over 41 neighbouring drives at 0.1 ms is compared with the required 1e-7 m.
 TEST(Accuracy, OfHookeNewtonIsSimilarForNeighbouringDrives) {
   for (const Tension tension : {Tension::clamp, Tension::allow}) {
     std::vector<double> errors;
@@ -70,14 +70,14 @@ TEST(Accuracy, OfHookeNewtonIsSimilarForNeighbouringDrives) {
       Request request = paper_request(Law::hooke_newton, Stepper::moment, 1e-4, tension);
       request.scene.drive_pulsation += 5e-3 * i;
       errors.push_back(largest_difference(kernel_samples(request, 0.01, 1), reference_samples(request, 0.01, 1)));
-      ASSERT_FALSE(std::isnan(errors.back())) << i;  // which cannot be sorted
+      ASSERT_FALSE(std::isnan(errors.back())) << i;  // a NaN cannot be sorted
     }
     std::sort(errors.begin(), errors.end());
     EXPECT_LE(errors[20], 1e-7);
   }
 }
 
-// Fourth order: between 1 ms and 0.1 ms the error falls by 10^4. Without the scheme's fourth-order terms it falls by
+// Fourth order: from 1 ms to 0.1 ms the error falls by a factor of 10^4. Without the fourth-order terms it falls by
 // 10^3.
 TEST(Accuracy, OfTheMomentStepIsOfFourthOrder) {
   for (const Law law : {Law::hertz, Law::hunt_crossley}) {

@@ -1,5 +1,5 @@
 #pragma once
-// The kernel against the reference: the largest difference of a displacement, m.
+// Compares the kernel with the reference.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@
 
 namespace impact {
 
-// Compares every `ratio`-th step up to `duration`. advance(n) makes the absorber's n-th step.
+// The largest difference of a displacement, m, in every `ratio`-th step up to `duration`. advance(n) makes the
+// absorber's n-th step.
 template <class Absorber, class Advance>
 double largest_difference(const host::Case& run, const Absorber& absorber, double step, int ratio, double duration,
                           const Advance& advance) {

@@ -12,8 +12,8 @@
 namespace impact::host {
 namespace {
 
-// Friction makes every bit of the rate and of the predicted displacement depend on drive and field. An impulsive
-// contact requires their changes in a step.
+// With friction every bit of the rate and of the predicted displacement depends on drive and field. An impulsive
+// contact reads their changes in a step.
 template <class Format, class Stepper, class Drive, class Field>
 using Kernel = Absorber<AtRunTime, HuntCrossley, Stepper, Drive, Format, EnergyLedger, Field, DryFriction>;
 

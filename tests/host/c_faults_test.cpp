@@ -1,5 +1,5 @@
-// The C library casts the kernel's faults to its own, so their numbers agree. A fault that C lacks does not compile
-// here, because no case handles it.
+// The C library casts the kernel's faults to its own, so their numbers must be equal. If C lacks a fault, this file
+// does not compile, because no case handles it.
 
 #include <gtest/gtest.h>
 

@@ -83,10 +83,10 @@ Rebounds rebounds(Request request) {
   return *found;
 }
 
-// Factors just inside and just outside a range: of the longest accepted step and of the shortest rejected one.
+// Multiply a limit to get a value just inside and just outside a range.
 constexpr double just_below = 1 - 1e-9, just_above = 1 + 1e-9;
 
-// If sub-steps are allowed, Moment is chosen from twenty steps on.
+// If sub-steps are allowed, the rule chooses Moment from twenty steps on.
 TEST(Choice, IsMomentFromEightStepsOn) {
   for (const Contact& contact : contacts) {
     const Resolution r = resolution(pair_of(contact.law, contact.e, contact.tension));
@@ -116,7 +116,7 @@ TEST(Choice, IsSubSteppedBelowElseImpulsiveWhileTheMainMassHardlyMoves) {
   EXPECT_EQ(choice_for(r, just_above * 0.8 * r.shortest_part, 1), Choice::energy);
 }
 
-// At 8 steps Moment may gain 2e-5 of the energy, which a restitution of 1 - 1e-5 loses.
+// At 8 steps Moment may gain 2e-5 of the energy, as much as a restitution of 1 - 1e-5 loses.
 TEST(Choice, IsEnergyWhereHookeNewtonLosesLessThanMomentMayGain) {
   Resolution r = resolution(pair_of(Law::hooke_newton, 0.7));
   r.restitution = 1 - 0.9e-5;
@@ -145,7 +145,7 @@ static_assert(std::is_same_v<Absorber<SlowRig, HuntCrossley, Chosen<>, Sine, Fix
 static_assert(std::is_same_v<Chosen<SlowestRig, HuntCrossley>::Type, EnergyConsistent>);
 static_assert(std::is_same_v<Absorber<SlowestRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, EnergyConsistent>);
 
-// An absorber AtRunTime has the stepper of the rig with the stiffest scene.
+// With AtRunTime, the rig with the stiffest scene determines the stepper.
 static_assert(std::is_same_v<Absorber<AtRunTime, HuntCrossley, Chosen<SlowRig, HuntCrossley>, Sine, Fixed32>::Stepper,
                              SubsteppedMoment<>>);
 
@@ -175,7 +175,7 @@ TEST(Choice, ARejectedStepperNamesAnAcceptedStep) {
     }
 }
 
-// Impulsive is rejected at any step if a contact lasts a quarter of a radian of the main oscillation.
+// Impulsive is rejected at any step if the main mass oscillates by a quarter of a radian during a contact.
 TEST(Choice, ImpulsiveIsRefusedForALongContact) {
   Request request = pair_of(Law::hertz, 1);
   request.stepper = Stepper::impulsive;
@@ -193,8 +193,8 @@ TEST(Choice, ImpulsiveIsRefusedForALongContact) {
   EXPECT_NE(make_simulation(request).simulation, nullptr);
 }
 
-// From the fewest accepted steps on, only Hooke-Newton without damping gains energy. From eight steps on the
-// restitution is within a hundredth of the law's, and always within what the stepper states. Sub-steps count as steps.
+// From the fewest accepted steps on, only Hooke-Newton without damping gains energy. The restitution is always within
+// the stepper's stated error, and from eight steps on within a hundredth of the law's. Sub-steps count as steps.
 TEST(Choice, MomentKeepsWhatItStates) {
   struct Parts {
     Stepper stepper;
@@ -208,7 +208,7 @@ TEST(Choice, MomentKeepsWhatItStates) {
         request.stepper = stepper;
         const Resolution r = resolution(request);
         request.step = just_below * parts * r.shortest_part / steps;
-        // With the damping for e = 0.05 and 0.1, fewer steps do not resolve the damping.
+        // For e = 0.05 and 0.1, few steps do not resolve the damping.
         if (!Moment::steps(r).holds(request.step / parts)) continue;
         ++accepted;
         const Rebounds found = rebounds(request);
@@ -227,9 +227,8 @@ TEST(Choice, MomentKeepsWhatItStates) {
 }
 
 // The picture's scene at large steps, compared with the same scene at 0.01 ms, where Moment has an error below 1e-10 m
-// (accuracy_test.cpp). A cubic approximates the main oscillation, 40 mm at 40 rad/s. Its error at 5 ms is 40 mm (40
-// rad/s 5 ms)^4/384 = 1.7e-7 m per contact. Some six contacts make 1e-6 m, which falls with the fourth power of the
-// step.
+// (accuracy_test.cpp). A cubic approximates the main oscillation of 40 mm at 40 rad/s. At 5 ms its error is 40 mm (40
+// rad/s 5 ms)^4/384 = 1.7e-7 m per contact, or 1e-6 m in some six contacts. It falls with the fourth power of the step.
 TEST(Choice, TheDrivenSceneIsAccurateAtLargeSteps) {
   const auto displacements = [](double step, Stepper stepper) {
     Request request;

@@ -1,5 +1,5 @@
-// Single steps of a contact against their closed forms, in double. In a run of many steps, the error of the method
-// hides a wrong or missing small term.
+// Single steps of a contact against their closed forms, in double. In a long run the method's error hides a wrong or
+// missing small term.
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ TEST(ClosedFormSteps, HookeNewtonInsideAContactIsExact) {
     }
 }
 
-// In the step in which the ball arrives, the series ends with its fifth term. The error is below twice the sixth.
+// In the step of the touch, the series ends with its fifth term. The error is below twice the sixth.
 TEST(ClosedFormSteps, HookeNewtonArrivesWithinTheSixthTermOfItsSeries) {
   constexpr double speed = 0.5;
   for (const Oscillation& motion : oscillations)
@@ -91,8 +91,8 @@ TEST(ClosedFormSteps, HookeNewtonArrivesWithinTheSixthTermOfItsSeries) {
     }
 }
 
-// An impulsive impact starts a main mass that was at rest. The step neglects (w0 t)^4/120 of the displacement, (w0
-// t)^4/24 of the velocity, and the contact time of 5e-7 s.
+// An impulsive impact on a main mass at rest. The step neglects (w0 t)^4/120 of the displacement, (w0 t)^4/24 of the
+// velocity, and the contact time of 5e-7 s.
 TEST(ClosedFormSteps, ImpulsiveSetsAMassSwingingAsInClosedForm) {
   constexpr double step = 1e-2, speed = 1;
   for (const double turn : {0.2, 0.5, 0.8})
@@ -118,11 +118,11 @@ TEST(ClosedFormSteps, ImpulsiveSetsAMassSwingingAsInClosedForm) {
     }
 }
 
-// Moment's longest step in a contact that is pressed far deeper than by an impact: 0.9 rad of the contact's own
-// oscillation. A light main mass, with its spring at the bound, oscillates against a heavy ball. The amplitude is below
-// a hundredth of the static penetration. Over six periods the error is below 3 % of the amplitude. At 2 rad, where the
-// step also creates no energy, it is a third. The reference is the leap-frog method with 200 times as many steps, which
-// has an error of (0.74/200)^2/24 rad in each.
+// A contact that is pressed far deeper than by an impact. Moment's longest step there is 0.9 rad of the contact's own
+// oscillation. A main mass, pressed by its spring at the bound, oscillates against a heavy ball by less than a
+// hundredth of the static penetration. Over six periods the error is below 3 % of the amplitude. At 2 rad, which also
+// creates no energy, it would be a third. The reference is the leap-frog method with 200 times as many steps and an
+// error of (0.74/200)^2/24 rad in each.
 TEST(LongestStep, APressedContactVibratesAsItShouldAtTheLongestStep) {
   using Kernel = Absorber<AtRunTime, Hertz, Moment, NoDrive, Float64>;
   Scene scene;

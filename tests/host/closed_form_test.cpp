@@ -83,7 +83,7 @@ TEST(HuntCrossleyClosedForm, SmallDampingApproachesHertz) {
   }
 }
 
-// Below and above a = 1 the contact time is computed by different integrals.
+// Below and above a = 1 different integrals give the contact time.
 TEST(HuntCrossleyClosedForm, ContactTimeOfStrongDampingJoinsThatOfWeak) {
   const Impact below{Law::hunt_crossley, 1, 1, 1, 1}, above{Law::hunt_crossley, 1, 1 + 1e-12, 1, 1};
   EXPECT_NEAR(*contact_time(below), *contact_time(above), 4e-12);

@@ -1,5 +1,5 @@
 // contact_force() is the force of the law at any step. The first impact of a driven rig at four rates is compared with
-// the reference, which locates the touch and integrates the law. Free pairs are compared with the closed forms.
+// the reference, and free pairs with closed forms.
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,8 @@ Force stepped(const host::Case& run, double rate, double contact_time) {
   return force;
 }
 
-// In a contact of N steps, the average over a step is below the peak by at most (pi/2N)^2/3.
+// In a contact of N steps, the largest average over a step is below the peak. The difference is at most (pi/N)^2/6 of
+// the peak for Hooke-Newton and some (pi/N)^2/4 for Hertz: 2.6 % and 4 % at N = 8.
 template <class Format, class ContactLaw, class Stepper>
 void expect_forces(const host::Case& run, double fewest_steps) {
   const Force right = first_impact(run);

@@ -1,6 +1,6 @@
-// Random corrections of an observer, of any size within the bounds. They occur in flight, into a stop, and in a contact
-// whose damping per impact would be too large after the correction. The motion after them gains no energy. A correction
-// of 0 does not change the motion.
+// Random corrections of an observer, of any size within the bounds: in flight, into a stop, and in a contact whose
+// damping per impact would be too large after it. The motion then gains no energy. A correction of 0 does not change
+// it.
 
 #include <gtest/gtest.h>
 
@@ -66,9 +66,9 @@ struct Case {
   using ContactLaw = ContactLaw_;
   using Kernel = Absorber<AtRunTime, ContactLaw_, Stepper_, NoDrive, Format_>;
 };
-// The energy that rounding in Fixed32 may add in a step in contact, J. Each product of an impulse rounds down: two LSBs
-// per sub-step, at the relative rate of the masses. With a stiff main spring whose displacement has a wide bound, an
-// LSB of an impulse is larger than that of a penetration (travel_bits).
+// The energy that rounding in Fixed32 may add in a step in contact, J. The products of an impulse round down, by two
+// LSBs per sub-step, at the relative rate of the masses. With a stiff main spring and a wide bound of its displacement,
+// an LSB of an impulse is larger than that of a penetration (travel_bits).
 template <class Kernel>
 double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step) {
   if constexpr (std::is_same_v<typename Kernel::Format, Fixed32> &&
@@ -148,8 +148,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, CasesOf<Float32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, CasesOf<Float32Plain>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
 
-// The ball is on the stop within an LSB of the state, some 2^-45 of it in Float32. In a very stiff contact the
-// penetrations are below a float's LSB of the clearance. An error of the position would then create energy.
+// The ball is placed on the stop within an LSB of the state, some 2^-45 of it in Float32. In a very stiff contact,
+// penetrations are smaller than a float's LSB of the clearance, and an error of the position would create energy.
 TEST(Corrections, PutABallInAStopOntoIt) {
   Random chance(5);
   const auto expect_ball_moved_to_stop = [](auto format, const Scene& scene) {
@@ -174,8 +174,8 @@ TEST(Corrections, PutABallInAStopOntoIt) {
   }
 }
 
-// A correction moves the ball out of a contact, across the cavity and into the other stop. The ball is placed on that
-// stop, and gains nothing.
+// A correction moves the ball out of a contact, across the cavity and into the other stop. It is placed on that stop
+// and gains no energy.
 template <class Kernel>
 void expect_placement_at_the_other_stop(double depth) {
   using Format = typename Kernel::Format;
@@ -212,7 +212,7 @@ TEST(Corrections, PutABallInContactOntoTheOtherStop) {
   }
 }
 
-// Hooke-Newton may have released a ball that is still inside the stop and on its way out. If a correction put that ball
+// A Hooke-Newton stop may have released a ball that is still inside it and leaving. If a correction put that ball
 // deeper, the spring would push it out with energy that no motion has stored.
 template <class Stepper, class Format>
 void expect_ball_not_deeper() {
@@ -245,9 +245,9 @@ TEST(Corrections, PutAReleasedBallNoDeeper) {
   expect_ball_not_deeper<SubsteppedMoment<4>, Float64>();
 }
 
-// An observer that corrects by 0 in every step restarts the contact each time, at its penetration and rate. Returns the
-// largest change of x1 over the first impacts of the paper's scene, m. With Moment it is 0. With EnergyConsistent it is
-// at most that stepper's own error, 1.8e-5 at 1 ms, and 7.1e-5 with Exact.
+// A correction by 0 in every step restarts the contact each time, at its penetration and rate. Returns the largest
+// change of x1 over the first impacts of the paper's scene, m. With Moment it is 0. With EnergyConsistent it is at most
+// the stepper's own error: 1.8e-5 m at 1 ms, and 7.1e-5 m with Exact.
 template <class ContactLaw, class Stepper>
 double change_by_zero_corrections(double step) {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Float64>;
@@ -288,8 +288,7 @@ struct CorrectionsInEveryFormat : testing::Test {};
 using AllFormats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(CorrectionsInEveryFormat, AllFormats);
 
-// Far on the side without a stop, the difference of both positions minus the position of the stop exceeds 2^63 in
-// Fixed32.
+// In Fixed32 the distance to the only stop exceeds 2^63 LSBs for a ball far on the other side.
 TYPED_TEST(CorrectionsInEveryFormat, OfZeroLeaveABallFarFromItsStop) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double side : {1.0, -1.0}) {
@@ -313,7 +312,8 @@ TYPED_TEST(CorrectionsInEveryFormat, OfZeroLeaveABallFarFromItsStop) {
   }
 }
 
-// A correction by the bound, at the bound. If the bound is a power of two, the sum exceeds the unit of Fixed32.
+// A correction by the bound of a displacement at the bound. If that is a power of two, the sum exceeds the unit of
+// Fixed32.
 TYPED_TEST(CorrectionsInEveryFormat, ToTwiceTheBoundEndAtIt) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double bound : {0.9, 1.0, 1.1})

@@ -1,5 +1,5 @@
 #pragma once
-// The largest accepted gain of energy of a coupled scene, for the random scenes and for the search for the worst one.
+// The largest accepted energy gain of a coupled scene, for the random scenes and for the search.
 
 #include <cmath>
 #include <impact/choice.hpp>
@@ -11,20 +11,19 @@
 
 namespace impact::host {
 
-// The share of a scene's energy that the rounding of Fixed32 may add. Displacements per step are wrong by some LSBs in
-// each step, and so is the kinetic energy.
+// The share of a scene's energy that the rounding of Fixed32 may add. In each step the displacements per step, and so
+// the kinetic energy, have an error of some LSBs.
 //
-// In flight a step forms up to six products for dx1 (spring, damper, drive, field). Each has the unit of increments,
-// which is at most twice the largest increment I. The largest increments are those of the spring at twice the bound of
-// displacement X, twice the drive, and twice the field. The spring's product rounds x1 to half an LSB of positions,
-// whose unit has room for 2 X and for four pushes. In contact as many products have the unit of pushes. Let D be the
-// sum of the deepest penetration, four displacements of the fastest impact per step, and the increments. A push is at
-// most 4 D, because no stepper takes steps in which a contact does more.
+// In flight a step forms up to six products for dx1 (spring, damper, drive, field). Each has the unit of increments, at
+// most twice the largest increment I. I is the sum of the spring at twice the bound of displacement X, twice the drive,
+// and twice the field. The spring's product rounds x1 to half an LSB of positions, whose unit has room for 2 X and for
+// four pushes. In contact as many products have the unit of pushes. D is the deepest penetration, or four displacements
+// of the fastest impact per step if that is more, plus two increments. A push is at most 4 D, because steppers accept
+// no steps in which a contact does more.
 //
-// A rounding by an LSB p has the variance p^2/12, and is as often for the motion as against it. A mass M with the
-// energy E or less has M v <= (2 M E)^(1/2). After N steps with n roundings each, the standard deviation is (2 M
-// E)^(1/2) (n N/12)^(1/2) p/h. In contact both masses have such errors. Of 10^6 scenes none should exceed five standard
-// deviations.
+// A rounding error has a random sign and, for an LSB p, the variance p^2/12. A mass M with at most the energy E has M v
+// <= (2 M E)^(1/2). After N steps with n roundings each, the standard deviation of the energy is (2 M E)^(1/2) (n
+// N/12)^(1/2) p/h. In contact both masses have such errors. None of 10^6 scenes should exceed five standard deviations.
 inline double energy_rounded(const CoupledScene& found) {
   if (found.request.numeric != Numeric::fixed32) return 0;
   const Scene& scene = found.request.scene;
@@ -44,9 +43,8 @@ inline double energy_rounded(const CoupledScene& found) {
 }
 
 // The largest accepted gain, as a share of the scene's energy. Moment-fitted steppers create up to 1e-5 in each of some
-// hundred contacts. Named ones with fewer than the 8 steps per contact of the rule create up to 6e-5. The other
-// steppers create none, except for rounding. Named sub-steps beyond the rule's limits of phase or number create more,
-// and the tool warns of them.
+// hundred contacts, and up to 6e-5 below the rule's 8 steps per contact. Other steppers create none, except for
+// rounding. Sub-steps beyond the rule's limits of phase or number create more, and the tool warns of them.
 inline double largest_energy_gain(const CoupledScene& found) {
   const Scene& scene = found.request.scene;
   const int parts = sub_steps(found.request);

@@ -1,6 +1,6 @@
-// Random coupled scenes with all steppers that a plan accepts, and with the rule's choice. With true bounds there is no
-// fault, no gain of energy, and contacts dissipate what the law requires. Half of the scenes have a drive. Some have
-// weight, a base that shakes and dry friction. IMPACT_COUPLED_SCENES=20000 runs the full number per format.
+// Random coupled scenes with all steppers that a plan accepts, and with the rule's choice. If the bounds are true, no
+// fault is raised, no energy is gained, and contacts dissipate what the law requires. Half of the scenes have a drive.
+// Some have weight, a shaken base and dry friction. IMPACT_COUPLED_SCENES=20000 runs the full number per format.
 
 #include "host_ref/coupled_scenes.hpp"
 
@@ -42,7 +42,7 @@ class CoupledScenes : public testing::TestWithParam<Kind> {
   struct Tally {
     unsigned made = 0, accepted = 0;
   };
-  // Runs every accepted scene: none gains energy or raises a fault. `see` makes further checks of each.
+  // Runs every accepted scene: none may gain energy or raise a fault. `see` makes further checks.
   template <class See>
   static Tally run_scenes(Stepper stepper, Parts parts, std::initializer_list<Edge> edges, unsigned of_each, See see) {
     Tally tally;
@@ -76,9 +76,9 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
                                      if (run.gain > 0.01 + energy_rounded(found)) {
                                        EXPECT_TRUE(run.is_warned) << text_of(found.request);
                                      }
-                                     // The energy-consistent step knows the work of its force within rounding. The
-                                     // ledgers of the others are of second order. In Fixed32 the LSB of its impulses is
-                                     // coarser than that of the energies of a hard stop.
+                                     // EnergyConsistent computes the work of its force within rounding. The ledgers of
+                                     // the others are of second order. In Fixed32 an LSB of its impulses is coarser
+                                     // than one of a hard stop's energies.
                                      if (stepper == Stepper::energy && GetParam().numeric != Numeric::fixed32) {
                                        EXPECT_LE(run.returned, largest_energy_gain(found)) << text_of(found.request);
                                      }
@@ -129,8 +129,8 @@ TEST(CoupledScenesOfTheEnergyStep, StayWithinTheirBoundsUnderStrongDamping) {
   EXPECT_GE(run, 3600u);
 }
 
-// Scenes with one or more of weight, a base that shakes, and friction. A plan refuses them if a step can cross half of
-// the clearance.
+// Scenes with one or more of weight, a shaken base and friction. A plan rejects them if the ball can cross half of the
+// clearance in a step.
 TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
   for (const Stepper stepper : every_stepper) {
     const Tally tally = run_scenes(stepper, Parts::some, {Edge::none, Edge::heavy_ball}, scenes() / 2,
@@ -141,7 +141,7 @@ TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
   }
 }
 
-// The stops are far away, so both masses lose only what friction dissipates.
+// The stops are far away, so only friction dissipates energy.
 TEST(CoupledSceneOfFriction, LosesWhatASampleSaysThatFrictionHasTaken) {
   for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32}) {
     Request request;
@@ -161,10 +161,10 @@ TEST(CoupledSceneOfFriction, LosesWhatASampleSaysThatFrictionHasTaken) {
   }
 }
 
-// The energy that the first contact dissipates by the rule's stepper, compared with the reference, as a share of the
-// impact's energy. A moment-fitted contact is within 1e-3, at 8 steps per contact. Impulsive assumes that the main mass
-// rests for the contact, which lasts up to 0.05 rad of its oscillation. EnergyConsistent assumes a constant force in
-// each step. At a phase of 0.7 rad per step the error is 0.13. In Fixed32 the motion and its ledger are also rounded.
+// The energy that the first contact dissipates with the rule's stepper. Its error against the reference is a share of
+// the impact's energy. A moment-fitted contact is within 1e-3 at 8 steps per contact. Impulsive assumes a main mass at
+// rest during the contact, which lasts up to 0.05 rad of its oscillation. EnergyConsistent assumes a constant force in
+// each step. At 0.7 rad per step its error is 0.13. Fixed32 also rounds motion and ledger.
 TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   if (GetParam().numeric == Numeric::float32 || GetParam().numeric == Numeric::float32_plain)
     GTEST_SKIP() << "float64 shows the method and fixed32 the format";
@@ -221,7 +221,7 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   EXPECT_GE(compared, GetParam().damping != Damping::constant ? 10u : 20u);
 }
 
-// A failing test prints a command. The tool accepts it, and it makes the same motion.
+// A failing test prints a command. With it the tool computes the same motion.
 TEST_P(CoupledScenes, AreRunByTheCommandThatATestPrints) {
   const std::filesystem::path before = std::filesystem::current_path();
   std::string name = (std::filesystem::temp_directory_path() / "coupled_scenes_test.XXXXXX").string();

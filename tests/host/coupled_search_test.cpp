@@ -1,6 +1,6 @@
-// A search that tries to break what coupled_scenes_test.cpp promises. It varies scene, phase and drive until a stepper
-// gains as much energy as possible or raises a fault. Earlier finds are kept as cases. IMPACT_COUPLED_SEARCH=10000 sets
-// the number of scenes per stepper.
+// A search for counterexamples to coupled_scenes_test.cpp. It varies scene, phase and drive to maximise the gain of
+// energy or to raise a fault. Earlier finds are test cases. IMPACT_COUPLED_SEARCH=10000 sets the number of scenes per
+// stepper.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ CoupledScene scene_at(const Kind& kind, const Everywhere& at) {
   return result;
 }
 
-// The energy gain beyond rounding. A fault counts more than any gain.
+// The energy gain beyond rounding. A fault is worse than any gain.
 double badness(const CoupledScene& scene) {
   const CoupledRun run = run_coupled(scene);
   if (!run.is_accepted) return -1e300;
@@ -56,8 +56,7 @@ double badness(const CoupledScene& scene) {
   return std::max(run.gain, run.rubbed) / largest_energy_gain(scene);
 }
 
-// Scenes that this search found, or a run of twenty thousand scenes per format. Each is now rejected, or within the
-// limits.
+// Scenes that this search or a run of 20000 scenes per format found. Each is now rejected or within the limits.
 struct Kept {
   const char* what;
   Law law;
@@ -153,9 +152,9 @@ INSTANTIATE_TEST_SUITE_P(Found, KeptPointIn,
                          testing::Combine(testing::ValuesIn(kept_points),
                                           testing::Values(Numeric::float64, Numeric::float32, Numeric::fixed32)));
 
-// The bounds are a hundred times what the masses reach. The field changes their rate by 0.5 % per step. The spring of a
-// light main mass presses it onto a heavy ball. The stepper used to put the ball back onto its stop in each step,
-// against the field, which supplied 5.4 times the energy.
+// The spring of a light main mass presses it onto a heavy ball. The bounds are a hundred times what the masses reach,
+// and the field changes their rate by 0.5 % per step. The stepper used to put the ball back onto its stop in each step,
+// against the field. That gained 5.4 times the energy.
 TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
   CoupledScene found;
   Request& request = found.request;
@@ -188,7 +187,7 @@ TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
 }
 
 // The spring of a light main mass presses it onto a heavy ball, in a weak field. A ball that stayed in its stop without
-// stored energy used to sink through it, by 7 mm.
+// stored energy used to sink by 7 mm.
 TEST(FoundInAField, ABallWhoseContactHasSpentItsEnergyDoesNotSinkThroughItsStop) {
   CoupledScene found;
   Request& request = found.request;
@@ -217,8 +216,8 @@ TEST(FoundInAField, ABallWhoseContactHasSpentItsEnergyDoesNotSinkThroughItsStop)
   EXPECT_LE(badness(found), 1);
 }
 
-// A ball of 800 main masses on a shaken base would gain 5 % of the energy when it is placed in its stop. The step
-// removes that energy by Newton's method. One pass leaves the square of the error, a second pass the square of that.
+// A ball of 800 main masses on a shaken base would gain 5 % of the energy when it is placed in its stop. Two passes of
+// Newton's method remove that energy. Each pass squares the relative error.
 TEST(FoundInAField, TheGainOfABallPlacedInItsStopIsRemovedToSecondOrder) {
   const Everywhere point =
       at(1, 0.9869875330067599, 1, 0.64729916253687747, 1, 0, 1, 1, 0, 0.35744453478244798, 0.99237002075362835, 1,

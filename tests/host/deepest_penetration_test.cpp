@@ -1,5 +1,5 @@
-// No motion within the bounds goes deeper than the deepest penetration that they allow (law/depth.hpp). The scenes are
-// random coupled machines, with exactly the bounds that their own motion reaches.
+// No motion within the bounds exceeds the deepest penetration that law/depth.hpp derives from them. The scenes are
+// random coupled machines, with exactly the bounds that their motion reaches.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr unsigned scenes_an_edge = 600;
-// Between the ends of its steps a mass may be slightly faster than at these ends.
+// Within a step a mass may be slightly faster than at its ends.
 constexpr double seen = 1.01;
 
 class DeepestPenetration : public testing::TestWithParam<Law> {};
@@ -52,7 +52,7 @@ TEST_P(DeepestPenetration, BoundsEveryMotionWithinItsBounds) {
   EXPECT_GT(contacts, 200);
   std::printf("  %d scenes with a contact, the deepest at %.2f of its bound\n", contacts, closest);
 }
-// A ball that starts inside a stop already has stored energy there, and no impact has set its damping.
+// A ball that starts inside a stop has stored energy, and no impact has set its damping.
 template <class ContactLaw>
 void expect_start_inside_to_hold() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Moment, NoDrive, Fixed32>;

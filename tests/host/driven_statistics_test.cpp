@@ -1,6 +1,6 @@
-// The paper's scene with its sine for 20 s, with a stop as stiff as steel, at 1 kHz. Motions diverge after a few
-// impacts, so averages over many starts are compared with the reference. They are the root mean square of x1, the
-// energy dissipated, and the impacts per second. The law is Hunt-Crossley with c1 for e = 0.7 at 0.8 m/s.
+// The paper's scene with its sine for 20 s at 1 kHz. The stops are as stiff as steel, and Hunt-Crossley's c1 is that
+// for e = 0.7 at 0.8 m/s. Motions diverge after a few impacts, so averages over many starts are compared with the
+// reference: the root mean square of x1, the dissipated energy, and the impacts per second.
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ Scene scene_at(double contact_stiffness, int start) {
   Scene scene;
   scene.contact_stiffness = contact_stiffness;
   scene.contact_damping = contact_damping(impact, 0.7).value();
-  // The ball starts anywhere in its cavity, and the main mass at up to 0.2 m/s: multiples of two golden ratios, modulo
-  // 1.
+  // The ball starts anywhere in its cavity, and the main mass at up to 0.2 m/s: multiples of two irrational numbers,
+  // modulo 1.
   double whole = 0;
   scene.x2 = (std::modf(0.5 + start * 0.7548776662, &whole) - 0.5) * 0.9 * scene.clearance;
   scene.v1 = 0.4 * (std::modf(0.5 + start * 0.5698402910, &whole) - 0.5);
@@ -70,7 +70,7 @@ Means reference_means(double contact_stiffness, int starts) {
   return means_over(starts, [=](int start) {
     Case run;
     run.scene = scene_at(contact_stiffness, start);
-    Reference reference(run, 1e-8);  // after a few impacts, no tolerance gives the true motion
+    Reference reference(run, 1e-8);  // after a few impacts, no tolerance would give the true motion
     Ran result;
     for (int n = 1; n <= steps; ++n) {
       reference.advance(n * step);
@@ -124,7 +124,7 @@ TEST_P(Driven, HasTheReferencesStatistics) {
       }
       std::printf("\n");
     }
-  // The paper's scheme creates energy where the stop dissipates it, and so passes the bounds, which raises a fault.
+  // The paper's scheme creates energy in the stop. It exceeds the bounds, which raises a fault.
   int faults = 0;
   for (int start = 0; start < 16; ++start) {
     Outcome made = kernel_run(stiffness, start, Stepper::average, Numeric::float64);

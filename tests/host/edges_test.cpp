@@ -1,5 +1,5 @@
-// The corners of the kernel's range: symmetry, no clearance, a start inside a stop, an impact beyond the bounds, a
-// return to an earlier state, sampled drives, and damping per impact.
+// Special cases: symmetry, no clearance, a start inside a stop, an impact beyond the bounds, a restored state, sampled
+// drives, and damping per impact.
 
 #include <cstring>
 #include <impact/absorber.hpp>
@@ -22,8 +22,8 @@ std::vector<double> sampled_sine(double step, double duration) {
   return samples;
 }
 
-// Left and right are exchanged. Floating point rounds alike on both sides, so not a bit differs. Fixed point rounds
-// down on both sides. Two runs differ by at most twice what rounding_test.cpp allows.
+// Left and right are exchanged. In floating point all bits are the same, since it rounds symmetrically. Fixed point
+// rounds down on both sides, so two runs differ by at most twice what rounding_test.cpp allows.
 TEST(Edges, LeftIsTheMirrorImageOfRight) {
   for (const Law law : laws)
     for (const Stepper stepper : steppers)
@@ -63,9 +63,9 @@ TEST(Edges, LeftIsTheMirrorImageOfRight) {
       }
 }
 
-// The ball is always in one stop or the other. It leaves one and enters the other within one step, of which the kernel
-// resolves only one contact. Hooke-Newton's force jumps there, which leaves an error of second order. Float32Plain has
-// too few digits to show it.
+// The ball is always in one of the stops. In a step in which it changes from one to the other, the kernel resolves only
+// one contact. Hooke-Newton's force jumps there, which causes an error of second order. Float32Plain has too few digits
+// to show it.
 TEST(Edges, WithoutClearanceTheBallGoesFromStopToStop) {
   for (const Law law : laws)
     for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::fixed32}) {
@@ -121,7 +121,7 @@ bool same(const Kernel& a, const Kernel& b) {
   return x.x1 == y.x1 && x.v1 == y.v1 && x.x2 == y.x2 && x.v2 == y.v2;
 }
 
-// States of any instant of the first half second are restored, across impacts.
+// States at any instant of the first half second, which has impacts, are restored.
 TYPED_TEST(States, RestoreAndResetReproduceTheMotion) {
   TypeParam original;
   for (int n = 0; n < 500; ++n) {
@@ -145,7 +145,7 @@ TYPED_TEST(States, RestoreAndResetReproduceTheMotion) {
   }
 }
 
-// An impact at twice the bound of the speed raises a fault, which stays. The state stays within its format.
+// An impact at twice the bound of the speed raises a fault, which remains. No number overflows.
 template <class Law, class Stepper>
 void expect_fault_of_a_hard_hit() {
   Scene scene;
@@ -195,8 +195,8 @@ TEST(Edges, ASampledSineApproachesTheSine) {
   }
 }
 
-// Formula (2.9) at each impact: a = c1 v0/k1 = 1.5 (1 - e). It does not depend on the speed, so the restitution does
-// not either.
+// Formula (2.9) at each impact: a = c1 v0/k1 = 1.5 (1 - e). It does not depend on the speed, and neither does the
+// restitution.
 TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
   constexpr double e = 0.68, reduced_mass = 0.3 / 1.3;
   for (const double speed : {0.05, 0.2, 0.8, 1.6}) {
@@ -238,9 +238,9 @@ TEST(Edges, AFastSinesStateIsRestored) {
   }
 }
 
-// A change of plan keeps a fast sine's phase, which two terms give that are up to five times as large as their sum. In
-// Fixed32 they wrapped above 2.1 rad per step. Each of the 28 changes may round the displacement per step by 2^-27 of
-// F0 h^2/M, which adds up over 200 steps to at most 5e-5 of that.
+// A change of plan keeps a fast sine's phase. It is the sum of two terms, each up to five times as large. In Fixed32
+// they used to wrap above 2.1 rad per step. Each of the 28 changes may round the displacement per step by 2^-27 of F0
+// h^2/M, or at most 5e-5 of that over 200 steps.
 TEST(Edges, AFastSineKeepsItsPhaseThroughAChangeOfPlan) {
   const double h = 1e-3;
   Scene scene;
@@ -260,7 +260,7 @@ TEST(Edges, AFastSineKeepsItsPhaseThroughAChangeOfPlan) {
   }
 }
 
-// The bounds follow from the samples, by an estimate, and in fixed32 by a run.
+// The tool derives the bounds from the samples: by an estimate, in Fixed32 by a run.
 TEST(Edges, ASampleThatIsNoNumberIsRefused) {
   for (const Numeric numeric : numerics) {
     Request request = paper_request(Law::hunt_crossley, Stepper::moment, 1e-3);
@@ -277,7 +277,7 @@ TEST(Edges, ASampleThatIsNoNumberIsRefused) {
   }
 }
 
-// Two features of a user have members of the same names, which the library's features and the state also have.
+// Two features of a user have members with the same names as each other, the library's features and the state.
 template <uint32_t number>
 struct Counter : SilentFeature {
   static constexpr uint32_t kind = 1000 + number;

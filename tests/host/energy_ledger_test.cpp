@@ -1,5 +1,5 @@
-// The energy ledger over half a second of the paper's scene. The energy that contact dissipates and the work of the
-// drive are compared with the reference. Their balance is compared with the energies of the motion.
+// The energy ledger over half a second of the paper's scene. Dissipation by contact and work of the drive are compared
+// with the reference, and their balance with the energies of the motion.
 
 #include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
@@ -19,9 +19,9 @@ constexpr Variant variants[] = {{Law::hertz, Tension::clamp},
                                 {Law::hooke_newton, Tension::clamp},
                                 {Law::hooke_newton, Tension::allow}};
 
-// The largest errors over the run, J. The balance is evaluated at instants without contact. It sums kinetic energies,
-// main spring, main damper and the energy dissipated by contact, minus the work of the drive. The trapezoidal rule
-// suffices for the damper, since c is small.
+// The largest errors over the run, J. The balance, at instants without contact, is the sum of kinetic energies, main
+// spring, main damper and dissipation by contact, minus the work of the drive. The trapezoidal rule suffices for the
+// damper, since c is small.
 struct Errors {
   double dissipated, drive_work, balance;
 };
@@ -44,9 +44,9 @@ Errors errors_of(const Request& request) {
   return largest;
 }
 
-// With the moment-fitted step, the error of the motion is negligible compared with that of the ledger. The ledger
-// assumes that drive and rates are linear over a step, so it is of second order. For Hooke-Newton its constant depends
-// on where in their steps the jumps of the force are. At 1 ms the error is below 1 % of the 0.3 J of an impact.
+// With Moment, the motion's error is negligible compared with the ledger's. The ledger assumes drive and rates that are
+// linear in a step, so it is of second order. For Hooke-Newton the factor depends on where in their steps the force
+// jumps. At 1 ms the error is below 1 % of an impact's 0.3 J.
 TEST(EnergyLedger, IsOfSecondOrder) {
   for (const auto& [law, tension] : variants) {
     const Errors coarse = errors_of(paper_request(law, Stepper::moment, 1e-3, tension));
@@ -61,8 +61,8 @@ TEST(EnergyLedger, IsOfSecondOrder) {
   }
 }
 
-// For average acceleration the same rules are its own balance, exactly. The remaining error is that of the test's sum
-// over the main damper, c h^2/12 of the change of d(v1^2)/dt: c h^2/12 * 0.5 s * (2 * 40/s)^2 * (1 m/s)^2.
+// With average acceleration these rules are an exact balance. The remaining error is that of the test's sum over the
+// main damper, c h^2/12 of the change of d(v1^2)/dt: c h^2/12 * 0.5 s * (2 * 40/s)^2 * (1 m/s)^2.
 TEST(EnergyLedger, BalancesAverageAcceleration) {
   for (const auto& [law, tension] : variants)
     for (const double step : {1e-3, 1e-4}) {

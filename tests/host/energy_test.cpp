@@ -27,8 +27,8 @@ Rebounds rebounds(Law law, Numeric numeric, double e, double steps_per_contact) 
   free.speed = speed;
   free.clearance = 0.5;  // room for the rebound
   free.step = contact_time(impact_of(free)).value() / steps_per_contact;
-  // The contact time of a power law falls with k1^(2/5), and its restitution depends only on c1/k1. The stiffness is
-  // the one for steps of 1 ms.
+  // A power law's contact time falls with k1^(2/5), and its restitution depends only on c1/k1. The stiffness is scaled
+  // from that for steps of 1 ms.
   if (law != Law::hooke_newton) {
     free.contact_stiffness *= std::pow(free.step / 1e-3, 2.5);
     free.step = 1e-3;
@@ -58,13 +58,13 @@ TEST(EnergyConsistent, HuntCrossleyReboundsAsTheLawAtAnyStiffness) {
       }
 }
 
-// A resolved contact evaluates the force once, at a predicted end, with the first term of the correction's series.
+// A resolved contact evaluates the force once, at a predicted end, and adds the first term of the correction's series.
 TEST(EnergyConsistent, ResolvedContactIsOfFourthOrder) {
   for (double e : {0.2, 0.5, 0.7, 0.95, 1.0})
     for (double steps : {30, 60, 120, 240}) {
       const Law law = e < 1 ? Law::hunt_crossley : Law::hertz;
       const Rebounds found = rebounds(law, Numeric::float64, e, steps);
-      // With the damping for e = 0.2, only the longest contact is resolved.
+      // At e = 0.2 only the longest contact is resolved.
       const double error = resolved_error(steps) + (e < 0.5 ? 4e-5 * e : 0);
       EXPECT_GT(found.least, e - error) << e << " at " << steps;
       EXPECT_LT(found.largest, e < 1 ? e + error : 1 + 1e-12) << e << " at " << steps;
@@ -118,8 +118,8 @@ TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {
     }
 }
 
-// Damping is so strong (k1/c1 = 0.05 m/s) that a braking main mass leaves the ball behind inside the stop, without a
-// force. The stop returns before the ball is out. There are 25 impacts in 3 s, of some hundred steps each.
+// The damping is so strong (k1/c1 = 0.05 m/s) that a braking main mass retreats from the ball inside the stop, without
+// a force. The stop returns before the ball is out. There are 25 impacts in 3 s, of some hundred steps each.
 TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
   Request request;
   request.stepper = Stepper::energy;
@@ -149,8 +149,8 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
     }
 }
 
-// A contact may begin anywhere inside the stop, and may restart in each step. It used to gain up to 8.4e-5 of the
-// energy. In Fixed32 an LSB of a rate is 2^-31 of less than four times the fastest approach.
+// A contact may begin at any depth in the stop, and restart in each step. It used to gain up to 8.4e-5 of the energy.
+// In Fixed32 an LSB of a rate is below 2^-29 of the fastest approach.
 TEST(EnergyConsistent, AContactThatBeginsInsideItsStopGainsNothing) {
   constexpr double step = 1e-3, fastest = 0.8, mass = 1, reduced = mass / 2;
   const auto expect_no_gain = [&](auto format, double steps, double rounding, bool is_corrected) {
@@ -235,7 +235,7 @@ void expect_passive(uint32_t seed, double rounding, double lsb = 0) {
   EXPECT_GT(stays, 20000);
   EXPECT_GT(leaves, 20000);
 }
-// In Fixed32 energies of 2^-8 or more have LSBs of 2^-30, and b and V1 have LSBs of 2^-31.
+// In Fixed32 the energies are 2^-8 or more in LSBs of 2^-30. The LSB of b and V1 is 2^-31.
 TEST(StiffContact, MakesNoEnergy) {
   expect_passive<Float64, Hertz>(1, 1e-15);
   expect_passive<Float64, HuntCrossley>(2, 1e-15);
@@ -245,8 +245,8 @@ TEST(StiffContact, MakesNoEnergy) {
   expect_passive<Fixed32, HuntCrossley>(6, 0x1p-22, 0x1p-30);
 }
 
-// A slow impact of half a step. In Fixed32 the correction used to wrap at one phase in ten, with errors of the
-// restitution of up to 0.145. A damping per impact has the error of a constant one, at most 1e-3.
+// A slow impact of half a step. In Fixed32 the correction used to wrap at one phase in ten, and the restitution was off
+// by up to 0.145. A damping per impact has the error of a constant one, at most 1e-3.
 TEST(StiffContact, ReboundsAsTheLawWhereItsCorrectionIsLargest) {
   constexpr double step = 1e-3, steps = 0.514455085, fastest = 1, approach = 0.0906947003;  // s, m/s
   Scene scene;
@@ -303,8 +303,8 @@ TEST(StiffContact, GainsNothingInADampedContactOfAFewSteps) {
   expect_no_gain(Float64{});
 }
 
-// The average delay of the ball's separation, over 64 phases, in steps: compared with the law's contact, which is
-// elastic and lasts `steps_of_contact`.
+// The average delay of the ball's separation over 64 phases, in steps, after that of the law's elastic contact of
+// `steps_of_contact`.
 double delay_of(double steps_of_contact) {
   using Contact = StiffContact<Float64, Hertz>;
   constexpr double way = 1e-3;  // per step
@@ -333,8 +333,8 @@ TEST(StiffContact, LastsAsLongAsTheLaws) {
   for (const double steps : {5.0, 7.0, 10.0, 14.0, 20.0}) EXPECT_NEAR(delay_of(steps), 0, 0.1) << steps;
 }
 
-// A ball of a hundred main masses stores more energy in a stop than an impact of the reduced mass has, and moves the
-// main spring. Force and ledger do not overflow. An LSB of the force is 2^-31 of 128 kN.
+// A ball of a hundred main masses moves the main spring and stores more energy in a stop than an impact of the reduced
+// mass has. Force and ledger do not overflow. An LSB of the force is 2^-31 of 128 kN.
 TEST(StiffContact, HasRoomForAHeavyBallsForce) {
   Scene scene;
   scene.main_stiffness = 8.1e5;

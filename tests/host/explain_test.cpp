@@ -1,4 +1,4 @@
-// explain() as a constant expression in firmware. The limits that it returns are accepted.
+// explain() is a constant expression in firmware. A plan accepts the limits that it returns.
 
 #include <gtest/gtest.h>
 
@@ -33,12 +33,12 @@ static_assert(accepts<Fixed>(Parameter::step, too_long.allowed.least));
 static_assert(accepts<Fixed>(Parameter::step, too_long.allowed.most));
 static_assert(!accepts<Fixed>(Parameter::step, 1.00001 * too_long.allowed.most));
 
-// A value outside its own range has that range as the allowed one.
+// For a value outside its own range, that range is the allowed one.
 constexpr Explanation negative = changed<Fixed>(Parameter::main_mass, -1);
 static_assert(negative.parameter == Parameter::main_mass && negative.value == -1);
 static_assert(negative.allowed.least == main_mass_range.least && negative.allowed.most == main_mass_range.most);
 
-// A damping that is not stated means the paper's c1, with the paper's law and stiffness only.
+// An unstated damping is the paper's c1, and valid only with the paper's law and stiffness.
 template <class Law>
 constexpr PlanStatus unstated_at(double stiffness) {
   Scene scene;
@@ -66,8 +66,8 @@ constexpr Explanation beyond = [] {
 static_assert(beyond.parameter == Parameter::displacement_bound && beyond.value == 0.1);
 static_assert(beyond.allowed.least == 0.25 && beyond.allowed.most > 1);  // up to 1.6 m by the spring
 
-// A ball that starts deeper in a stop than any motion within the bounds, 26.2 mm in the paper's scene. There a step may
-// multiply the energy, and floating point would raise no fault.
+// A ball that starts deeper in a stop than any motion within the bounds, which is 26.2 mm in the paper's scene. A step
+// there may multiply the energy, and floating point would raise no fault.
 constexpr Explanation too_deep = changed<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, -0.1);
 static_assert(too_deep.parameter == Parameter::x2 && too_deep.value == -0.1);
 static_assert(too_deep.allowed.least < -0.036 && too_deep.allowed.least > -0.0363 && too_deep.allowed.most == 0);
@@ -75,7 +75,7 @@ static_assert(accepts<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, 
 static_assert(!accepts<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2, 1.00001 * too_deep.allowed.least));
 static_assert(changed<Fixed>(Parameter::x1, 0.09).parameter == Parameter::x1);
 
-// A field whose effect in a step is too large for the bounds. The field is named, not the bound.
+// If a field's effect in a step is too large for the bounds, the field is named.
 template <class Part>
 using InField = Plan<Fixed32, HuntCrossley, Moment, Sine, Part>;
 constexpr Scene in_gravity(double gravity) {
@@ -109,7 +109,7 @@ TEST(Explain, NamesABoundThatLeavesNoRoom) {
   }
 }
 
-// A limit cannot be a multiple of a value of 0: here a clearance of 0 in a field, where the ball must not cross it in a
+// A limit of a value of 0 is not a multiple of it: a clearance of 0 in a field, which the ball must not cross in a
 // step.
 TEST(Explain, NamesAClearanceOfNothing) {
   Values values{Scene{}, Bounds{}, 1e-4};
@@ -131,7 +131,7 @@ TEST(Explain, NamesEveryValueAsItsMember) {
   EXPECT_STREQ(name_of(Parameter::step), "step");
 }
 
-// Each value far outside its range, below and above, is the one that is named.
+// Each value that is far below or above its range is named.
 TEST(Explain, NamesTheValueThatIsOutOfItsRange) {
   for (int i = 0; i < static_cast<int>(Parameter::step); ++i) {
     const auto parameter = static_cast<Parameter>(i);

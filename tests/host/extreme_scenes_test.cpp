@@ -1,5 +1,5 @@
-// Scenes at the edge of what a plan accepts, for every law, format and passive stepper: a start inside a stop, both
-// stops in one step, only one stop, and exact resonance without damping. None may raise a fault or gain energy.
+// Scenes at the limits of a plan, for every law, format and passive stepper: a start inside a stop, both stops in one
+// step, one stop only, and resonance without damping. None may raise a fault or gain energy.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ class ExtremeScene : public testing::TestWithParam<Kind> {
     request.scene.contact_damping = request.law == Law::hertz ? 0 : contact_damping(impact, 0.68).value();
     return request;
   }
-  // The simulation, or none if the plan rejects the scene. The count of runs shows that the test ran any.
+  // Returns null if the plan rejects the scene. The number of accepted scenes shows that the test ran any.
   std::unique_ptr<Simulation> made(const Request& request) {
     Outcome outcome = make_simulation(request);
     if (outcome.simulation) ++accepted_;
@@ -50,8 +50,8 @@ constexpr double reduced_mass = 0.3 / 1.3;
 
 double energy_of_relative_motion(const Sample& at) { return reduced_mass * (at.v2 - at.v1) * (at.v2 - at.v1) / 2; }
 
-// A step rounds the penetration to half an LSB of the position. This changes the stored energy by 5/2 of it over the
-// depth.
+// A step rounds the penetration by up to half an LSB of the position. The stored energy changes by 5/2 of the
+// penetration's relative change.
 TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
   for (const double stiffness : {1e3, 1e8, 1e12})
     for (const double depth : {1e-4, 1e-3, 1e-2})
@@ -72,7 +72,7 @@ TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
         if (!simulation) continue;
         for (long n = 0; n < steps; ++n) simulation->step(0);
         const double lsb = (GetParam().numeric == Numeric::float32_plain ? 0x1p-25 : 0x1p-47) * 0.02;
-        // Random LSBs of a rate in Fixed32 add up as in stability_test.cpp.
+        // In Fixed32 random rounding of a rate adds up as in stability_test.cpp.
         const double rate_lsb =
             GetParam().numeric == Numeric::fixed32 ? 2 * request.bounds->penetration * 0x1p-31 / (speed * step) : 0;
         const double allowed = share() + 2.5 * std::max(1.0, time / step) * lsb / depth +
@@ -80,13 +80,13 @@ TEST_P(ExtremeScene, BallStartedInsideAStopLeavesWithNoMoreThanWasStored) {
         const Sample now = simulation->sample();
         EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << depth << " " << step;
         EXPECT_LE(energy_of_relative_motion(now), stored * (1 + allowed)) << stiffness << " " << depth << " " << step;
-        // Only an impact makes an impulse, so a ball at rest stays at rest.
+        // Only an impact causes an impulse, so a ball at rest stays at rest.
         EXPECT_LE(now.penetration, depth + 2 * lsb) << stiffness << " " << depth << " " << step;
       }
   EXPECT_GE(accepted_, 2);
 }
 
-// The ball's speed would let it cross the cavity up to a thousand times within a step.
+// Without stops the ball would move by up to a thousand clearances in a step.
 TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
   constexpr double speed = 1, step = 1e-3;
   for (const double stiffness : {1e8, 1e12})
@@ -114,8 +114,8 @@ TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
   }
 }
 
-// The left stop is the mirror image of the right one. Fixed32 rounds down on both sides, so the energies differ within
-// their share.
+// The left stop is the mirror image of the right one. Fixed32 rounds down on both sides, so the energies differ by at
+// most the accepted gain.
 TEST_P(ExtremeScene, LeftStopIsTheRightOnesMirror) {
   for (const double stiffness : {3e4, 1e8, 1e12}) {
     constexpr double speed = 0.8, step = 1e-4;
@@ -137,8 +137,8 @@ TEST_P(ExtremeScene, LeftStopIsTheRightOnesMirror) {
   EXPECT_GE(accepted_, 2);
 }
 
-// The drive has the main mass's own frequency, without damping. With any contact, its power is at most F0 |v1|, so
-// sqrt(E) grows by at most F0 t/sqrt(2 M). The energy without that of the contact's spring is a part of E.
+// The drive is at resonance, without damping. Its power is at most F0 |v1|, so sqrt(E) grows by at most F0 t/sqrt(2 M)
+// with any contact. The energy without that of the contact's spring is a part of E.
 TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
   for (const double stiffness : {32600.0, 1e8, 1e12})
     for (const double step : {1e-4, 1e-3}) {
@@ -159,7 +159,7 @@ TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {
         largest = larger(largest, std::sqrt(mechanical_energy(scene, now)) / (growth * now.t));
       }
       EXPECT_EQ(simulation->fault(), nullptr) << stiffness << " " << step;
-      // The drive is small in the first step. The limit is the share of a thousand impacts.
+      // The limit is the accepted gain of a thousand impacts.
       EXPECT_LE(largest, 1 + 1000 * share()) << stiffness << " " << step;
     }
   EXPECT_GE(accepted_, 1);

@@ -1,5 +1,5 @@
-// Every fault in every format that has it is raised, stays, and the motion continues. NaN from outside, states that no
-// step produces, and impossible plans are tried as well.
+// Every fault is raised in every format that has it, and remains, and the motion continues. Also NaNs, states that no
+// step produces, and rejected plans.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity(),
                  no_number = std::numeric_limits<double>::quiet_NaN();
 
-// A state is within its limits, less than 1 % above the bounds, and in Fixed32 an LSB of a reading.
+// True if the state is within its limits, which are less than 1 % above the bounds.
 template <class Kernel>
 bool is_clamped(const Kernel& absorber) {
   const auto now = absorber.reading();
@@ -37,7 +37,7 @@ Kernel made(const Scene& scene, const Bounds& bounds, double step) {
   return Kernel(plan);
 }
 
-// Makes a step, with a sample if the drive takes one.
+// Makes a step, with a sample if the drive is sampled.
 template <class Kernel>
 void advance(Kernel& absorber, typename Kernel::Value sample) {
   if constexpr (Kernel::PlanType::DriveType::is_sampled)
@@ -46,7 +46,7 @@ void advance(Kernel& absorber, typename Kernel::Value sample) {
     absorber.step();
 }
 
-// Steps until the fault and further. The state stays clamped, and the fault stays the same.
+// Steps until the fault and beyond it. The state stays clamped, and the fault remains.
 template <class Kernel>
 void expect_fault(Kernel absorber, Fault expected, typename Kernel::Value sample = {}) {
   for (int n = 0; n < 100000 && absorber.fault() == Fault::none; ++n) {
@@ -96,8 +96,8 @@ TYPED_TEST(Faults, ADisplacementOutOfRange) {
                Fault::displacement);
 }
 
-// A quantity 1 % beyond its bound raises a fault in that step, and one that reaches the bound does not. `of` is the
-// quantity in the exact motion, as a share of its bound. The format has it within `error`.
+// A quantity that is 1 % beyond its bound raises a fault in that step, and one that just reaches the bound does not.
+// `of` is the exact quantity as a share of its bound, which the format has within `error`.
 template <class Kernel, class Share>
 void expect_fault_at_bound(Kernel absorber, Fault expected, double error, Share of) {
   double largest = 0;
@@ -127,7 +127,8 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
         (is_displacement ? scene.v1 : scene.x1) = is_displacement ? amplitude * w : amplitude;
         (is_displacement ? bounds.displacement : bounds.speed) *= share;
         const auto of = [&](int n) { return std::abs(std::sin(w * h * n)) / share; };
-        // A speed is compared as the displacement of a step, with room for half of its change in a step.
+        // The kernel compares a step's displacement instead of a speed, with a margin of half of the speed's change in
+        // a step.
         const double error = is_displacement ? 1e-4 : 1e-4 + w * h / share;
         auto absorber = made<Kernel>(scene, {bounds.displacement, bounds.speed, 0.01, 0}, h);
         if (share < 1) {
@@ -139,7 +140,7 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
       }
 }
 
-// A ball flies away from the only stop. A heavier mass throws another ball faster than its bound.
+// A ball flies away from the only stop. Another ball is hit by a heavier mass and becomes faster than its bound.
 TYPED_TEST(Faults, ABallBeyondItsBounds) {
   Scene scene;
   scene.stops = Stops::right;
@@ -166,13 +167,13 @@ TYPED_TEST(Faults, ABallBeyondItsBounds) {
 }
 
 // If a force adds too much speed in a step, the fault is raised in that step, even if the bounds of the forces allow
-// far more. The distance of a step is at most 1.5 times that at the bound of speed. The speed is the average of the
-// distances of two steps, apart from the change of the force within a step. It has the same limit.
+// far more. A step's displacement is at most 1.5 times that at the bound of speed. The speed is the average
+// displacement of two steps, apart from the force's change within a step, and has the same limit.
 template <class Kernel, class Force>
 void expect_no_speed_beyond(const Scene& scene, double largest, Force force) {
   const Bounds bounds{10, 2, 0, largest};
   const auto plan = Kernel::PlanType::make(scene, bounds, 1e-3);
-  if (plan.status == PlanStatus::speed_bound) return;  // the first step would pass it
+  if (plan.status == PlanStatus::speed_bound) return;  // the first step would exceed the bound
   ASSERT_EQ(plan.status, PlanStatus::ok);
   Kernel absorber(plan);
   double fastest = 0;
@@ -275,8 +276,7 @@ TYPED_TEST(Faults, ASpeedThatAClassicalSchemeMakes) {
   }
 }
 
-// Without stops the main mass moves as with stops that the ball does not reach. The ball passes the positions of the
-// stops.
+// Without stops the main mass moves as with stops out of reach, and the ball passes the positions of the stops.
 TYPED_TEST(Faults, NoStopIsMet) {
   Scene none;
   none.main_stiffness = none.main_damping = 0;
@@ -294,14 +294,14 @@ TYPED_TEST(Faults, NoStopIsMet) {
     of_none.step(), of_far.step();
     ASSERT_FALSE(of_none.is_touching());
   }
-  const double rounded = 3000 * 0x1p-27;  // half an LSB of a float beside 0.15, a step
+  const double rounded = 3000 * 0x1p-27;  // half an LSB of a float of 0.15, per step
   EXPECT_NEAR(of_none.reading().x1, of_far.reading().x1, rounded);
   EXPECT_NEAR(of_none.reading().x2, 0.15, rounded);
   EXPECT_EQ(of_none.fault(), Fault::none);
 }
 
-// Two free masses meet. The depth of the impact is a closed form. Its depth in each step is that of the same absorber
-// with a bound that it does not reach.
+// An impact of two free masses. Its peak penetration is a closed form. Its penetration in each step is that of the same
+// absorber with a bound that it does not reach.
 template <class Law, class Stepper, class Format>
 void expect_fault_at_depth() {
   using Kernel = Absorber<AtRunTime, Law, Stepper, NoDrive, Format>;
@@ -348,7 +348,8 @@ TYPED_TEST(Faults, APenetrationBeyondItsBound) {
   expect_fault_at_depth<HookeNewton, CentralDifference, TypeParam>();
 }
 
-// A ball of 663 main masses goes deeper than stated. Each step that has gained energy raises a fault.
+// A ball of 663 main masses moves deeper into the stop than the stated bound. Each step that gains energy raises a
+// fault.
 TYPED_TEST(Faults, AnUnstableContactIsNotSilent) {
   Scene scene;
   scene.main_mass = 1.3748;
@@ -375,7 +376,8 @@ TYPED_TEST(Faults, AnUnstableContactIsNotSilent) {
   }
 }
 
-// Bounds::displacement is much smaller than the cavity. The spring's force has room for the bound, and nothing wraps.
+// Bounds::displacement is much smaller than the cavity. The spring's force is in range up to the bound, and nothing
+// wraps.
 TYPED_TEST(Faults, ABoundWithinTheCavity) {
   Scene scene;
   scene.drive_amplitude = 0;
@@ -394,7 +396,7 @@ TYPED_TEST(Faults, ABoundWithinTheCavity) {
   }
 }
 
-// A state whose base or friction no step can produce. Its readings would be out of range without a fault.
+// restore() rejects a base or a friction that no step can produce. The readings would be out of range without a fault.
 TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, BaseAcceleration, DryFriction>;
   Scene scene;
@@ -404,7 +406,7 @@ TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   Kernel absorber = made<Kernel>(scene, bounds, 1e-3);
   const auto saved = absorber.save();
   auto forged = saved;
-  if constexpr (!std::is_same_v<TypeParam, Fixed32>) {  // in which every number is a fraction of its unit
+  if constexpr (!std::is_same_v<TypeParam, Fixed32>) {  // there every number is in range
     const auto replace = [](auto& number, double by) {
       number = std::decay_t<decltype(number)>(static_cast<typename TypeParam::Value>(by));
     };
@@ -417,7 +419,7 @@ TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
   EXPECT_TRUE(absorber.restore(saved));
 }
 
-// For newtons and m/s^2 every format raises the fault and continues from the bound.
+// Samples in N and m/s^2 raise the fault in every format, and are clamped to the bound.
 TYPED_TEST(Faults, AMeasuredSampleOutOfRange) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam, BaseAcceleration>;
   const Kernel fresh = made<Kernel>(Scene{}, {0.1, 2, 0.03, 10, 30}, 1e-3);
@@ -444,7 +446,7 @@ TYPED_TEST(Faults, AMeasuredSampleOutOfRange) {
     is_faulted(step(1.0f, 3 * single), step(1.0f, 30 * single_bound));
   }
 }
-// The motion is that of clamped samples. A NaN is replaced by the sample before.
+// The motion is that with clamped samples. A NaN is replaced by the last sample.
 TYPED_TEST(Faults, ASampleOutOfRange) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>;
   const Kernel fresh = made<Kernel>(Scene{}, {0.1, 2, 0.03, 10}, 1e-3);
@@ -540,7 +542,7 @@ TYPED_TEST(Faults, AStateThatNoStepLeavesIsRefused) {
   EXPECT_FALSE(restores<TypeParam>([&](auto& state) { beyond_any_sum(state.drive_work); }));
 }
 
-// The numbers that a contact saves are not checked. For any of them the state stays clamped.
+// restore() does not check all numbers of a contact. Whatever they are, the state stays clamped.
 TYPED_TEST(Faults, AContactThatRemembersNonsenseIsSurvived) {
   restores<TypeParam>([](auto& state) {
     state.contact.phase = Phase::touching;
@@ -593,7 +595,7 @@ TYPED_TEST(Faults, APlanThatCannotBeIsRefused) {
   EXPECT_EQ(Plan::make(small, Bounds{}, 1e-3).status, PlanStatus::ok);
 }
 
-// A ball that leaves a single stop without clearance is free, to the LSB.
+// A ball that leaves the only stop, without clearance, moves freely in every bit.
 TYPED_TEST(Faults, AStopThatIsNotThereDoesNotAct) {
   for (const Stops stops : {Stops::left, Stops::right}) {
     Scene scene;
@@ -608,8 +610,9 @@ TYPED_TEST(Faults, AStopThatIsNotThereDoesNotAct) {
   }
 }
 
-// The check of x1 is wider by the share of a sample, h^2 a/6. A plan in which that is more than 1 % of the bound is
-// rejected. Before, a base of 1000 m/s^2 moved x1 to 2.6 times a bound of 15 mm at 13 ms without a fault.
+// The check of x1 is wider by the share of a sample, h^2 a/6. A plan is rejected if that is more than 1 % of the bound.
+// It used to be accepted: at a step of 13 ms a base of 1000 m/s^2 moved x1 to 2.6 times a bound of 15 mm without a
+// fault.
 TEST(Faults, OfADisplacementOnABaseThatShakes) {
   using Shaken = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Float64, BaseAcceleration>::PlanType;
   const auto status = [](double most) { return Shaken::make(Scene{}, Bounds{0.05, 2, 0, 0, most}, 1e-3).status; };
@@ -617,7 +620,7 @@ TEST(Faults, OfADisplacementOnABaseThatShakes) {
   EXPECT_EQ(status(0.06 * 0.05 / 1e-6 * 1.001), PlanStatus::base_acceleration_bound);
 }
 
-// A fault's clamp ends a contact with the ball inside. As the ball then leaves, no impact is counted.
+// After a fault the ball may be inside a stop without a contact. When it leaves, no impact is counted.
 TEST(Faults, AreNoImpacts) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Float64, ImpactLog>;
   Scene scene;
@@ -650,8 +653,8 @@ TEST(Exponents, EndForEveryNumber) {
   EXPECT_EQ(constant::exponent_above(no_number), 0);
 }
 
-// A contact begins at a thousandth of the speed at which the ball is then driven into the stop. Its damping, set at the
-// impact, exceeds the range of Fixed32. It is clamped there, and still opposes the motion.
+// A contact begins at a thousandth of the speed at which the ball is then driven into the stop. The damping of this
+// impact exceeds the range of Fixed32. It is clamped, and still opposes the motion.
 TEST(DampingPerImpact, IsClampedInFixedPoint) {
   const Fixed32::Gain damping = Fixed32::gain_over(Fixed32::gain(1.5 * 0.3, 0, 2), {1 << 20});
   const Fixed32::ClampedGain gain = {damping};

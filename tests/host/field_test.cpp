@@ -1,4 +1,4 @@
-// Weight and a base that shakes: the reference against closed forms, and the kernel against both.
+// Weight and a shaken base: the reference against closed forms, and the kernel against both.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ using host::larger;
 
 constexpr double weight = 9.81;  // m/s^2
 
-// A ball on a main mass and spring that it cannot move.
+// A ball that falls onto a main mass too heavy to move.
 Scene on_the_ground() {
   Scene scene;
   scene.main_mass = 1e6;
@@ -37,7 +37,7 @@ Scene on_the_ground() {
   return scene;
 }
 
-// The highest points between impacts, as heights above the stop, and the instants in the middle of the impacts.
+// The largest heights above the stop between impacts, and the middle instants of the impacts.
 struct Bounces {
   std::vector<double> heights, instants;
   double last_height = 0, last_speed = 0, entered = 0;
@@ -105,7 +105,7 @@ TYPED_TEST(FieldIn, BallBouncesInTheKernelAsInClosedForm) {
     EXPECT_EQ(absorber.fault(), Fault::none);
     ASSERT_GE(bounces.heights.size(), 2u);
     double part = 1;
-    // An impact lies anywhere within a step, which changes the height by up to half a step's flight.
+    // The phase of an impact within its step changes the height by up to half a step's displacement.
     for (size_t n = 0; n < 2; ++n) {
       part *= e;
       EXPECT_NEAR(bounces.heights[n], 0.05 * part * part, 3e-5) << e;
@@ -123,15 +123,15 @@ Scene narrow_and_damped() {
   return scene;
 }
 
-// A ball at rest on its stop, the main mass in its equilibrium.
+// Places the ball at rest on its stop and the main mass in its equilibrium.
 void place_at_rest(Scene& scene, double penetration) {
   scene.x1 = (scene.main_mass + scene.ball_mass) * weight / scene.main_stiffness;
   scene.x2 = scene.x1 + scene.clearance / 2 + penetration;
 }
 constexpr Bounds bounds_at_rest{0.05, 0.3};
 
-// The penetration stays at (m g/k1)^(2/3) or m g/k1 for 10 s. The remaining error is the rounding of a penetration of 2
-// mm and its rate.
+// The penetration stays at (m g/k1)^(2/3), or m g/k1, for 10 s. The error is the rounding of a penetration of 2 mm and
+// of its rate.
 template <class Law, class Stepper, class Format>
 void expect_rest(double tolerance, int lead) {
   Scene scene = narrow_and_damped();
@@ -157,12 +157,12 @@ void expect_rest_in_every_format(int lead = 0, double in_fixed32 = 2e-8) {
   expect_rest<Law, Stepper, Fixed32>(in_fixed32, lead);
   expect_rest<Law, Stepper, Float32>(2e-8, lead);
 }
-// The classical schemes do not apply the force of a contact that is already there at the start. Their first step has an
-// error of h^2/4 of the load's acceleration. They get 30 s to settle.
+// The classical schemes do not apply the initial force of a contact that exists at the start. Their first step has an
+// error of h^2/4 of the load's acceleration. They have 30 s to settle.
 TEST(Field, BallRestsAtItsStaticPenetration) {
   expect_rest_in_every_format<HuntCrossley, Moment>();
-  // An LSB of a sub-step's impulse is 5.7e-14 m. It moves the equilibrium by 4^2/(h omega)^2 times that, which is
-  // 9.6e-9 m since (h omega)^2 = 9.5e-5. J0 rounds four products.
+  // An LSB of a sub-step's impulse is 5.7e-14 m and moves the equilibrium by 4^2/(h omega)^2 of that. With (h omega)^2
+  // = 9.5e-5 this is 9.6e-9 m. J0 rounds four products.
   expect_rest_in_every_format<HuntCrossley, SubsteppedMoment<4>>(0, 4e-8);
   expect_rest_in_every_format<HuntCrossley, EnergyConsistent>();
   expect_rest_in_every_format<HuntCrossley, AverageAcceleration>(300000);
@@ -173,8 +173,8 @@ TEST(Field, BallRestsAtItsStaticPenetration) {
 }
 
 // A contact that begins inside the stop starts with its load, so nothing oscillates. Corrections of 0 in every step do
-// not change the equilibrium. h omega is 0.08 and 0.16. Damping changes the load by h c/(3 M) = 7e-5 in a step, which
-// is its error. The contact moves by (h omega)^2 of that, 2e-6.
+// not change the equilibrium. Damping changes the load by h c/(3 M) = 7e-5 in a step, which is its error. With h omega
+// = 0.08 and 0.16 the contact moves by (h omega)^2 of that, 2e-6.
 template <class Stepper, class Format>
 void expect_rest_under_corrections() {
   for (const double stiffness : {1e7, 8e7})
@@ -203,12 +203,12 @@ TEST(Field, NothingOscillatesAtTheStartOrUnderZeroCorrections) {
   expect_rest_under_corrections<SubsteppedMoment<4>, Float64>();
 }
 
-// Damping keeps the ball in a contact under weight for hundreds of steps. The step is the longest in which
-// EnergyConsistent evaluates its force once. A ball that starts 1 % too deep settles. From h c/mu = 1/4 on, it would
-// oscillate from step to step (kernel/docs/energy.md).
+// Under weight a strongly damped contact takes hundreds of steps. The step is the longest in which EnergyConsistent
+// evaluates its force once. A ball that starts 1 % too deep settles. From h c/mu = 1/4 on, it would oscillate from step
+// to step (kernel/docs/energy.md).
 TEST(Field, StronglyDampedContactSettles) {
   using Absorber = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Float64, Gravity>;
-  constexpr Bounds bounds{0.0145, 0.003};  // little more than the equilibrium
+  constexpr Bounds bounds{0.0145, 0.003};  // slightly above the equilibrium
   for (const double ratio : {1e1, 1e2, 1e3, 1e4}) {
     Scene scene = narrow_and_damped();
     scene.contact_stiffness = 3e6;
@@ -230,9 +230,9 @@ TEST(Field, StronglyDampedContactSettles) {
   }
 }
 
-// A stiff contact under weight, with bounds of 30 to 140 times what the motion reaches. The change of speed by weight
-// in a step is then large compared with the rate. A position correction whose energy nothing could supply used to gain
-// up to 3.3 % of the energy.
+// A stiff contact under weight, with bounds of 30 to 140 times what the motion reaches. The weight's change of speed in
+// a step is large compared with the rate. A position correction for which no energy was available used to gain up to
+// 3.3 % of the energy.
 TEST(Field, AStiffContactUnderWeightGainsNothingInWideBounds) {
   struct Found {
     double main_mass, ball_mass, main_stiffness, clearance, contact_stiffness, contact_damping, gravity, x1, v1, x2;
@@ -284,8 +284,8 @@ TEST(Field, AStiffContactUnderWeightGainsNothingInWideBounds) {
   }
 }
 
-// EnergyConsistent solves a contact that the step does not resolve in closed form, here with h omega from 0.3 to 3. Its
-// penetration is a power 4/5 with an error of 4.4e-5. A position correction adds to that.
+// EnergyConsistent solves a contact in closed form if the step does not resolve it, here with h omega from 0.3 to 3.
+// Its penetration is a power 4/5 with an error of 4.4e-5, plus that of a position correction.
 template <class Law, class Format>
 void expect_rest_in_stiff_contact() {
   for (const double stiffness : {1e9, 1e10, 1e11, 1e12}) {
@@ -317,8 +317,8 @@ TEST(Field, BallRestsAtItsStaticPenetrationInAStiffContact) {
   expect_rest_in_stiff_contact<HuntCrossley, Fixed32>();
 }
 
-// With Impulsive, the ball comes to rest on the stop's face or up to V tc/pi inside, at any phase of its last impacts.
-// V = (2/pi) (1 + m/M) a tc is the speed of the slowest impact whose energy lifts the ball out
+// With Impulsive, the ball comes to rest at the stop's face or up to V tc/pi inside it, for any phase of its last
+// impacts. V = (2/pi) (1 + m/M) a tc is the lowest speed at which an impact lifts the ball out
 // (kernel/docs/impulsive.md).
 TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
   const double pi = 3.141592653589793;
@@ -361,12 +361,12 @@ TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
   EXPECT_GE(accepted, 30);
 }
 
-// A main mass on a spring and a damper carries the ball on its stop up and down, until both rest. The force of the stop
-// does no work, at any damping and any mass of the ball. The masses stay together, since they start an eighth of the
-// static displacement from rest. Energies are relative to the work of the weight over the static displacement.
-// The tolerance is 40 LSBs of a double, for a sum of five terms, or one LSB of a float. In Fixed32 an LSB of a position
-// is 2^-33 m. Both weights, the spring and the damper each round by the spring's force for an LSB, which acts over the
-// displacement in a step.
+// A main mass on a spring and a damper moves up and down with the ball on its stop, until both rest. The stop's force
+// does no work, for any damping and any mass of the ball. The masses stay together, since they start an eighth of the
+// static displacement away from rest. Energies are relative to the weight's work over the static displacement. The
+// tolerance is 40 LSBs of a double, for a sum of five terms, or one LSB of a float. In Fixed32 an LSB of a position is
+// 2^-33 m. Both weights, spring and damper each round by the spring's force for an LSB, which does work over a step's
+// displacement.
 TYPED_TEST(FieldIn, BallOnAnImpulsiveStopMovesAlongWithoutGain) {
   constexpr bool is_double = std::is_same_v<TypeParam, Float64>;
   const double h = 1e-3;
@@ -421,8 +421,8 @@ TYPED_TEST(FieldIn, BallOnAnImpulsiveStopMovesAlongWithoutGain) {
 }
 
 // An observer corrects the main mass in every step, by 0 or by alternating displacements. A ball at rest on either stop
-// stays on it, in one contact, and sinks by no more than positions round. If a correction is faster than the weight's
-// change of speed in a step, the ball bounces with the law's restitution.
+// stays in one contact and sinks by no more than the rounding of positions. If a correction exceeds the weight's change
+// of speed in a step, the ball bounces with the law's restitution.
 TYPED_TEST(FieldIn, CorrectedBallStaysOnAnImpulsiveStop) {
   using Absorber = Absorber<AtRunTime, Exact, Impulsive, NoDrive, TypeParam, Gravity, ImpactLog>;
   const double h = 1e-3, restitution = 0.3;
@@ -464,8 +464,9 @@ TYPED_TEST(FieldIn, CorrectedBallStaysOnAnImpulsiveStop) {
     }
 }
 
-// With Impulsive no step increases the energy of masses, main spring, weight and constant drive beyond rounding. The
-// limit is relative to the largest kinetic energy so far. Balls of 1e-3 or 1e3 main masses magnify rounding most.
+// With Impulsive no step increases the energy of masses, main spring, weight and constant drive, except for rounding.
+// The limit is relative to the largest kinetic energy so far. Rounding matters most with balls of 1e-3 or 1e3 main
+// masses.
 TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
   using Absorber = Absorber<AtRunTime, Hertz, Impulsive, Sampled, Float64, Gravity>;
   Random random;
@@ -520,7 +521,7 @@ TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
   EXPECT_GE(impacts, 5000);
 }
 
-// Both masses fall together, at any step, within rounding.
+// Both masses fall alike, at any step, within rounding.
 TYPED_TEST(FieldIn, BothMassesFallFreely) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = 0;
@@ -584,7 +585,7 @@ double error(const Fields& fields, double step) {
 
 constexpr Fields every_field[] = {{-weight, false}, {0, true}, {-weight, true}};
 
-// The orders are those without a field: fourth or second. In 32 bits the error falls to rounding.
+// The orders are those without a field: fourth or second. In 32 bits the error falls to that of rounding.
 TEST(Field, KernelKeepsItsOrderInAField) {
   for (const Fields& fields : every_field) {
     const auto falls = [&](double coarse, double fine, double least) {
@@ -595,7 +596,7 @@ TEST(Field, KernelKeepsItsOrderInAField) {
     using E = EnergyConsistent;
     falls(error<HuntCrossley, M, Float64>(fields, 1e-3), error<HuntCrossley, M, Float64>(fields, 2.5e-4), 3.5);
     falls(error<HookeNewton, M, Float64>(fields, 1e-3), error<HookeNewton, M, Float64>(fields, 2.5e-4), 2);
-    // The order is 1.49 if weight and base act together.
+    // With weight and base together the order is 1.49.
     falls(error<HuntCrossley, E, Float64>(fields, 1e-3), error<HuntCrossley, E, Float64>(fields, 2.5e-4), 1.4);
     falls(error<HuntCrossley, AverageAcceleration, Float64>(fields, 1e-3),
           error<HuntCrossley, AverageAcceleration, Float64>(fields, 2.5e-4), 1.5);

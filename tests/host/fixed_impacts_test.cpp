@@ -1,6 +1,6 @@
-// The effect of 32 bits on an impact: random pairs of free masses in Fixed32 against double at the same step. Speeds go
-// down to 1 % of the largest, and contacts have up to 200 steps. The bounds are those of the README, which each stepper
-// nearly reaches. With Moment, the losses have one sign, and they grow with the number of sub-steps.
+// The rounding error of an impact: random pairs of free masses in Fixed32 against double at the same step. Speeds are
+// down to 1 % of the largest, and contacts have up to 200 steps. The limits are those of the README, which each stepper
+// nearly reaches. With Moment rounding only loses energy, more with more sub-steps.
 
 #include <gtest/gtest.h>
 
@@ -57,8 +57,8 @@ double energy(const Scene& scene, double x1, double v1, double v2) {
   return (scene.main_mass * v1 * v1 + scene.main_stiffness * x1 * x1 + scene.ball_mass * v2 * v2) / 2;
 }
 
-// The share of the energy that remains, for a free pair that of the approach. It is NaN if the contact lasts too long,
-// and none if the plan is rejected or a fault is raised.
+// The share of the energy that remains, for a free pair that of the approach. Returns NaN if the contact lasts too
+// long, and no value if the plan is rejected or a fault is raised.
 template <class Format, class Stepper, class Law = Exact>
 std::optional<double> energy_left(const Pair& pair, int longest) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, NoDrive, Format>;
@@ -109,8 +109,8 @@ TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
   expect_within<SubsteppedMoment<8>>(5e-4, kind, scenes / 2);
 }
 
-// In the coupled machine the spring's force is rounded to LSBs of a position, which follow from the bounds. The law is
-// elastic, because damped contacts of many oscillations end at a light impact, or at the next one.
+// In the coupled machine the spring's force is rounded to LSBs of a position, which depend on the bounds. The law is
+// elastic: rounding may decide in which light impact a damped contact of many oscillations ends.
 template <class Stepper>
 void expect_energy_within(double bound) {
   double largest = 0;
@@ -134,7 +134,7 @@ TEST(CoupledImpacts, Fixed32KeepsTheEnergy) {
   expect_energy_within<EnergyConsistent>(1e-3);
 }
 
-// Bounds far wider than any penetration. If a plan accepts them, the error is that of tight bounds.
+// Bounds far wider than any penetration. If a plan accepts them, the error is that with tight bounds.
 TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
   int refused = 0, compared = 0;
   for (unsigned seed = 0; seed < scenes; ++seed) {
@@ -154,7 +154,7 @@ TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
   EXPECT_GT(refused, scenes / 10);
 }
 
-// With few steps a prediction has the largest error. Most of these pairs have no plan, because their damping exceeds
+// With few steps predictions have the largest errors. Most of these pairs are rejected, because their damping exceeds
 // what the step tolerates.
 TEST(FreeImpacts, Fixed32TakesTheFastestInFewSteps) { expect_within<Moment>(5e-6, {2.5, 5, 0.5}, scenes / 50); }
 

@@ -1,8 +1,8 @@
-// The main mass in free flight by the exact flow of Moment: resonance, no spring, overdamping and every drive, in every
+// The free flight of the main mass by Moment's exact flow: resonance, no spring, overdamping and every drive, in every
 // format.
 //
-// In double the tolerance is 10^4 steps with one rounding each, 1e-16 of the amplitude. In 32 bits it is the tolerance
-// of rounding_test.cpp for bounds of 62.5 mm, and grows with the bound.
+// In double the tolerance is 10^4 roundings of 1e-16 of the amplitude. In 32 bits it is that of rounding_test.cpp for
+// bounds of 62.5 mm, and proportional to the bound.
 
 #include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double interval = 2e-3;
 
-// Stops half a metre away, with a ball at rest.
+// A ball at rest, half a metre away from its stops.
 Request far_from_stops(double step) {
   Request request = paper_request(Law::hertz, Stepper::moment, step);
   request.scene.clearance = 1;
@@ -74,7 +74,7 @@ TEST_P(FreeFlight, PaperSceneAtItsOwnPulsation) {
   expect_reference(request);
 }
 
-// A sine of frequency 0 has no force.
+// A sine of pulsation 0 has no force.
 TEST_P(FreeFlight, DriveOfNoPulsationIsNone) {
   Request request = far_from_stops(GetParam());
   request.scene.drive_pulsation = 0;
@@ -126,8 +126,8 @@ TEST_P(FreeFlight, SampledDriveIsLinearBetweenSamples) {
 
 INSTANTIATE_TEST_SUITE_P(Steps, FreeFlight, testing::Values(2e-3, 1e-3, 1e-4));
 
-// Newmark's method changes the frequency by (w h)^2 |1/12 - beta|/2 <= (w h)^2/12, relatively. Over a time t the
-// resonant motion falls behind by at most w t times that.
+// Newmark's method changes the frequency by (w h)^2 |1/12 - beta|/2 <= (w h)^2/12, relatively. In a time t the phase
+// error is at most w t times that.
 TEST(PointwiseFlight, GrowsAtResonanceToSecondOrder) {
   for (const Stepper stepper : {Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central})
     for (const double step : {1e-3, 1e-4}) {

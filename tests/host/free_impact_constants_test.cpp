@@ -1,4 +1,4 @@
-// The values of one free impact that a plan uses, against independent closed forms.
+// The constants of a free impact that a plan uses, against independent closed forms.
 
 #include <gtest/gtest.h>
 
@@ -68,8 +68,8 @@ TEST(FreeImpactConstants, HuntCrossley) {
         expect_closed_form<HuntCrossley>(stiffness, a * stiffness / speed, speed, Tension::clamp, a <= 3 ? 1e-5 : 2e-4);
 }
 
-// With very strong damping only the creep out of the peak penetration remains. The peak is (5 mu/(2 k1 a))^(2/5)
-// without the logarithm, and the speed is k1/c1.
+// With very strong damping, the ball creeps out of the peak penetration at the speed k1/c1. The peak is (5 mu/(2 k1
+// a))^(2/5) without the logarithm.
 TEST(FreeImpactConstants, HuntCrossleyCreeps) {
   ContactTerms terms;
   terms.stiffness = 1;
@@ -95,7 +95,7 @@ TEST(FreeImpactConstants, DampingPerImpactIsTheSameAtAnySpeed) {
   EXPECT_EQ(slow, fast);
 }
 
-// Terms of a constant expression.
+// Usable in a constant expression.
 constexpr ContactTerms paper_terms() {
   ContactTerms terms;
   terms.stiffness = 32600;
@@ -107,9 +107,9 @@ constexpr ContactTerms paper_terms() {
 static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).restitution - 0.7561486807) < 1e-10);
 static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).contact_time - 0.03035344861) < 3e-7);
 
-// The main spring, released from its bound, suddenly presses a ball at rest into its stop. The penetration is twice the
-// static one for a linear stop, and (5/2)^(2/3) of it for a power law. The closing speed is negligible, and the ball so
-// heavy that it hardly moves.
+// The main spring, released from its bound, presses a ball at rest into its stop. The penetration is twice the static
+// one for a linear stop, and (5/2)^(2/3) of it for a power law. The closing speed is negligible, and the heavy ball
+// hardly moves.
 TEST(DeepestPenetration, BoundsAPressedBall) {
   Scene scene;
   scene.main_mass = 10;

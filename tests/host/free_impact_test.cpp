@@ -1,7 +1,7 @@
 // One impact of two free masses, 1 kg and 0.3 kg, against its closed form: restitution, energy loss in the ledger, peak
-// force and penetration, contact time. The error is the largest over 65 phases of the impact within the step, because a
-// whole number of steps per contact hides errors. Contacts have 10, 20, 40 and 80 steps, and the error must fall with
-// the order of the scheme.
+// force and penetration, contact time. The error is the largest over 65 phases of the impact within the step, since a
+// whole number of steps per contact hides errors. At 10, 20, 40 and 80 steps per contact it must fall with the scheme's
+// order.
 
 #include <cstdio>
 #include <impact/absorber.hpp>
@@ -53,8 +53,8 @@ Outcomes impact_at(const Known& known, Stepper stepper, Numeric numeric, int ste
 constexpr int phases = 65;
 constexpr double phase(int i) { return (i + 0.5) / phases; }
 
-// The largest errors over the phases. The loss is relative to the energy before the impact, the peaks to themselves.
-// The contact time is in steps.
+// The largest errors over the phases. The loss is relative to the energy before the impact, a peak to itself. The
+// contact time is in steps.
 Outcomes largest_errors(const Known& known, Stepper stepper, int steps_per_contact) {
   const double energy = reduced_mass * known.speed * known.speed / 2;
   Outcomes largest{};
@@ -78,12 +78,12 @@ void PrintTo(const Scheme& scheme, std::ostream* out) { *out << scheme.known.nam
 
 class FreeImpact : public testing::TestWithParam<Scheme> {};
 
-// The orders of the error. Moment and its ledger have order 4. For Hooke-Newton, Moment sums its own series with six
-// terms, so only the ends of the contact have errors, of order 5. Its ledger assumes a linear rate over the step in
-// which the force jumps: order 2.
-// The classical schemes have order 2. Hooke-Newton's force jumps, and they see it up to a step late: order 1. That is
-// an impulse of at most c1 v0 h, or 2 zeta omega h of the restitution. The other classical schemes equal the textbook's
-// within rounding (pointwise_textbook_test.cpp), and textbook_newmark_test.cpp measures their orders.
+// The orders of the error. Moment and its ledger have order 4. For Hooke-Newton, Moment has errors only at the ends of
+// the contact, where it sums six terms of a series: order 5. Its ledger assumes a linear rate in the step in which the
+// force jumps: order 2. The classical schemes have order 2. With Hooke-Newton they see the force's jump up to a step
+// late: order 1. That is an impulse of at most c1 v0 h, or 2 zeta omega h of the restitution. The other classical
+// schemes equal the textbook's within rounding (pointwise_textbook_test.cpp). textbook_newmark_test.cpp measures their
+// orders.
 TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const auto& [known, stepper] = GetParam();
   const bool is_linear = known.law == Law::hooke_newton, is_moment = stepper == Stepper::moment;
@@ -91,20 +91,19 @@ TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const double order_of_ledger = is_moment && is_linear ? 2 : order;
   const Outcomes first = largest_errors(known, stepper, 10);
   const double lateness = known.damping / reduced_mass * known.contact_time / 10;
-  // The prototype of Moment had 4.3e-4. Newmark's own error of a period is (omega h)^2/12.
+  // Moment's prototype had 4.3e-4. Newmark's error of a period is (omega h)^2/12, relatively.
   EXPECT_LE(first.restitution, is_moment ? 4.3e-4 : is_linear ? lateness : 1.25 * M_PI * M_PI / 100 / 12);
   EXPECT_LE(first.lost, is_moment ? 1e-3 : is_linear ? lateness : 2 * M_PI * M_PI / 100 / 12);
   for (const int steps : {10, 20, 40, 80}) {
     const Outcomes error = steps == 10 ? first : largest_errors(known, stepper, steps);
     std::printf("  %d steps: restitution %.1e, energy %.1e, peak force %.1e, peak penetration %.1e\n", steps,
                 error.restitution, error.lost, error.peak_force, error.peak_penetration);
-    // A quarter is added for the next order at 10 steps, and 5e-11 for the tables' ten digits.
+    // The tolerance includes a quarter for the next order at 10 steps, and 5e-11 for the tables' ten digits.
     EXPECT_LE(error.restitution, 1.25 * first.restitution * std::pow(10.0 / steps, order) + 5e-11) << steps;
     EXPECT_LE(error.lost, 1.25 * first.lost * std::pow(10.0 / steps, order_of_ledger)) << steps;
     EXPECT_LE(error.steps_in_contact, 1) << steps;
-    // A sample is at most half a step from the peak, which lowers it by (h/2)^2/2 times the deceleration there, k1
-    // d^p/mu. The error of the scheme is added: as that of the restitution for Moment, of the scheme's order for the
-    // others.
+    // The nearest sample is at most half a step from the peak, and lower by at most (h/2)^2/2 times the deceleration k1
+    // d^p/mu. The scheme's own error is added: Moment's is that of the restitution, the others' has the scheme's order.
     const double h = known.contact_time / steps, d = known.peak_penetration;
     const double deceleration = 32600 * (is_linear ? d : d * std::sqrt(d)) / reduced_mass;
     EXPECT_LE(error.peak_penetration, is_moment ? deceleration * h * h / 8 / d + 4.3e-4 * std::pow(10.0 / steps, 4)
@@ -123,7 +122,7 @@ std::vector<Scheme> schemes() {
 }
 INSTANTIATE_TEST_SUITE_P(Tables, FreeImpact, testing::ValuesIn(schemes()));
 
-// With a constant c1 = 19560, faster impacts lose more.
+// With c1 = 19560, faster impacts lose a larger share.
 TEST(FreeImpact, RestitutionFallsWithSpeed) {
   for (const auto& [speed, e] : restitutions_by_speed) {
     Known known = known_impacts[5];
@@ -146,8 +145,8 @@ TEST(FreeImpact, HookeNewtonSeparatingAtZeroForceNeedsMoreDamping) {
   EXPECT_LE(largest_errors(known, Stepper::moment, 20).restitution, 2.5e-5);
 }
 
-// Restitutions in 32 bits against double at 20 steps per contact. Eight constants of the contact round to their LSB. In
-// Fixed32 the rates also round, to an LSB of a penetration per step, over the steps of the contact.
+// Restitutions in 32 bits against double at 20 steps per contact. Eight constants of the contact round by an LSB. In
+// Fixed32 each step also rounds the rate by an LSB of a penetration.
 TEST(FreeImpact, In32BitsIsThatOfDouble) {
   constexpr int steps = 20;
   for (const Known& known : known_impacts)
@@ -164,9 +163,9 @@ TEST(FreeImpact, In32BitsIsThatOfDouble) {
     }
 }
 
-// Samples alternate in each step of a contact of two steps, and each sub-step starts at the rate that the drive has
-// reached. The result is compared with Moment at a 64th of the step under the same force. Without a drive, the
-// sub-steps have an error of 7e-5 of the rate.
+// Alternating samples in a contact of two steps. Each sub-step starts at the rate that the drive has reached. The
+// reference is Moment at a 64th of the step under the same force. Without a drive, the sub-steps have an error of 7e-5
+// of the rate.
 TEST(SubsteppedMoment, FollowsSamplesThatJump) {
   constexpr double h = 1e-3, speed = 1, push = 0.1 * speed / h;
   constexpr int finer = 64;

@@ -60,7 +60,7 @@ TYPED_TEST_SUITE(FrictionIn, Formats);
 template <class Format>
 constexpr double floor_of = sizeof(typename Format::Value) == sizeof(double) ? 1e-15 : 1e-8;
 
-// The motion is exact while the ball slides. It stops within a step, and then nothing moves.
+// The motion is exact while the ball slides. It stops within a step and then remains at rest.
 TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
   const Slide slide;
   const Bounds bounds{0.1, 0.3};
@@ -89,7 +89,7 @@ TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
   }
 }
 
-// A contact that feels friction locates the instant at which the sliding ends: under a constant force it is exact.
+// A contact with friction locates the instant at which the sliding ends. Under a constant force it is exact.
 template <class Stepper, class Format>
 void expect_exact_stop() {
   const Slide slide;
@@ -119,7 +119,7 @@ TYPED_TEST(FrictionIn, BallStopsExactlyIfTheContactFeelsFriction) {
   expect_exact_stop<Impulsive, TypeParam>();
 }
 
-// Friction holds the ball against its weight, half way up an upright cavity.
+// In an upright cavity friction supports the ball's weight at half the height.
 Scene half_way_up() {
   Scene scene;
   scene.gravity = 9.81;
@@ -130,7 +130,7 @@ Scene half_way_up() {
   return scene;
 }
 
-// Beside a main mass that oscillates, the ball neither creeps nor chatters in 10^6 steps.
+// On an oscillating main mass the ball neither creeps nor chatters in 10^6 steps.
 template <class Stepper, class Format>
 void expect_no_creep() {
   Scene scene = half_way_up();
@@ -200,7 +200,7 @@ TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
       absorber.step(absorber.base_sample_of(run.base_samples[static_cast<size_t>(n) + 1]));
     reference.advance(n * sample_step);
   };
-  // The main mass moves by 8e-7 m under the base's acceleration.
+  // The base's acceleration moves the main mass by 8e-7 m.
   const auto expect_way = [&](double expected) {
     EXPECT_NEAR(reference.sample().x2 - reference.sample().x1, expected, 2e-6 + 1e-3 * std::abs(expected));
     EXPECT_NEAR(absorber.reading().x2 - absorber.reading().x1, expected, 2e-6 + 1e-3 * std::abs(expected));
@@ -232,8 +232,8 @@ double error(double gravity, double friction, double step) {
   return largest_difference(run, absorber, step, ratio, 0.4, [&](int) { absorber.step(); });
 }
 
-// The order is second if the sliding reverses. It is measured over four halvings of the step, since the error depends
-// on the phase of the reversals.
+// If the sliding reverses, the error is of second order. It also depends on the phase of the reversals, so it is
+// measured over four halvings of the step.
 TEST(Friction, IsOfSecondOrder) {
   for (const double gravity : {0.0, -9.81})
     for (const double friction : {0.5, 2.5}) {
@@ -252,8 +252,8 @@ TEST(Friction, IsOfSecondOrder) {
     }
 }
 
-// Without drive and damping, the energy of both masses, spring, weight and contact only falls, in random scenes. The
-// law is Hertz, which loses nothing. The tolerance is 1e-5, which a contact without friction may gain.
+// In random scenes without drive and damping, the energy of both masses, spring, weight and contact only falls. The law
+// is Hertz, which loses nothing. The tolerance is the 1e-5 that a contact without friction may gain.
 template <class Stepper>
 double largest_gain(int least_planned = 40) {
   Random random(7);
@@ -329,8 +329,8 @@ TYPED_TEST(FrictionIn, LedgerHasItsOwnLine) {
   expect_own_line<SubsteppedMoment<2>, TypeParam>(1e-5, 1e-4);
 }
 
-// Average acceleration balances exactly: the energy of drive and weight is in the masses, in the spring, or in an entry
-// of the ledger. A step with both a touch and a reversal is of second order.
+// With average acceleration the balance is exact: the energy of drive and weight goes to the masses, to the spring, or
+// to the ledger. In a step with both a touch and a reversal the error is of second order.
 TEST(Friction, LedgerClosesByTheAverageAcceleration) {
   Scene scene;
   scene.gravity = -9.81;
@@ -374,8 +374,8 @@ TYPED_TEST(FrictionIn, GoesOnAfterCorrectionAndChangeOfPlan) {
   EXPECT_NEAR(absorber.reading().v2, after.v2, 1e-6);
 }
 
-// Corrections of 0 in every step, or changes to the same plan, do not change the motion. The ball slides, reverses,
-// sticks and rubs in its stops, beside a main mass that oscillates, within rounding.
+// Corrections of 0 in every step, or changes to the same plan, change the motion only by rounding. On an oscillating
+// main mass the ball slides, reverses, sticks, and rubs on its stops.
 template <class Format, class Law, class Stepper = Moment, class Change>
 double largest_change(double clearance, double step, const Change& change) {
   Scene scene;
@@ -402,14 +402,14 @@ TYPED_TEST(FrictionIn, NothingChangesNothing) {
   const auto correct = [](auto& absorber, const auto&) { absorber.correct({}, {}); };
   const auto retune = [](auto& absorber, const auto& plan) { EXPECT_TRUE(absorber.retune(plan)); };
   // Without a contact the bits are the same. A change of plan subtracts half an impulse and adds it again. A contact
-  // recomputes its penetration, which rounds, and impacts amplify that.
+  // recomputes its penetration, and impacts amplify the rounding.
   const bool is_double = sizeof(typename TypeParam::Value) == sizeof(double);
   for (const double step : {1e-3, 2.5e-4}) {
     EXPECT_EQ((largest_change<TypeParam, Hertz>(0.19, step, correct)), 0) << step;
     EXPECT_LE((largest_change<TypeParam, Hertz>(0.19, step, retune)), 10 * floor_of<TypeParam>) << step;
     EXPECT_LE((largest_change<TypeParam, Hertz>(0.02, step, correct)), is_double ? 1e-12 : 1e-6) << step;
     EXPECT_LE((largest_change<TypeParam, Hertz>(0.02, step, retune)), is_double ? 1e-12 : 1e-6) << step;
-    // The rate in a contact is then that of the state, which differs by (w0 h)^2/24 of what friction takes in a step.
+    // A contact then reads the rate of the state, which differs by (w0 h)^2/24 of friction's change in a step.
     using Feeling = SubsteppedMoment<4>;
     EXPECT_LE((largest_change<TypeParam, Hertz, Feeling>(0.19, step, correct)), 10 * floor_of<TypeParam>) << step;
     EXPECT_LE((largest_change<TypeParam, Hertz, Feeling>(0.19, step, retune)), 10 * floor_of<TypeParam>) << step;
@@ -418,8 +418,8 @@ TYPED_TEST(FrictionIn, NothingChangesNothing) {
   }
 }
 
-// A correction that reverses the sliding also reverses the friction, half of whose last impulse is still to act. The
-// ball continues as in closed form. The friction's entry of the ledger is the energy that both masses have lost since.
+// A correction that reverses the sliding also reverses the friction. Half of the last impulse still acts. The ball
+// continues as in closed form, and the ledger's friction is the energy that both masses have lost since.
 TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {
   Slide slide;
   const Bounds bounds{0.1, 0.5};
@@ -441,7 +441,7 @@ TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {
   }
 }
 
-// A ball that sticks under load keeps sticking. Each correction begins with twice half an impulse, which the spring
+// A ball that sticks under load keeps sticking. A correction doubles the half of the last impulse, which the spring
 // changes by (w0 h)^2 of g h^2.
 TYPED_TEST(FrictionIn, HeldBallDoesNotCreepUnderCorrections) {
   Scene scene = half_way_up();
@@ -456,7 +456,7 @@ TYPED_TEST(FrictionIn, HeldBallDoesNotCreepUnderCorrections) {
   EXPECT_NEAR(now.x2 - now.x1, 0.005, 100000 * 1e-14 + 4 * floor_of<TypeParam>);
 }
 
-// A change to a plan without friction and back leaves nothing of the last impulse.
+// After a change to a plan without friction and back, nothing of the last impulse remains.
 TYPED_TEST(FrictionIn, EndsByAChangeOfPlan) {
   const Slide slide;
   const Bounds bounds{0.1, 0.3};
@@ -480,8 +480,8 @@ TYPED_TEST(FrictionIn, EndsByAChangeOfPlan) {
   EXPECT_NEAR(absorber.reading().v2, before.v2, 8 * floor_of<TypeParam> / 1e-3);
 }
 
-// Saved states are restored up to the largest friction, which stops the largest displacement in one step. At 200 N a
-// step's push exceeds half a unit, at which a displacement per step is clamped.
+// Saved states are restored up to the largest friction, which stops the largest displacement in one step. At 200 N its
+// effect in a step exceeds half a unit, at which a displacement per step is clamped.
 TYPED_TEST(FrictionIn, StateIsTakenBack) {
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
   using PlanType = typename Absorber::PlanType;
@@ -513,8 +513,8 @@ TYPED_TEST(FrictionIn, StateIsTakenBack) {
   }
 }
 
-// The base presses the ball onto a stop, which rubs until the main mass reaches its bound. A displacement per step has
-// room for the friction that is predicted in it.
+// The base presses the ball onto a stop with friction until the main mass reaches its bound. A displacement per step
+// has room for its predicted friction.
 TEST(Friction, APressedBallsStateIsTakenBack) {
   Scene scene;
   scene.main_mass = 0.138;

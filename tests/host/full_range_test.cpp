@@ -1,7 +1,7 @@
-// Fixed32 up to its bounds. Both masses meet at 0.55 to 0.97 of Bounds::speed, so that numbers use the whole range of
-// their units. No fault is raised that double would not raise in the same scene. Rounding may move the step in which a
-// contact ends. After a stiff impact of few steps this changes the speed by a few per cent. A number that wraps, or is
-// clamped too early, changes it by 10 % or more.
+// Fixed32 up to its bounds. Both masses meet at 0.55 to 0.97 of Bounds::speed, so numbers use the whole range of their
+// units. Only faults are raised that double also raises. Rounding may move the end of a contact by a step. After a
+// stiff impact of few steps this changes the speed by a few per cent. A number that wraps, or is clamped too early,
+// changes it by 10 % or more.
 
 #include <gtest/gtest.h>
 
@@ -63,20 +63,20 @@ void expect_double_up_to_the_bounds() {
       if (has_met && !wide.is_touching() && !narrow.is_touching()) break;
       has_met = has_met || wide.is_touching();
       have_both_met = have_both_met || (wide.is_touching() && narrow.is_touching());
-      // A ball that nearly leaves its stop and is pressed in again may begin another impact, with its own damping, in
-      // one format only.
+      // A ball nearly leaves its stop and is pressed in again. In only one format that may be another impact, with its
+      // own damping.
       if (Law::is_damped_per_impact && have_both_met && wide.is_touching() != narrow.is_touching()) break;
       if (larger(std::abs(exact.v1), std::abs(exact.v2)) > bounds.speed) break;
       if (larger(std::abs(exact.x1), std::abs(exact.x2)) > bounds.displacement) break;
       if (exact.x2 - exact.x1 - scene.clearance / 2 > deepest) break;
       if (wide.is_touching() == narrow.is_touching())
         off = larger(off, larger(std::abs(found.v1 - exact.v1), std::abs(found.v2 - exact.v2)) / speed);
-      // An impact may come a step earlier than in double, which then raises the same fault in its next step.
+      // An impact may be a step earlier than in double. Then double raises the same fault in the next step.
       if (narrow.fault() != Fault::none) wide.step();
-      ASSERT_EQ(narrow.fault(), wide.fault()) << "scene " << i << " step " << n << ", " << steps << " a contact";
+      ASSERT_EQ(narrow.fault(), wide.fault()) << "scene " << i << " step " << n << ", " << steps << " per contact";
       if (narrow.fault() != Fault::none) break;
     }
-    EXPECT_LE(off, 0.05) << "scene " << i << ", " << steps << " steps a contact";
+    EXPECT_LE(off, 0.05) << "scene " << i << ", " << steps << " steps per contact";
   }
   EXPECT_GE(accepted, 300);
 }
@@ -94,8 +94,8 @@ TEST(FullRange, SubstepsFollowDouble) { expect_double_under_each_law<SubsteppedM
 TEST(FullRange, EnergyConsistentFollowsDouble) { expect_double_under_each_law<EnergyConsistent>(); }
 TEST(FullRange, ImpulsiveFollowsDouble) { expect_double_under_each_law<Impulsive>(); }
 
-// A wide bound of displacement reserves room that the motion never uses, so the impact's numbers are small in their
-// units. After the impact V is within 1e-3 of double's, at every phase of the main mass.
+// With a wide bound of displacement, the impact's numbers are small in their units. The speed after the impact is
+// within 1e-3 of double's, at every phase of the main mass.
 template <class Law>
 void expect_double_under_wide_bounds(double speed, double stiffness, double restitution) {
   using Narrow = Absorber<AtRunTime, Law, Impulsive, NoDrive, Fixed32>;
@@ -131,8 +131,7 @@ TEST(FullRange, ImpulsiveFollowsDoubleUnderWideBounds) {
   }
 }
 
-// Masses are multiplied by 2^a, lengths by 4^b (whose roots are powers of two), and times by 2^c. The units absorb all
-// of that.
+// Masses are multiplied by 2^a, lengths by 4^b (whose roots are powers of two) and times by 2^c. Only the units change.
 template <class Law, class Stepper, class Drive>
 void expect_same_bits_in_other_units(double stiffer) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, Drive, Fixed32>;
@@ -204,8 +203,8 @@ TEST(FullRange, ThePapersSceneAtItsBounds) {
   }
 }
 
-// The main mass turns by 0.1 rad in a step, and the clearance is up to ten thousand times the spring's deflection. LSBs
-// of increments and impulses are then up to some thousand times as large as those of penetrations.
+// The main mass oscillates by 0.1 rad per step, and the clearance is up to 10^4 times the spring's deflection. LSBs of
+// increments and impulses are up to some 10^3 times those of penetrations.
 template <class Stepper>
 void expect_double_with_wide_displacements(double step, double most_off) {
   Scene scene;

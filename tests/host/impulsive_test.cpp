@@ -1,5 +1,4 @@
-// Tests of Impulsive. It has the law's restitution at any phase of the impact, gains no energy, settles, and works at
-// both stops.
+// Impulsive has the law's restitution at any phase of the impact, gains no energy, settles, and works at both stops.
 
 #include <gtest/gtest.h>
 
@@ -81,11 +80,11 @@ void expect_restitution_of_the_law() {
       const auto after = absorber.reading();
       const double law = *restitution(impact);
       ASSERT_EQ(absorber.fault(), Fault::none);
-      ASSERT_NEAR((after.v1 - after.v2) / speed, law, tolerance) << steps << " steps a contact, phase " << phase;
+      ASSERT_NEAR((after.v1 - after.v2) / speed, law, tolerance) << steps << " steps per contact, phase " << phase;
       const double approach = impact.reduced_mass * speed * speed / 2;
       ASSERT_LE(energy_of(scene, absorber) - before, (is_double<Format> ? 1e-12 : 1e-5) * approach);
-      // The loss has twice the restitution's error. In Fixed32 an LSB of an energy is 2^-30 of a unit, and the approach
-      // is 2^-13 of it.
+      // The error of the loss is twice the restitution's. In Fixed32 the energy of the approach is 2^-13 of the unit,
+      // and an LSB 2^-30.
       ASSERT_NEAR(dissipated_by(absorber) / approach, (1 - law) * (1 + law),
                   2 * tolerance + (std::is_same_v<Format, Fixed32> ? 0x1p-16 : 0));
       ASSERT_EQ(absorber.state().impacts, 1u);
@@ -115,8 +114,8 @@ TYPED_TEST(ImpulsiveStep, DampingPerImpactHasOneRestitution) {
   }
 }
 
-// The algebra of impulsive.hpp leaves the rounding of some twenty numbers: 2^-53, or 2^-24 of the largest energy that a
-// mass's bound allows. That energy is nine times the total.
+// Except for the rounding of some twenty numbers, impulsive.hpp is exact. A rounding is 2^-53 or 2^-24 of the largest
+// energy that a mass's bound allows, which is nine times the total.
 template <class Format, class ContactLaw>
 void expect_no_energy_from_impacts() {
   Random random;
@@ -124,7 +123,7 @@ void expect_no_energy_from_impacts() {
   int springs = 0;
   for (int i = 0; springs < 25 && i < 100; ++i) {
     Scene scene = free_scene();
-    // In Fixed32 a step may change a displacement by half of itself, so w0 h < 1/sqrt(2).
+    // In Fixed32 a step may change a displacement per step by at most half, so w0 h < 1/sqrt(2).
     const double turn = random.wide(0.01, std::is_same_v<Format, Fixed32> ? 0.69 : 0.999);
     scene.main_stiffness = turn * turn / (h * h);
     scene.ball_mass = random.wide(0.1, 10);
@@ -164,8 +163,8 @@ TYPED_TEST(ImpulsiveStep, CreatesNoEnergyOnASpringAndBetweenBothStops) {
   expect_no_energy_from_impacts<TypeParam, HuntCrossley>();
 }
 
-// A constant force on the main mass presses the ball onto the left stop, where it bounces less and less. Then both
-// masses accelerate together: x1 = A t^2/2 and v1 = A t, with their common acceleration A.
+// A constant force on the main mass presses the ball onto the left stop, where its bounces decay. Then both masses have
+// the same acceleration A: x1 = A t^2/2 and v1 = A t.
 template <class Format, class ContactLaw>
 void expect_common_motion(double contact_stiffness) {
   Scene scene = free_scene();
@@ -205,8 +204,8 @@ TYPED_TEST(ImpulsiveStep, SettlesUnderAConstantForceAndStaysPut) {
   }
 }
 
-// A constant acceleration A presses the ball into its stop. The ball meets the stop's face at V and returns to it at
-// the result. The fourth-order Runge-Kutta method integrates p'' = A - (k1 p + c1 p')/mu until the force is 0.
+// The rebound speed at the stop's face after an impact at V there, while a constant acceleration A presses the ball
+// into the stop. The fourth-order Runge-Kutta method integrates p'' = A - (k1 p + c1 p')/mu until the force is 0.
 double pressed_rebound(const Impact& impact, double acceleration) {
   const auto force = [&](double p, double v) { return impact.contact_stiffness * p + impact.contact_damping * v; };
   const auto change = [&](double p, double v) { return acceleration - force(p, v) / impact.reduced_mass; };
@@ -221,9 +220,9 @@ double pressed_rebound(const Impact& impact, double acceleration) {
   return std::sqrt(v * v - 2 * acceleration * p);
 }
 
-// The loss is a share of the rate at the stop's face, not of the rate at the centroid, which the press has increased.
-// An impulse neglects that the press lengthens the contact. For e = 1/2 that is a tenth of A tc/V. A share of the rate
-// at the centroid would neglect three tenths.
+// The loss is a share of the rate at the stop's face. At the centroid, the press has increased the rate. An impulse
+// neglects that the press lengthens the contact: for e = 1/2 a tenth of A tc/V. With a share of the rate at the
+// centroid the error would be three tenths.
 TYPED_TEST(ImpulsiveStep, PressGivesBackTheSpeedThatItAdds) {
   using Pressed = Kernel<TypeParam, HookeNewton, Sampled>;
   Scene scene = free_scene();
@@ -254,8 +253,8 @@ TYPED_TEST(ImpulsiveStep, PressGivesBackTheSpeedThatItAdds) {
   }
 }
 
-// An elastic impact reverses the rate, for any drive within its step, at 64 phases. The impulse is 2 mu V, and a larger
-// one would create energy. The instant is where the ball's straight lines before and after intersect. There v1 is that
+// An elastic impact reverses the rate, for any drive within its step, at 64 phases. The impulse is 2 mu V; a larger one
+// would create energy. The instant is the intersection of the ball's straight lines before and after. There v1 is that
 // of a free mass under the drive.
 template <class Simulated, class Sample, class Velocity>
 void expect_turned_around(const Scene& scene, double h, double tolerance, Sample step, Velocity main_velocity,
@@ -303,7 +302,7 @@ TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundUnderADriveThatJumps) {
               });
         }
 }
-// The drive jumps from one end of the samples' range to the other. Its change of the rate in a step is a power of two.
+// The drive jumps from one end of its range to the other. It changes the rate in a step by a power of two.
 TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundUnderTheLargestJump) {
   using Jolted = Kernel<TypeParam, Hertz, Sampled>;
   const double h = 0x1p-10, force = 64, rounding = is_double<TypeParam> ? 1e-9 : 1e-4;
@@ -341,8 +340,8 @@ TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundUnderAFastSine) {
       }
 }
 
-// The energy that the damper takes between the impact and the step's end is not returned. Each step of an elastic
-// impact is tested, at 64 phases, up to the longest step that the damper allows.
+// The damper's loss between the impact and the step's end is not returned. Elastic impacts are tested at 64 phases, up
+// to the longest step that the damper allows.
 TYPED_TEST(ImpulsiveStep, ReturnsNoEnergyThatTheDamperTook) {
   const double rounding = is_double<TypeParam> ? 1e-14 : 1e-5, h = 1e-3;
   uint32_t impacts = 0;
@@ -371,8 +370,8 @@ TYPED_TEST(ImpulsiveStep, ReturnsNoEnergyThatTheDamperTook) {
   EXPECT_GE(impacts, 600u);
 }
 
-// The same under alternating samples. The impulse reverses the rate that the damper has left at its instant. Its effect
-// on the main mass decays by the damper until the step's end. Both are exact to first order in c h/M.
+// The same under alternating samples. The impulse reverses the damped rate at its instant. The damper then reduces its
+// effect on the main mass until the step's end. Both are exact to first order in c h/M.
 TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundBesideADamperUnderADriveThatJumps) {
   using Jolted = Kernel<TypeParam, Hertz, Sampled>;
   const double h = 1e-3, speed = 0.3, rounding = is_double<TypeParam> ? 1e-12 : 1e-5;
@@ -416,8 +415,8 @@ TYPED_TEST(ImpulsiveStep, TurnsTheRateAroundBesideADamperUnderADriveThatJumps) {
       }
 }
 
-// A drive presses a light main mass onto a heavy ball. Alone, the main mass would pass Bounds::speed in a step, up to
-// four times over. Both masses move together, within six roundings of a step's change.
+// A drive presses a light main mass onto a heavy ball. Without the ball, the main mass would reach up to four times
+// Bounds::speed in a step. Both masses move together, within six roundings of a step's change.
 TYPED_TEST(ImpulsiveStep, MovesAMainMassThatIsPressedOntoAHeavyBallWithIt) {
   using Pressed = Kernel<TypeParam, Hertz, Sampled>;
   const double h = 1e-3, speed = 0.5;

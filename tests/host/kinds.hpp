@@ -1,6 +1,6 @@
 #pragma once
-// What suites of random scenes vary: every law with the given steppers and formats. Hunt-Crossley also has a damping
-// per impact.
+// The parameters of suites with random scenes: every law with given steppers and formats. Hunt-Crossley also has a
+// damping per impact.
 
 #include <initializer_list>
 #include <memory>
@@ -35,12 +35,12 @@ inline std::vector<Kind> kinds(std::initializer_list<Stepper> varied, Damping pe
   return result;
 }
 
-// With every stepper whose contacts create no energy.
+// All kinds with a stepper whose contacts create no energy.
 inline std::vector<Kind> passive_kinds() {
   return kinds({Stepper::automatic, Stepper::energy, Stepper::impulsive}, Damping::exact);
 }
 
-// For rebounds() of free_pair.hpp: none if the request is refused.
+// For rebounds() of free_pair.hpp. Returns null if the request is rejected.
 inline std::unique_ptr<Simulation> simulation_of(const Request& request) { return make_simulation(request).simulation; }
 
 }  // namespace impact::host

@@ -1,5 +1,5 @@
-// Every law with a damping per impact: its formula, and its restitution in the kernel at any speed, against the closed
-// form for its damping ratio. Also the range of e that each law accepts, and laws of a user's own.
+// Every law with a damping per impact: its formula, and its restitution in the kernel at any speed against the closed
+// form. Also the accepted range of e, and laws of a user.
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(Laws, AreTheirFormulas) {
   EXPECT_EQ(Exact::damping_ratio(1), 0);
 }
 
-// The tolerance is 1e-15 of a number near 1, magnified by the cancellation of the rates' logarithms at small losses.
+// The tolerance is 1e-15, magnified by the cancellation of the rates' logarithms at small losses.
 TEST(Laws, ExactHasTheRestitutionThatIsStated) {
   for (double e = 0.01; e < 1; e += 1e-3) EXPECT_NEAR(true_restitution(Exact::damping_ratio(e)), e, 1e-12);
   static_assert(constant::magnitude(Exact::damping_ratio(0.68) - 0.6956071395) < 1e-10);
@@ -72,9 +72,9 @@ TEST(Laws, FormulasOfSmallLossesAreNotExact) {
 }
 
 // Moment has 20 steps per resolved part of a contact. EnergyConsistent has contacts of 80, 4 and 0.5 steps, and
-// Impulsive contacts of a hundredth of a step. The tolerances are what the README's "Choosing" and the headers promise,
-// plus 2e-5 for 32 bits at e = 0.1 and above. At 80 steps a strongly damped contact of EnergyConsistent is the stiff
-// one, with 6e-4 (stepper/energy/stiff.hpp).
+// Impulsive contacts of a hundredth of a step. The tolerances are those of the README's "Choosing" and the headers,
+// plus 2e-5 for 32 bits from e = 0.1 on. At 80 steps EnergyConsistent treats a strongly damped contact as stiff, with
+// an error of 6e-4 (stepper/energy/stiff.hpp).
 struct Cell {
   Stepper stepper;
   double steps_per_contact, tolerance;
@@ -112,7 +112,7 @@ TEST(Laws, ReboundAsTheirFormulasSayAtAnySpeed) {
           }
 }
 
-// The kernel's own types with one free pair, 1 kg and 0.3 kg, at several shares of the largest speed of one plan.
+// The kernel's types with a free pair of 1 kg and 0.3 kg, at several shares of the largest speed of one plan.
 Scene free_scene(double e) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
@@ -170,7 +170,7 @@ TYPED_TEST(NamedLaw, HasOneRestitutionAtAnySpeed) {
   expect_one_restitution<TypeParam, Impulsive, Fixed32>(1e-3, 1e-5);
 }
 
-// A light impact with no other force keeps its own damping, at 14 steps per contact. The bounds would let the main
+// A light impact without other forces keeps its own damping at 14 steps per contact, although the bounds let the main
 // spring press 30 times as hard. It rebounds as at a hundredth of the step.
 template <class Stepper>
 void expect_light_impacts_damped(double tolerance) {

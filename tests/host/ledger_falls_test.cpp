@@ -1,5 +1,5 @@
-// The dissipated energy in the ledger never falls with EnergyConsistent and Impulsive (features.hpp), over random
-// scenes of the coupled machine. In Fixed32 the ledger rounds nothing, with any stepper.
+// With EnergyConsistent and Impulsive the dissipated energy in the ledger never falls (features.hpp), in random coupled
+// scenes. In Fixed32 the ledger is exact with any stepper.
 
 #include <gtest/gtest.h>
 
@@ -24,17 +24,17 @@ constexpr double rounded_by_sum = std::is_same_v<Format, Fixed32>        ? 0
                                   : std::is_same_v<Format, Float32Plain> ? 0x1p-24
                                                                          : 0x1p-47;  // in two floats
 
-// By how much the ledger of EnergyConsistent may fall through the rounding of a step, in its own unit. The symbols: G
-// is the change of penetration by a unit of force, f the force, w the displacement. D = w + G f is the displacement
-// without the force, p that of spring and drive, s the stored energy. Four allowances are added:
+// The amount by which rounding in a step may lower the ledger of EnergyConsistent, in its own unit. G is the change of
+// penetration per unit of force, f the force, w the displacement. D = w + G f is the displacement without the force, p
+// that by spring and drive, s the stored energy. The sum of four allowances:
 //
-// Relative: a share of (|D| + |p|)^2/G and of s at both ends. In Fixed32 four numbers round down by 2^-31 in a unit
-// that is eight times the largest length: 4 * 64 * 2^-31. In floating point there are sixteen operations.
+// Relative: a share of (|D| + |p|)^2/G and of s at both ends. In Fixed32 four numbers round down by 2^-31 of a unit of
+// eight times the largest length: 4 * 64 * 2^-31. In floating point there are sixteen operations.
 //
 // Sum: the addition to the dissipated energy, which rounds only in floating point.
 //
-// Left over: f times the residual w - (d1 - d0) of a resolved contact's equation, as far as its sum has fallen. Over a
-// whole contact it is a loss (kernel/docs/energy.md).
+// Left over: f times the residual w - (d1 - d0) of a resolved contact's equation, if its sum has fallen. Over a whole
+// contact it is a loss (kernel/docs/energy.md).
 //
 // LSB: four LSBs of a length, or of a response to a force if that is coarser. Hooke-Newton's own equation (1 + G (1/2 +
 // C)) f = ... adds three (stepper/energy/linear.hpp).
@@ -132,7 +132,7 @@ void expect_no_fall_with_energy_consistent(Tension tension = Tension::clamp) {
 }
 TYPED_TEST(EnergyLedgerIn, EnergyConsistentNeverFalls) {
   expect_no_fall_with_energy_consistent<TypeParam, HookeNewton>();
-  // If a stop may pull, its force is the difference of two large ones. Of 24 bits few remain.
+  // A stop that may pull has the difference of two large forces, of which a float keeps few bits.
   if constexpr (std::is_same_v<TypeParam, Float64>)
     expect_no_fall_with_energy_consistent<TypeParam, HookeNewton>(Tension::allow);
   expect_no_fall_with_energy_consistent<TypeParam, Hertz>();
@@ -140,7 +140,7 @@ TYPED_TEST(EnergyLedgerIn, EnergyConsistentNeverFalls) {
   expect_no_fall_with_energy_consistent<TypeParam, Exact>();
 }
 
-// A sum in one number never falls if its terms are not negative.
+// The sum is one number and never falls, since no term is negative.
 template <class Format, class ContactLaw>
 void expect_no_fall_with_impulsive() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, Sine, Format, EnergyLedger>;
@@ -163,7 +163,7 @@ TYPED_TEST(EnergyLedgerIn, ImpulsiveNeverFalls) {
   expect_no_fall_with_impulsive<TypeParam, Exact>();
 }
 
-// The sum of what the features see, in double. In Fixed32 it equals the ledger with any stepper.
+// The sum of the energies that features see, in double. In Fixed32 it equals the ledger with any stepper.
 struct InDouble : SilentFeature {
   static constexpr uint32_t kind = 98;
   static constexpr bool is_bound = true;
@@ -209,8 +209,8 @@ TEST(EnergyLedger, RoundsNothingInFixed32) {
   expect_nothing_rounded<AverageAcceleration, HookeNewton>();
 }
 
-// A ball starts inside its stop, and the law loses nothing. The stored energy at the start is released again. The error
-// is that of a ledger of second order over 300 steps of contact.
+// A ball starts inside its stop, and the law loses nothing. The energy stored at the start is released. The ledger is
+// of second order, over 300 steps of contact.
 template <class Stepper, class Format>
 void expect_stored_start_counted(double tolerance) {
   Scene scene;
@@ -233,7 +233,7 @@ TEST(EnergyLedger, CountsAStartInsideAStopAsStored) {
   expect_stored_start_counted<AverageAcceleration, Float64>(1e-2);
 }
 
-// The energy that a correction takes out of a stop counts as dissipated at once.
+// Energy that a correction removes from a stop counts as dissipated.
 template <class Stepper, class Format>
 void expect_correction_counted() {
   Scene scene;

@@ -1,5 +1,5 @@
-// The lookups on all their inputs. The bounds are checked in exact integers if the operands allow it. Otherwise they
-// are checked in double, whose own error (2^-53) is far smaller.
+// The numeric functions on all or many inputs. The bounds are checked in exact integers if possible, and otherwise in
+// double, whose error of 2^-53 is far smaller.
 
 #include <float.h>
 #include <gtest/gtest.h>
@@ -75,8 +75,7 @@ void expect_normalised(uint32_t x) {
   EXPECT_GE(by_instruction, UINT32_C(1) << (32 - step)) << x;
 }
 
-// The terms that a step adds up, gain * x. They round down if the gain shifts right. If it shifts left, they are within
-// 2/3 of an LSB of the product.
+// term() is gain * x. It rounds down if the gain shifts right. Otherwise it is within 2/3 of an LSB of the product.
 TEST(Lookup, TermsRoundAsTheySay) {
   std::mt19937 random(1);
   for (int k = -32; k <= 0; ++k)
@@ -108,7 +107,7 @@ TEST(Lookup, LeadingZerosAgreeInBothForms) {
   }
 }
 
-// Whether |x| > limit, without a branch, so that the processor predicts nothing.
+// 1 if |x| > limit, without a branch, for speed.
 int beyond(int64_t x, int64_t limit) {
   return static_cast<uint64_t>(x) + static_cast<uint64_t>(limit) > 2 * static_cast<uint64_t>(limit);
 }
@@ -116,13 +115,12 @@ int beyond(int64_t x, int64_t limit) {
 static_assert(sizeof square_root_table == 768, "the table's size as its header states it");
 static_assert(sizeof reciprocal_table == 128, "the table's size as its header states it");
 
-// All numbers in four parts, so that several processors share them. Each part also compares its first number with the
-// one before.
+// All numbers in four parts, for several processors. Each part also compares its first number with the one before it.
 class LookupOfAQuarter : public testing::TestWithParam<uint32_t> {};
 INSTANTIATE_TEST_SUITE_P(Quarters, LookupOfAQuarter, testing::Range(0u, 4u));
 
-// The test compares squares, so it takes no root itself. With T = sqrt(y 2^32), |root - T| <= 2^-27 T + 1/2 becomes
-// |root^2 - T^2| <= 2^-26 T^2 + root = 64 y + root.
+// The test compares squares and needs no root. With T = sqrt(y 2^32), |root - T| <= 2^-27 T + 1/2 becomes |root^2 -
+// T^2| <= 2^-26 T^2 + root = 64 y + root.
 TEST_P(LookupOfAQuarter, OfEveryUint32) {
   int64_t failures = 0;
   const uint64_t first = GetParam() * (two_32 / 4);
@@ -152,7 +150,7 @@ TEST_P(LookupOfAQuarter, OfEveryFloat) {
   EXPECT_EQ(failures, 0);
 }
 
-// A baseline's function, on every eleventh float.
+// A function of the report's baselines, on every eleventh float.
 TEST(Lookup, PowersAreWithinTheirBound) {
   const double bound = std::ldexp(1.0, -27) + std::ldexp(1.0, -24) + std::ldexp(1.0, -29);
   const double smallest = static_cast<double>(FLT_MIN) * static_cast<double>(FLT_MIN);
@@ -211,7 +209,7 @@ TEST(Lookup, TheLargerAndTheSmallerKeepANaN) {
     }
 }
 
-// Roots by digits are compared with the processor's: any double, squares and their neighbours, and both ends of each
+// Roots computed bit by bit equal the processor's: random doubles, squares and their neighbours, and both ends of each
 // power of two.
 TEST(Lookup, RootsOfDoublesAreCorrect) {
   std::mt19937_64 random(1);
@@ -276,7 +274,7 @@ void expect_quotient(uint32_t numerator, uint32_t denominator) {
   const uint64_t fine = quotient_q32(numerator, denominator);
   ASSERT_LE(fine * d, n * two_32) << n << " / " << d;
   ASSERT_LT(n * two_32 - fine * d, d + 4 * n) << n << " / " << d;
-  // The table's 17 bits, of which two are rounded off, and an LSB.
+  // The table has 17 bits, of which two are rounded off. An LSB is added.
   const double rough = rough_quotient_q31(numerator, denominator),
                exact = static_cast<double>(n) / static_cast<double>(d) * 2147483648.0;
   ASSERT_LE(rough, exact * (1 + 1.0 / 65536) + 1) << n << " / " << d;
@@ -310,8 +308,8 @@ TEST(Lookup, Quotients) {
     }
 }
 
-// Both forms have the same bits. They fall short by the stated amount and by an LSB of the product. The composed form's
-// correction is largest where the estimate's three roundings coincide.
+// Both forms have the same bits. They fall short by the stated amount and an LSB of the product. The composed form's
+// correction is largest where the estimate's three rounding errors add up.
 void expect_square_over_five(int32_t z, uint32_t p) {
   const int32_t result = instruction::square_over_five(z, p);
   ASSERT_EQ(composed::square_over_five(z, p), result) << z << " " << p;
@@ -336,8 +334,8 @@ TEST(Lookup, SquareOverFive) {
   }
 }
 
-// Shares have the quotients' bits. A ratio falls short by less than an LSB of 2^29 in its product, and less than
-// another in the halved reciprocal. It is clamped at 1.
+// share() has the bits of quotient_q32(). ratio() falls short by less than an LSB of 2^-29 in its product, and less
+// than another in the halved reciprocal. It is clamped at 1.
 TEST(Lookup, Divisors) {
   std::mt19937 random(3);
   std::vector<uint32_t> numbers = edges();

@@ -1,5 +1,5 @@
-// An impact on a main mass that its damper stops within a few steps. Moment includes the damper, up to the c h/M = 1
-// that a plan accepts. The remaining error of the main mass's displacement is of third order.
+// An impact on a main mass whose damper stops it within a few steps. Moment includes the damper, up to c h/M = 1, the
+// most that a plan accepts. The error of the main mass's displacement is of third order.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// The bounds that the tool finds come from a run that was valid itself. The scenes are random, with balls of 1e-3 to
-// 1e3 main masses. Without a drive no motion gains energy, and none raises a fault within the bounds.
-// IMPACT_MEASURED_SCENES sets the number of scenes.
+// The tool's bounds come from a valid run. The scenes are random, with balls of 1e-3 to 1e3 main masses. Without a
+// drive no motion gains energy, and none raises a fault within the bounds. IMPACT_MEASURED_SCENES sets the number of
+// scenes.
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ Request random_request(unsigned seed) {
   if (random.one_in(2)) scene.v1 = random.between(-1, 1) * speed;
   const double y = random.between(-0.49, 0.49) * scene.clearance;
   scene.x2 = y;
-  // Contacts of a part of a step up to a thousand steps, by Hertz's formula. Hooke-Newton's are of the same order.
+  // Contacts of 0.3 to 1000 steps by Hertz's formula. Hooke-Newton's are of the same order.
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), time = request.step * random.wide(0.3, 1e3);
   const double depth = speed * time / 2.9;
   scene.contact_stiffness = mu * speed * speed / (depth * depth);

@@ -1,7 +1,7 @@
-// A ball that is hardly ever free. It crosses its cavity in a small part of a step. Most impacts begin in the step in
-// which the last one ends, while the main spring acts. Nothing dissipates. The terms that the step neglects create
-// energy. At w0 h = 0.16 it is up to 0.02 % in 2000 steps, which falls with the fourth power of w0 h. In Hooke-Newton
-// contacts it is 0.3 % and falls with the second power (kernel/docs/moment.md).
+// A ball that crosses its cavity in a small part of a step. Most impacts begin in the step in which the last one ends,
+// while the main spring acts. Nothing dissipates, and the terms that the step neglects create energy. At w0 h = 0.16
+// this is up to 0.02 % in 2000 steps and falls with the fourth power of w0 h. With Hooke-Newton it is 0.3 % and falls
+// with the second power (kernel/docs/moment.md).
 
 #include <gtest/gtest.h>
 
@@ -34,12 +34,11 @@ Cavity random_cavity(unsigned seed, double phase) {
   scene.main_damping = scene.contact_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
   cavity.bounds.speed = 1;
   cavity.bounds.force = 1e-9;
-  // An undamped linear impact alone gains 1e-5 of its energy at 8 steps. This falls with the sixth power, here to 4e-8.
+  // A single undamped linear impact gains 1e-5 of its energy at 8 steps, and 4e-8 at 20: order 6.
   const double fewest = Law::is_linear ? 20 : 8;
   const double deepest = set_contact_time(scene, Law::is_linear, random.wide(fewest, 2.5 * fewest) * step, 2);
   scene.clearance = deepest * random.wide(1e-3, 0.1);
-  // Half of the scenes start with the energy in the ball, half in the main mass. The main mass stays within
-  // Bounds::speed if it gets all of it.
+  // The energy starts in the ball or in the main mass. With all of it the main mass stays within Bounds::speed.
   const double fast = random.wide(0.1, 0.99);
   if (seed % 2 == 0)
     scene.v2 = fast / larger(1.0, std::sqrt(scene.ball_mass / scene.main_mass));
@@ -57,7 +56,7 @@ double energy(const Scene& scene, const Reading& at) {
   return mechanical_energy(scene, at) + stored;
 }
 
-// The average gain of energy over the last steps, as a share. NaN if the plan is rejected.
+// The average relative gain of energy over the last steps, or NaN if the plan is rejected.
 template <class Law, class Format>
 double gained(const Cavity& cavity) {
   using Kernel = Absorber<AtRunTime, Law, Moment, NoDrive, Format>;

@@ -1,6 +1,6 @@
-// A stop never pulls, for any damping of the law, and however fast the stop retreats from the ball. Half of the random
-// scenes begin inside the stop. They have drives, weight, a base that shakes, friction, corrections and changes of
-// plan. In two scenes the main mass retreats from its ball, and the motion is compared with the reference.
+// A stop never pulls, for any damping, and for any speed at which it retreats from the ball. Half of the random scenes
+// begin inside the stop. They have drives, weight, a shaken base, friction, corrections and changes of plan. In two
+// scenes the main mass retreats from its ball, and the motion is compared with the reference.
 
 #include <gtest/gtest.h>
 
@@ -171,8 +171,8 @@ using OtherKinds =
 TYPED_TEST_SUITE(NoPullAlone, OtherKinds, );
 TYPED_TEST(NoPullAlone, InAnyStep) { TypeParam::expect_no_rise(); }
 
-// The main mass retreats so fast that the law has no force until the ball is out or pressed in again. Either a constant
-// drive pulls it, or a shaken base under an upright rig. Returns the largest difference from the reference within
+// The main mass retreats so fast that the law has no force until the ball is out or pressed in again. A constant drive
+// accelerates it, or a shaken base under an upright rig. Returns the largest difference from the reference within
 // `duration`.
 template <class Kernel>
 double largest_error(const Case& run, const Bounds& bounds, double h, double duration) {
@@ -255,8 +255,8 @@ TEST(DrawnOff, AsTheReferenceSays) {
   expect_within<FourParts, Fixed32>(2e-6);  // the rounding of 9000 sub-steps per contact
 }
 
-// If a force ends within the step with the slope f', its impulse has an error of at most f' h^2/8, which is of second
-// order. Here f' is c/mu times the 1 m/s^2 of the drive. The error of the speed then lasts to the end.
+// If a force with the slope f' ends within the step, its impulse has an error of at most f' h^2/8, of second order.
+// Here f' is c/mu times the drive's 1 m/s^2. The error of the speed remains to the end.
 TEST(DrawnOff, TheKinkIsOfSecondOrder) {
   const double duration = 0.06, depth = 1.5e-3, mu = 0.3 / 1.3;
   for (const double h : {4e-4, 2e-4, 1e-4, 5e-5}) {

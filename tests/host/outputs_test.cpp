@@ -1,5 +1,5 @@
-// The calls between two steps, in native numbers: outputs, converters, corrections and snapshots. Also a rejected plan,
-// and the saved bytes of another absorber.
+// Calls between two steps, in native numbers: outputs, converters, corrections and snapshots. Also a rejected plan, and
+// a state saved by another absorber.
 
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ TYPED_TEST_P(Outputs, EqualTheReadingInTheirUnits) {
   EXPECT_EQ(kernel.fault(), Fault::none);
 }
 
-// Only the contact force acts on the ball, so it accounts for the ball's momentum.
+// Only the contact force acts on the ball, so its sum is the ball's change of momentum.
 TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
   using Format = typename TypeParam::Format;
   auto kernel = TypeParam::made();
@@ -148,7 +148,7 @@ struct Formats : testing::Test {};
 using EveryFormat = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(Formats, EveryFormat);
 
-// A correction adds to the state. The motion that follows is that of a scene which starts in the corrected state.
+// A correction adds to the state. The motion then is that of a scene that starts in the corrected state.
 TYPED_TEST(Formats, ACorrectionAddsToDisplacementAndVelocity) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>;
   Scene there;
@@ -184,7 +184,7 @@ TYPED_TEST(Formats, CorrectionsPullTheModelToItsPlant) {
     model.step();
     plant.step();
   }
-  // In Fixed32 a hundredth of the error rounds to 0 in the end.
+  // In Fixed32 a hundredth of the error finally rounds to 0.
   EXPECT_NEAR(model.reading().x1, plant.reading().x1, lsb_of<TypeParam>(0.1, xu) * 60);
   EXPECT_EQ(model.fault(), Fault::none);
 }
@@ -244,8 +244,8 @@ TYPED_TEST(Formats, ACorrectionInContactLeavesAContact) {
   run(Pointwise(Pointwise::PlanType::make(Scene{}, Bounds{}, h)));
 }
 
-// The plan is a constant, so that the compiler makes the first snapshot. The ball leaves so fast that the stop would
-// have to pull: contact ends at once.
+// The plan is a constant, so the compiler computes the first snapshot. The ball leaves so fast that the stop would have
+// to pull, and the contact ends at once.
 template <class Law_>
 struct SentAway {
   static constexpr Scene scene = [] {
@@ -328,7 +328,7 @@ TYPED_TEST(Formats, CountsInAreSamples) {
       for (int32_t n = 0; n <= 4096; ++n) {
         const auto counts = static_cast<int32_t>(static_cast<int64_t>(n) * (2 * zero - 1) / 4096);
         double exact = (counts - zero) * full_scale / zero;
-        // Values are clamped at the last whole count below the unit.
+        // Values are clamped to the last whole count below the unit.
         const double most = (std::ceil(unit * zero / std::abs(full_scale)) - 1) * std::abs(full_scale) / zero;
         if (std::is_same_v<TypeParam, Fixed32>) exact = std::min(std::max(exact, -most), most);
         const double lsb = std::is_same_v<TypeParam, Fixed32> ? 10 * 0x1p-29 : std::abs(exact) * 0x1p-22;
@@ -339,8 +339,7 @@ TYPED_TEST(Formats, CountsInAreSamples) {
     }
 }
 
-// The full scale is slightly above a whole count, so that count is slightly below the unit. Rounding its product must
-// not change the sign.
+// The unit is slightly above a whole count. The rounded product of that count must not change its sign.
 TEST(FromCountsInFixed32, KeepTheSignAtTheUnit) {
   for (const double per_unit : {2199.0000011817065, 98525.00006975689, 336723.00039717258, 557301916.26383638})
     for (const double direction : {1.0, -1.0}) {

@@ -1,15 +1,15 @@
-// The paper's claims about its figures, tested with numbers of the kernel, and the conventions that they depend on.
+// The paper's claims about its figures, tested with the kernel's numbers, and the conventions on which they depend.
 //
-// The paper states neither the drive's frequency nor what its clearance measures. Its amplitudes follow with 40 rad/s,
-// stops at +-d/2, a start at rest in the middle, and 5 s of motion. The main mass alone has 31.62 rad/s. At 31.62 rad/s
-// the main mass alone grows without bound.
+// The paper states neither the drive's frequency nor the definition of its clearance. Its amplitudes follow with 40
+// rad/s, stops at +-d/2, a start at rest in the middle, and 5 s of motion. The natural frequency of the main mass is
+// 31.62 rad/s. Driven at that, without absorber, it would grow without bound.
 //
-// Nor does it state how c1 follows from a restitution e that varies (figure 8). It may follow from (2.3) and (2.9) at
-// one speed, here 0.8 m/s, or from (2.9) at each impact. Or it may be the c1 for which the law has that e at that
-// speed. Nor does the paper state whether Hooke-Newton may pull.
+// Nor does it state how c1 follows from a variable restitution e (figure 8). It may follow from (2.3) and (2.9) at one
+// speed, here 0.8 m/s, or from (2.9) at each impact. Or it may be the c1 for which the law has that e at that speed.
+// The paper does not state either whether Hooke-Newton may pull.
 //
-// After some 3 s the motion of Hertz and Hooke-Newton depends on rounding. Claims about them are tested on the median
-// over 33 starts of the ball within 0.16 mm of the middle, or by counting these starts.
+// After some 3 s the motion with Hertz and Hooke-Newton depends on rounding. Claims about them are tested on 33 starts
+// of the ball within 0.16 mm of the middle, by median or by number.
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/extremes.hpp"
@@ -48,7 +48,7 @@ Starts starts(Request request, double duration = 5) {
   return result;
 }
 
-// The ways in which c1 may follow from a restitution.
+// The ways to determine c1 from a restitution.
 enum class From { paper, law, each_impact };
 
 Request request_with(Law law, Tension tension, double e, From from) {
@@ -76,7 +76,7 @@ TEST(PaperClaims, HuntCrossleyAttenuatesTo17Point6Millimetres) {
   for (const Stepper stepper :
        {Stepper::moment, Stepper::average, Stepper::linear, Stepper::fox_goodwin, Stepper::central}) {
     const Samples samples = kernel_samples(paper_request(Law::hunt_crossley, stepper, 1e-4), interval, 5);
-    // This scene damps its errors, so that no figure can show them.
+    // In this scene errors decay, so no figure can show them.
     EXPECT_LT(largest_difference(samples, reference), 1e-5) << name_of(stepper);
   }
 }
@@ -89,9 +89,9 @@ TEST(PaperClaims, HookeNewtonAttenuatesToTheSame) {
   }
 }
 
-// Hertz can move the main mass beyond the 37.55 mm of the system without absorber, as the paper's figure 4 shows. In 5
-// s 3 of 33 starts do so (the exact middle: 38.1 mm by the reference), in 20 s half of them. Its root mean square is
-// below that of the system without absorber. No start attenuates as with the other laws.
+// With Hertz the main mass can exceed the 37.55 mm of the system without absorber, as the paper's figure 4 shows. In 5
+// s 3 of 33 starts do so (the exact middle: 38.1 mm by the reference), in 20 s half of them. The root mean square is
+// below that without absorber. No start attenuates as much as the other laws.
 TEST(PaperClaims, HertzCanAmplify) {
   const double bare = maximum(kernel_samples(bare_request(), interval, 5));
   const Request hertz = paper_request(Law::hertz, Stepper::moment, 1e-3);
@@ -111,15 +111,15 @@ TEST(PaperClaims, WithoutDampingHookeNewtonIsLowest) {
   const Request hertz = paper_request(Law::hertz, Stepper::moment, 1e-3);
   const Request hunt_crossley = request_with(Law::hunt_crossley, Tension::clamp, 1, From::law);
   EXPECT_EQ(hunt_crossley.scene.contact_damping, 0);
-  // Both use the same formulas, with terms of zero in one. Only rounding differs, amplified as in accuracy_test.cpp.
+  // The formulas are the same, with terms of 0 in one. Only amplified rounding differs, as in accuracy_test.cpp.
   EXPECT_LT(largest_difference(kernel_samples(hertz, interval, 1), kernel_samples(hunt_crossley, interval, 1)), 1e-12);
   EXPECT_LT(starts(request_with(Law::hooke_newton, Tension::clamp, 1, From::law)).median_maximum(),
             starts(hertz).median_maximum());
 }
 
 // Figure 8 at e = 0.68: Hunt-Crossley has the lowest maximum in 5 s for a constant c1, by either formula, with tension
-// or without. With c1 from each impact's speed it has not, since slow impacts then lose less. Over 20 s with the
-// paper's c1 it has not either: the motion changes to another one, of 26 mm.
+// or without. With c1 from each impact's speed this is false, since slow impacts then lose less. It is also false over
+// 20 s with the paper's c1: the motion changes to another one, of 26 mm.
 TEST(PaperClaims, AtTheStatedRestitutionHuntCrossleyIsLowest) {
   for (const Tension tension : {Tension::clamp, Tension::allow})
     for (const From from : {From::paper, From::law}) {
@@ -132,8 +132,8 @@ TEST(PaperClaims, AtTheStatedRestitutionHuntCrossleyIsLowest) {
   EXPECT_GT(starts(request_with(Law::hunt_crossley, Tension::clamp, 0.68, From::paper), 20).median_maximum(), 18e-3);
 }
 
-// Figure 8: over restitutions from 0.3 to 1, Hunt-Crossley's maximum varies more than Hooke-Newton's, with each way to
-// determine c1.
+// Figure 8: over restitutions from 0.3 to 1, Hunt-Crossley's maximum varies more than Hooke-Newton's, for each
+// convention of c1.
 TEST(PaperClaims, HuntCrossleyIsMoreSensitiveToRestitution) {
   for (const From from : {From::paper, From::law, From::each_impact}) {
     const auto spread = [from](Law law) {
@@ -150,8 +150,8 @@ TEST(PaperClaims, HuntCrossleyIsMoreSensitiveToRestitution) {
 }
 
 // Figure 10, energy dissipated in 5 s: Hunt-Crossley's is above Hooke-Newton's, and Hertz dissipates none. At e = 0.68
-// this is true with each convention. It is true over all restitutions if c1 gives the law that restitution. The paper's
-// formulas lose less than e says, and with them Hooke-Newton overtakes below e = 0.5 (e = 0.6 with tension).
+// this is true for each convention, and for all restitutions if c1 gives the law that restitution. With the paper's
+// formulas impacts lose less than e says, and Hooke-Newton dissipates most below e = 0.5 (0.6 with tension).
 TEST(PaperClaims, HuntCrossleyDissipatesMost) {
   const auto dissipated = [](Law law, Tension tension, double e, From from) {
     return starts(request_with(law, tension, e, from)).median_dissipated();

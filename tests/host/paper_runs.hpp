@@ -1,5 +1,6 @@
 #pragma once
-// The paper's scene with each contact law, from rest at 40 rad/s, with its runs by the kernel and by the reference.
+// The paper's scene with each contact law, from rest, driven at 40 rad/s: its samples by the kernel and by the
+// reference.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ inline Request paper_request(Law law, Stepper stepper, double step, Tension tens
 // Samples at multiples of `interval`, which is a multiple of the step. There is one drive sample per step, for its end.
 inline Samples kernel_samples(const Request& request, double interval, double duration) {
   Request asked = request;
-  asked.duration = duration;  // the duration in which bounds are found
+  asked.duration = duration;  // the tool finds bounds by a run of this duration
   const Outcome outcome = make_simulation(asked);
   EXPECT_TRUE(outcome.simulation) << outcome.refusal.field << " " << outcome.refusal.value
                                   << ", allowed: " << outcome.refusal.allowed;

@@ -1,4 +1,4 @@
-// The classical steppers in double are Newmark's method as in a textbook, step by step. host_ref/textbook_newmark.hpp
+// In double the classical steppers equal Newmark's method of the textbook in each step. host_ref/textbook_newmark.hpp
 // solves the same equations in matrices, with accelerations, to convergence.
 
 #include <impact/absorber.hpp>
@@ -13,7 +13,8 @@ namespace {
 constexpr std::pair<Stepper, double> betas[] = {
     {Stepper::average, 1.0 / 4}, {Stepper::linear, 1.0 / 6}, {Stepper::fox_goodwin, 1.0 / 12}, {Stepper::central, 0.0}};
 
-// `tolerance` is for x1 and x2, m. In contact, rates and forces follow from them with some 1e3 per second and 1e5 N/m.
+// `tolerance` is for x1 and x2, m. In contact, factors of some 1e3 per second and 1e5 N/m give that of rates and
+// forces.
 void expect_textbook(const Request& request, double beta, double tolerance) {
   SCOPED_TRACE(std::string(name_of(request.law)) + " " + std::string(name_of(request.stepper)) + " " +
                std::to_string(request.step));
@@ -36,7 +37,7 @@ void expect_textbook(const Request& request, double beta, double tolerance) {
   EXPECT_EQ(outcome.simulation->sample().impacts, textbook.sample().impacts);
 }
 
-// 10^4 steps round 30 mm by 3e-18 m each, which the scene amplifies at most ten times.
+// 10^4 steps round 30 mm by 3e-18 m each. The scene amplifies this at most tenfold.
 TEST(Pointwise, IsTheTextbooksNewmark) {
   for (const Law law : {Law::hertz, Law::hunt_crossley})
     for (const auto& [stepper, beta] : betas)
@@ -52,9 +53,9 @@ TEST(Pointwise, IsTheTextbooksNewmarkForHookeNewton) {
         expect_textbook(paper_request(Law::hooke_newton, stepper, step, tension), beta, step > 1e-3 ? 1e-7 : 1e-9);
 }
 
-// Below two steps per contact the law's slope over the force exceeds 1. A free pair runs until a scheme that multiplies
-// the energy leaves the bounds. Fixed32's unit of penetrations has room for nine displacements of a step (newmark.hpp).
-// That is four bits more than one displacement.
+// Below two steps per contact the ratio of the law's slope and the force exceeds 1. A free pair runs until a scheme
+// that multiplies the energy leaves the bounds. In Fixed32 the unit of penetrations has room for nine steps'
+// displacement (newmark.hpp), four bits more than for one.
 template <class ContactLaw, class Scheme>
 void follows_double_in_a_stiff_contact() {
   constexpr double h = 1e-4, speed = 1;

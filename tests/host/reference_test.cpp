@@ -51,7 +51,7 @@ Sample sample_at(const Case& run, double t) {
   return reference.sample();
 }
 
-// Samples at every millisecond, without the second run that estimates the error.
+// Samples of every millisecond, without the second run that estimates the error.
 Samples samples_of(const Case& run, int seconds) {
   Reference reference(run);
   Samples samples;
@@ -152,7 +152,7 @@ void expect_single_impact(const Case& run, int side) {
   EXPECT_EQ(after.contact_force, 0);
   EXPECT_NEAR(after.v1 + 0.3 * after.v2, 0.3 * 0.8 * side, 1e-15);  // momentum is conserved
 
-  // The instant until which a property holds that holds when the contact starts.
+  // The instant at which a property ends that is true when the contact starts.
   const auto end_of = [&](auto property) {
     double before = start, behind = start + 2 * duration;
     while (behind - before > 1e-12 * duration) {
@@ -215,7 +215,7 @@ TEST(ReferenceImpact, StartsInsideAStop) {
     EXPECT_NEAR(-side * (after.v2 - after.v1), std::sqrt(0.8 * 32600 * std::pow(depth, 2.5) / mu), 1e-13);
     EXPECT_EQ(after.impacts, 0);
   }
-  // If the ball leaves faster than k1/c1, a clamped Hunt-Crossley contact has no force. The unclamped law pulls.
+  // If the ball leaves faster than k1/c1, a clamped Hunt-Crossley stop exerts no force. The unclamped law pulls.
   Case run = free_pair(variants[4], 1);
   run.scene.x2 = 0.01 + depth;
   run.scene.v2 = -2;  // k1 / c1 = 1.67 m/s
@@ -228,7 +228,7 @@ TEST(ReferenceImpact, StartsInsideAStop) {
   EXPECT_LT(sample_at(run, 0).contact_force, 0);
 }
 
-// The ball is at rest. The main mass oscillates as 10 mm (1 + excess) sin w0 t, so it touches by the excess alone.
+// The ball is at rest. The main mass oscillates as 10 mm (1 + excess) sin w0 t, so only the excess makes it touch.
 TEST(ReferenceContact, GrazingIsNotMissed) {
   for (const Variant& variant : variants)
     for (const double excess : {-1e-12, 1e-12, 1e-9, 1e-6}) {
@@ -250,8 +250,8 @@ TEST(ReferenceContact, StopsThatAreNotThereAreNotHit) {
   EXPECT_EQ(sample_at(run, 1).impacts, 1);
 }
 
-// A constant force drives the main mass's left stop into the ball, which bounces less and less. In the end both masses
-// accelerate together, and the contact force is m F/(M + m).
+// A constant force drives the left stop into the ball, whose bounces decay. In the end both masses have the same
+// acceleration, and the contact force is m F/(M + m).
 TEST(ReferenceContact, BouncingSettles) {
   for (const Variant& variant : variants) {
     if (variant.law == Law::hertz) continue;
@@ -427,14 +427,14 @@ TEST(ReferenceTrajectory, SampledSineApproachesTheSine) {
     sampled.sample_step = 1e-4;
     for (int i = 0; i <= 10000; ++i) sampled.samples.push_back(drive_force(sine, i * 1e-4));
     const double difference = largest_difference(samples_of(sine, 1), samples_of(sampled, 1));
-    // The drive's relative error, times 40 mm of displacement, times 150, by which any perturbation grows in 1 s.
+    // The drive's relative error, times 40 mm of displacement, times the growth of a perturbation in 1 s, 150.
     EXPECT_LT(difference, 2e-6 * 0.04 * 150) << variant.name;
     EXPECT_GT(difference, 0) << variant.name;
     std::printf("  %-31s %.1e m from the sine\n", variant.name, difference);
   }
 }
 
-// The result limits what a comparison point by point can show. The assertions are loose on purpose.
+// The result limits comparisons point by point. The assertions are loose on purpose.
 TEST(ReferenceTrajectory, HorizonOfComparability) {
   for (const Variant& variant : variants) {
     if (variant.law != Law::hooke_newton && variant.tension == Tension::allow) continue;  // never pulls here
@@ -454,7 +454,7 @@ TEST(ReferenceTrajectory, HorizonOfComparability) {
 }
 
 // The paper's figures, as precisely as they can be read. Hooke-Newton and Hunt-Crossley halve the 37.6 mm of the system
-// without absorber. Hertz exceeds them from the exact start, but not from a start 10 um away. Its maximum in 5 s is
+// without absorber. Hertz exceeds 37.6 mm from the exact start, but not from a start 10 um away: its maximum in 5 s is
 // beyond its horizon of comparability.
 TEST(ReferenceTrajectory, PaperAmplitudes) {
   const auto amplitude = [](const Variant& variant, double x2) {

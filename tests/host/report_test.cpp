@@ -1,6 +1,6 @@
 // The report's baselines and scenes against independent methods. In double, its hand-written Newmark and Runge-Kutta
-// steps equal the matrix ones of textbook_newmark.hpp. Its c1 in constant expressions equal those of closed_form.hpp.
-// The tests in tests/explorer check the page's sentences.
+// steps equal the matrix methods of textbook_newmark.hpp. Its constant c1 equal those of closed_form.hpp. The tests in
+// tests/explorer check the page's sentences.
 
 #include <gtest/gtest.h>
 
@@ -52,9 +52,9 @@ struct Under {
 using Laws = testing::Types<Under<Law::hooke_newton>, Under<Law::hertz>, Under<Law::hunt_crossley>>;
 TYPED_TEST_SUITE(TextbookMethods, Laws);
 
-// The report's Newton's method stops at 1e-6 of the acceleration. The matrix one continues to rounding. Since
-// convergence is quadratic, 1e-12 of 100 m/s^2 remains in a step. That is below 1e-12 m in 5000 steps, and impacts
-// amplify it by less than 1000 in 0.5 s.
+// Newton's method stops at 1e-6 of the acceleration in the report, and at rounding in the matrix method. Its
+// convergence is quadratic, so 1e-12 of 100 m/s^2 remains in a step, below 1e-12 m in 5000 steps. Impacts amplify it by
+// less than 1000 in 0.5 s.
 TYPED_TEST(TextbookMethods, NewmarkIsTheMatrixMethod) {
   constexpr Law law = TypeParam::law;
   EXPECT_LT(largest_difference(TextbookNewmark<double, Rig<law>, law, LibraryPower>{},
@@ -69,7 +69,7 @@ TYPED_TEST(TextbookMethods, RungeKuttaIsTheMatrixMethod) {
             1e-9);
 }
 
-// A sine that is turned 10000 times by rounded factors has an error below 1e-12. So has x1, before impacts amplify it.
+// A sine after 10000 rotations by rounded factors has an error below 1e-12, and so has x1 before impacts amplify it.
 TYPED_TEST(TextbookMethods, TunedRungeKuttaIsTheMatrixMethod) {
   constexpr Law law = TypeParam::law;
   EXPECT_LT(largest_difference(TunedRk4<double, Rig<law>, law, LibraryRoot>{},
@@ -91,7 +91,7 @@ TEST(PaperScenes, OfTable2IsTheOneOfRestitution068) {
   EXPECT_NEAR(host::paper_contact_damping(host::Impact{}, 0.68).value(), paper_run(3).scene.contact_damping, 1e-9);
 }
 
-// The plan of a free pair takes Impulsive for contacts of any duration. That of the coupled machine does not.
+// For a free pair a plan accepts Impulsive for any contact time, for the coupled machine it does not.
 TEST(MachineRule, TakesImpulsiveForAShortContactOnly) {
   EXPECT_EQ(machine_rule(Law::hunt_crossley, 1e-4, 1e4), "moment");
   EXPECT_EQ(machine_rule(Law::hunt_crossley, 1e-3, 1e10), "impulsive");

@@ -1,18 +1,17 @@
-// The error that 32 bits add to that of the method: Fixed32 and Float32 against double at the same step, over 1 s of
-// the paper's scene. It is at most a tenth of the method's error, or a floor of 2e-9 m (Fixed32) and 1e-8 m (Float32).
+// The rounding error of 32 bits: Fixed32 and Float32 against double at the same step, over 1 s of the paper's scene. It
+// is at most a tenth of the method's error, or a floor of 2e-9 m (Fixed32) or 1e-8 m (Float32).
 //
-// A scene may require more digits than the format has. A change dv of the speed of one impact moves x1 within the
-// second by A dv. A is some 0.2 s for Hunt-Crossley, whose losses reduce the effect, 1 s for Hertz, and 4 to 11 s for
-// Hooke-Newton. The smallest dv that a format resolves is, for an impact at the speed v,
+// A scene may require more digits than the format has. A change dv of one impact's speed moves x1 by A dv within the
+// second. A is some 0.2 s for Hunt-Crossley, whose losses reduce the effect, 1 s for Hertz, and 4 to 11 s for
+// Hooke-Newton. For an impact at the speed v a format resolves
 //
 //     dv = 2^-24 v (Float32) or 2^-31 v (Fixed32), an LSB of the constants that scale the impact;
 //     in Fixed32 also 2^-31 (unit of penetration) / h / sqrt(N), the LSB of the rate, over the N steps of a contact.
 //
-// If 2 A dv is above the floor, as for Hertz in Float32 and for Hooke-Newton, it replaces the floor.
+// If 2 A dv exceeds the floor, as for Hertz in Float32 and for Hooke-Newton, it replaces the floor.
 //
-// With a classical scheme, the force of Hooke-Newton jumps at the step that first detects the contact. An LSB may
-// decide which step that is. The two runs then differ by as much as each differs from the truth, so the bound is the
-// error of the method.
+// With a classical scheme, Hooke-Newton's force jumps in the step that first detects the contact. An LSB may decide
+// which step that is. The two runs then differ by the error of the method, which is the bound.
 
 #include <cstdio>
 

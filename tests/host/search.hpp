@@ -1,6 +1,6 @@
 #pragma once
 // A seeded search for the largest value of a function of coordinates from 0 to 1: the (1+1) evolution strategy
-// (Rechenberg 1973). When its steps have become small, it starts again from the best of some random points.
+// (Rechenberg 1973). When its steps are small, it restarts from the best of 12 random points.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ Found<n> search(unsigned seed, int evaluations, const Value& value) {
   constexpr double first_step = 0.2, smallest_step = 1e-3;
   std::mt19937_64 engine(seed);
   const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-  // A sum of uniform numbers, close enough to a normal distribution, and the same on every machine.
+  // A sum of uniform numbers. It is nearly normally distributed, and the same on every machine.
   const auto normal = [&uniform] {
     double sum = -6;
     for (int i = 0; i < 12; ++i) sum += uniform();

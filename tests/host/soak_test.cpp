@@ -1,6 +1,6 @@
-// A long run, in which the energy ledger balances and the drive keeps amplitude and phase. With weight, a shaken base
-// and friction, the ledger also balances with the work of the field and the friction's dissipation. It has 2e6 steps,
-// or IMPACT_SOAK_STEPS.
+// In a long run the energy ledger balances, and the drive keeps amplitude and phase. With weight, a shaken base and
+// friction, the balance includes the field's work and the friction's dissipation. A run has 2e6 steps, or
+// IMPACT_SOAK_STEPS.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 namespace impact {
 namespace {
 
-// The paper's scene without the main damper, whose loss the kernel does not count. For average acceleration the
-// ledger's rules are the exact balance, so only rounding remains.
+// The paper's scene without the main damper, whose loss the kernel does not count. With average acceleration the
+// ledger's balance is exact except for rounding.
 struct Rig {
   static constexpr Scene scene = [] {
     Scene made;
@@ -37,10 +37,10 @@ long steps_of_a_run() {
   return asked ? std::atol(asked) : 2000000;
 }
 
-// The rounding of the ledger over a run, J. In a step two products of the drive round by half an LSB each, and so do
-// the additions. In Float32 they are at most 10 N times the displacement at 2 m/s. A contact has two more products and
-// the stored energy, in its own unit. Roundings to nearest grow with the square root of the steps, and stay within 8
-// times that. Roundings down would drift by half an LSB per step.
+// The ledger's rounding over a run, J. In a step two products of the drive round by half an LSB each, and so do the
+// additions. In Float32 they are at most 10 N times the displacement at 2 m/s. A contact has two more products and the
+// stored energy, in its own unit. Rounding to nearest grows with the square root of the steps, and stays within 8 times
+// that. Rounding down would drift by half an LSB per step.
 template <class Format, class Plan>
 double rounding_of(const Plan& plan, double steps, double h) {
   const bool is_fixed = std::is_same_v<Format, Fixed32>;
@@ -72,7 +72,8 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
   const double total = static_cast<double>(steps + extra), bound = rounding_of<TypeParam>(plan, total, Rig::step);
   EXPECT_NEAR(energy + dissipated, work, bound);
 
-  // The curvature's 31 bits limit the phase error to pulsation * time * 2^-31. The amplitude keeps its 31 bits.
+  // The phase error is at most pulsation * time * 2^-31, since the curvature has 31 bits. So has the amplitude, which
+  // stays exact.
   const double turned = scene.drive_pulsation * Rig::step * total;
   const double force = 2 * plan.units.fraction(state.drive.force(plan.drive));
   EXPECT_NEAR(force, std::sin(turned), turned * 0x1p-31 + 1e-6);
@@ -83,7 +84,7 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
       turned * 0x1p-31 + 1e-6);
 }
 
-// Each entry is far below the sum's LSB. A plain float would stop growing at 2.
+// Each entry is far below an LSB of the sum. A plain float would not grow beyond 2.
 template <class Format>
 struct Tallies : testing::Test {};
 using FloatFormats = testing::Types<Float32, Float32Plain>;
@@ -95,8 +96,8 @@ TYPED_TEST(Tallies, GrowByTermsBelowTheirLsb) {
   EXPECT_NEAR(tally.total(), 4e7 * static_cast<double>(entry), 1e-6);
 }
 
-// With a period of three, four or six steps the curvature is a whole number, so every period rounds alike. The errors
-// must not add up.
+// With a period of three, four or six steps the curvature is an integer, so every period rounds alike. The errors must
+// not add up.
 TEST(SoakOfAnOscillator, KeepsTheAmplitudeOfAFewStepsAPeriod) {
   constexpr double pi = 3.14159265358979323846;
   for (const int period : {3, 4, 6})
@@ -126,7 +127,7 @@ struct RigWithParts {
   static constexpr double step = 1e-4;
 };
 
-// The balance may miss rounding, as above, and 1e-5 of each contact's energy, which is Moment's error.
+// The balance may have an error of rounding, as above, and Moment's error, 1e-5 of each contact's energy.
 TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
   using Kernel =
       Absorber<RigWithParts, HuntCrossley, Moment, Sine, TypeParam, BaseAcceleration, DryFriction, EnergyLedger>;
@@ -190,8 +191,8 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
       total, by_drive, by_field, by_contact, by_friction, turns, missing, bound, 1e-5 * (in_contacts + by_contact));
 }
 
-// A sine of any phase per step. The curvature has 31 bits, so a phase is right within 2^-32 of itself. Sine and product
-// round down by at most 2^-29 of the amplitude, about which the recurrence oscillates.
+// A sine at any pulsation. The curvature has 31 bits, so the relative error of a phase is at most 2^-32. Sine and
+// product round down, which makes the recurrence oscillate by at most 2^-29 of the amplitude.
 TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
   for (const double turn : {0x1p-24, 6e-8, 1.1e-7, 1e-6, 3.3e-6, 1e-5, 3e-5, 4e-3})
     for (const double phase : {0.0, 1.0}) {
@@ -211,7 +212,7 @@ TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
 }
 
 // A weak damper changes the state by less than an LSB per step. A vibration of 1e-4 of the bounds still decays as
-// exp(-c t/2M). The tolerance is ten times what half an LSB of a position adds up to by chance.
+// exp(-c t/2M). The tolerance is ten times the random sum of half an LSB of a position per step.
 TEST(Fixed32Damper, TakesItsShareOfASmallVibration) {
   using Kernel = Absorber<AtRunTime, Hertz, Moment, NoDrive, Fixed32>;
   const double h = 1e-4;

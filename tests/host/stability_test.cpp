@@ -1,7 +1,7 @@
 // One impact of two free masses over the whole range of stiffness, step, restitution, speed, mass ratio and clearance.
-// It runs with every law, format and passive stepper that the plan accepts, at 64 phases of the impact within the step.
-// There is no fault and no gain of energy, and the restitution is that of the law. The scenes are all corners of that
-// range, and a low-discrepancy sample of its inside, of which IMPACT_STABILITY_CELLS sets the number.
+// Every law, format and passive stepper that the plan accepts is tested at 64 phases of the impact within the step.
+// There is no fault and no gain of energy, and the restitution is the law's. The scenes are all corners of the range,
+// and a low-discrepancy sequence inside it, whose length is IMPACT_STABILITY_CELLS.
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ namespace {
 
 constexpr int dimensions = 6, corners = 1 << dimensions;
 
-// Contacts of more steps than this are resolved and would take minutes, so the step is limited. Beyond it one case
-// fails: Hooke-Newton in Float32, at 2000 steps and e = 0.05, rebounds with 0.045 at some phases.
+// Longer contacts are well resolved and would take minutes. One case of them fails: in Float32 Hooke-Newton at 2000
+// steps and e = 0.05 rebounds with 0.045 at some phases.
 constexpr double most_steps_per_contact = 200;
 
 double steps_per_contact(const FreePair& free) { return contact_time(impact_of(free)).value() / free.step; }
@@ -44,7 +44,7 @@ FreePair cell_at(Law law, const double (&u)[dimensions]) {
   return free;
 }
 
-// The corners come first, then the additive recurrence of the generalised golden ratio g, g^7 = g + 1 (Roberts 2018).
+// First the corners, then the additive recurrence with the generalised golden ratio g, g^7 = g + 1 (Roberts 2018).
 FreePair cell(Law law, int index) {
   double u[dimensions];
   double ratio = 1, power = 1;
@@ -64,14 +64,14 @@ int cells() {
 
 std::string text_of(const FreePair& free) {
   char text[256];
-  std::snprintf(text, sizeof text, "k1 %.6g, e %.4g, v0 %.6g m/s, m/M %.6g, d %.6g m, h %.6g s: %.3g steps a contact",
+  std::snprintf(text, sizeof text, "k1 %.6g, e %.4g, v0 %.6g m/s, m/M %.6g, d %.6g m, h %.6g s: %.3g steps/contact",
                 free.contact_stiffness, free.restitution, free.speed, free.ball_mass / free.main_mass, free.clearance,
                 free.step, steps_per_contact(free));
   return text;
 }
 
-// A format's resolution: the LSB of a position and of a displacement per step, both over the ball's displacement in a
-// step.
+// A format's resolution: the LSBs of a position and of a displacement per step, as shares of the ball's displacement in
+// a step.
 struct Lsbs {
   double position, rate;
 };
@@ -94,20 +94,20 @@ Lsbs lsbs_of(const FreePair& free, Numeric numeric) {
   return {0, 2 * std::max(bounds.penetration, 2 * bounds.speed * free.step) * 0x1p-31 / approach};
 }
 
-// Float32Plain suits motions that move by many LSBs of the position in a step, here by at least 2^10.
+// Float32Plain requires a displacement per step of many LSBs of the position, here at least 2^10.
 bool is_resolved(const FreePair& free, Numeric numeric) { return lsbs_of(free, numeric).position < 0x1p-10; }
 
-// The energy that rounding may add to one impact, over that before it: 1e-12 in double, 1e-5 in 32 bits, and the
-// rounding of a long contact.
+// The relative energy that rounding may add to one impact: 1e-12 in double or 1e-5 in 32 bits, and the rounding of a
+// long contact.
 //
-// Half an LSB of the position is work of the contact force in each step. Over N steps it is at most N LSBs times 5/2
-// approach/peak of the energy. With peak = N approach/2.94 that is 7.4 LSBs over the approach. In Float32Plain the
+// In each step the contact force does work over half an LSB of the position. Over N steps this is at most N LSBs times
+// 5/2 approach/peak of the energy. With peak = N approach/2.94 it is 7.4 LSBs over the approach. In Float32Plain the
 // position rounds the same displacement alike in every step, so that is its gain. In the other formats the sign is
-// random, and the limit is six standard deviations of sqrt(N) steps.
+// random, and the limit is six standard deviations for N steps.
 //
-// Half an LSB of the rate is twice as much of the energy, also at random. The standard deviation of a uniform error is
-// 1/sqrt(12) of an LSB. Each sub-step counts as a step. In Fixed32 its rate has the same unit, so an LSB is n times as
-// much of it.
+// Half an LSB of the rate changes the energy by twice its relative size, also at random. The standard deviation of a
+// uniform error is 1/sqrt(12) of an LSB. Each sub-step counts as a step. In Fixed32 its rate has the same unit, so
+// relatively an LSB is n times as large.
 double rounding_gain(const FreePair& free, Stepper stepper, Numeric numeric) {
   Request request = request_for(free, stepper, numeric, 0);
   if (stepper == Stepper::automatic) request.stepper = chosen(request);
@@ -119,8 +119,8 @@ double rounding_gain(const FreePair& free, Stepper stepper, Numeric numeric) {
          12 / std::sqrt(12) * std::sqrt(parts) * (numeric == Numeric::fixed32 ? n : 1) * lsb.rate;
 }
 
-// Known failure: a slow, heavy ball hits a soft stop 0.5 m from the middle in Fixed32. With Moment, one phase in some
-// tens rebounds with 0.055 to 0.09 instead of 0.05, or gains 1.4e-4 of the energy. EnergyConsistent gains 2.6e-5.
+// Known failure: in Fixed32 a slow, heavy ball hits a soft stop 0.5 m from the middle. With Moment, a few per cent of
+// the phases rebound with 0.055 to 0.09 instead of 0.05, or gain 1.4e-4 of the energy. EnergyConsistent gains 2.6e-5.
 bool is_left_out(const FreePair& free, Numeric numeric) {
   return numeric == Numeric::fixed32 && free.contact_stiffness < 101 && free.speed < 1.01e-4 && free.ball_mass > 99 &&
          free.clearance > 0.99;
@@ -128,9 +128,9 @@ bool is_left_out(const FreePair& free, Numeric numeric) {
 
 class EveryCell : public testing::TestWithParam<Kind> {};
 
-// By the rule and by Impulsive, the restitution is within 1 % of the law's. EnergyConsistent is within 1e-3 from 2.5
-// steps per contact on, and within 2e-3 below. For Hooke-Newton it is only of second order, since the force jumps: 0.04
-// at 2.6 steps. Rounding may add half of its share of the energy.
+// With the rule's stepper and with Impulsive, the restitution is within 1 % of the law's. EnergyConsistent is within
+// 1e-3 from 2.5 steps per contact on, and within 2e-3 below. With Hooke-Newton it is only of second order, since the
+// force jumps: 0.04 at 2.6 steps. Rounding adds at most half of its share of the energy.
 TEST_P(EveryCell, ReboundsAsTheLawAndGainsNothing) {
   const auto [law, stepper, numeric, damping] = GetParam();
   struct Worst {
@@ -168,8 +168,7 @@ TEST_P(EveryCell, ReboundsAsTheLawAndGainsNothing) {
   EXPECT_GE(accepted, cells() / 5);
 }
 
-// What the paper's scheme and the classical Runge-Kutta method do in the same cells, which shows that the test can
-// fail.
+// The paper's scheme and the classical Runge-Kutta method in the same cells. They show that the test can fail.
 class Yardstick : public testing::TestWithParam<Law> {};
 
 TEST_P(Yardstick, MultipliesTheEnergyOfAnImpact) {

@@ -1,5 +1,5 @@
-// Stops from soft to steel against the reference, which locates every touch. With the rule's stepper one bound of the
-// error holds for any stiffness, for each law and format.
+// Stops from soft to steel against the reference, which locates every touch. With the rule's stepper each law and
+// format has one error bound for any stiffness.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ Scene fast() {
   scene.drive_amplitude = 40;
   return scene;
 }
-// At the largest speed, the ball crosses the cavity in 0.6 steps of 1 ms.
+// At its largest speed, the ball crosses the cavity in 0.6 ms.
 Scene narrow() {
   Scene scene = driven();
   scene.clearance = 2e-3;
@@ -100,7 +100,7 @@ double error_by_rule(const host::Case& run, double h, double duration) {
 
 constexpr double stiffnesses[] = {3e4, 3e5, 3e6, 1e8, 3e9, 1e11, 1e12}, of_springs[] = {1e3, 1e5, 3e6, 1e8, 3e10, 1e12};
 
-// The tolerance is `share` of the goals plus `more` for the format's LSBs.
+// The tolerance is `share` times the limits plus `more` for the format's LSBs.
 template <class Format, class ContactLaw>
 void expect_one_bound(const Scene& scene, double share = 1, double more = 0) {
   const auto expect = [&](double stiffness) {
@@ -137,7 +137,8 @@ TEST(StiffStop, IsAsExactInFixedPoint) {
 }
 TEST(StiffStop, IsAsExactInFloat) { expect_one_bound<Float32, HuntCrossley>(driven(), 1, 1e-8); }
 
-// Dry friction turns at the impact's instant, and in flight at the turn's. The bounds are those without it.
+// Dry friction reverses at the instant of the impact, or in flight at that of the ball's reversal. The limits are those
+// without friction.
 Scene rubbing(Scene scene, double friction) {
   scene.ball_friction = friction;
   return scene;
@@ -163,9 +164,9 @@ TEST(StiffStop, IsAsExactWithFriction) {
   for (const double stiffness : {3e4, 3e7, 1e9, 1e12})
     EXPECT_LT((error_with_friction<Float64, HuntCrossley>(rubbing(driven(), 0.5), stiffness, 1e-5)), 2e-8) << stiffness;
 }
-// Floats round each state; the tool's rule takes up to 512 sub-steps in these formats.
+// Floats round each state. In these formats the tool's rule allows up to 512 sub-steps.
 TEST(StiffStop, IsAsExactWithFrictionInFloat) { expect_one_bound_with_friction<Float32, HuntCrossley>(1e-8); }
-// An impact is one impulse. What it neglects is its duration, which does not depend on the step.
+// Impulsive neglects the duration of an impact. That error does not depend on the step.
 TEST(StiffStop, ImpulsiveWithFrictionDoesNotDependOnTheStep) {
   for (const double friction : {0.5, 2.0}) {
     const host::Case run = with_stop<HookeNewton>(rubbing(driven(), friction), 1e12);

@@ -50,14 +50,13 @@ TEST(NewmarkStep, ModesOfAChainVibrateAtTheDiscretePulsation) {
       Motion motion{shape, Eigen::VectorXd::Zero(size), -modes.eigenvalues()[mode] * shape};
       for (int n = 1; n <= 100; ++n) {
         motion = newmark_step(system, beta, h, motion, Eigen::VectorXd::Zero(size), no_force);
-        // 100 steps have errors of a few LSBs each, whose phase errors add up quadratically.
+        // 100 steps have errors of a few LSBs each. The phase errors that follow grow quadratically.
         EXPECT_LT((motion.displacement - std::cos(n * theta) * shape).norm(), 1e-12) << beta << ", mode " << mode;
       }
     }
 }
 
-// With a hardening spring and a quadratic damper between two masses, the equations of motion are satisfied at the
-// step's end.
+// With a hardening spring and a quadratic damper between two masses, the step's end satisfies the equations of motion.
 TEST(NewmarkStep, SolvesTheNonlinearEquationsOfMotion) {
   LinearSystem system;
   system.mass = Eigen::Vector2d(1, 0.3).asDiagonal();
@@ -169,9 +168,9 @@ double restitution_error(Textbook make, Law law, int steps_per_contact) {
   return largest;
 }
 
-// The order over the phases of one impact is 1 if the force jumps, because the scheme sees it up to a step late.
+// The order of one impact, over its phases, is 1 if the force jumps, because the scheme sees it up to a step late.
 // Otherwise it is 2 for Newmark and 5/2 for Runge-Kutta, since the second derivative of delta^(3/2) is infinite at the
-// impact. From 20 to 320 steps per contact the next power of h changes the slope by 0.1 or 0.2.
+// impact. From 20 to 320 steps per contact the next order changes the slope by 0.1 or 0.2.
 TEST(TextbookNewmark, OrderOverAnImpact) {
   for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
     for (const double beta : betas) {
@@ -193,8 +192,8 @@ TEST(TextbookRungeKutta, OrderOverAnImpact) {
   }
 }
 
-// The order in the driven scene over 1 s, for laws with a continuous force. With Hooke-Newton, first-order errors at
-// these steps are too large to compare trajectories.
+// The order in the driven scene over 1 s, for laws with a continuous force. Hooke-Newton's first-order errors are too
+// large at these steps to compare trajectories.
 TEST(TextbookNewmark, OrderOverASecond) {
   for (const Law law : {Law::hertz, Law::hunt_crossley}) {
     const Case run = paper_case(law);

@@ -1,6 +1,5 @@
-// The touch located within its step. The rate there sets a damping per impact and is in the log. It is compared with
-// motion in closed form. A driven run with such a damping is compared with the reference, which locates the touch
-// itself.
+// The rate at the touch, which the kernel locates within its step. It determines a damping per impact and is logged. It
+// is compared with a closed form, and a driven run with such a damping with the reference.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +29,7 @@ double error(double restitution, double h) {
   return largest_difference(run, absorber, h, 1, 0.5, [&](int) { absorber.step(); });
 }
 
-// If the speed at the touch is known only within g h, 4.9e-5 m remain at 1 ms and 3.9e-6 m at 0.1 ms.
+// If the error of the speed at the touch were g h, 4.9e-5 m would remain at 1 ms and 3.9e-6 m at 0.1 ms.
 template <class ContactLaw>
 void expect_fourth_order(double restitution) {
   EXPECT_LT((error<Float64, ContactLaw>(restitution, 1e-3)), 1e-7) << restitution;

@@ -1,5 +1,5 @@
-// The table of values.hpp is read wherever a value has an effect. A value that is in the table, but forgotten
-// elsewhere, fails here.
+// Every value of the table in values.hpp is read wherever it has an effect. A value that is forgotten anywhere fails
+// here.
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(Values, OfAPartAreRejectedWithoutIt) {
   }
 }
 
-// If the tool did not pass a part on, the motion would stay the same.
+// If the tool ignored a part, the motion would stay the same.
 TEST(Values, OfAPartChangeTheMotionInTheTool) {
   const auto end_of = [](const Request& request) {
     const Outcome outcome = make_simulation(request);

@@ -1,7 +1,7 @@
 #pragma once
-// Fixed32 with the same bits, which detects whether any sum, product, shift or conversion leaves its type. The kernel
-// states its expectation for each one (IMPACT_EXPECT in numeric/high_product.hpp). Here it is checked in integers that
-// are wide enough for all of them. The compiler's -include includes this file before the kernel.
+// Detects sums, products, shifts and conversions of Fixed32 that overflow, without changing a bit. The kernel states a
+// condition for each one (IMPACT_EXPECT in numeric/high_product.hpp). Here it is checked in sufficiently wide integers.
+// The compiler's -include includes this file before the kernel.
 
 #include <stdint.h>
 
@@ -12,8 +12,7 @@ constexpr bool is_in_64_bits(Wide x) { return x == static_cast<int64_t>(x); }
 
 namespace host {
 
-// The number of expectations that failed since the last clearing, and the first of them with the functions that led to
-// it.
+// The number of conditions that failed since the last reset, and the first one with its call stack.
 struct Broken {
   long count;
   const char* condition;

@@ -1,6 +1,6 @@
 // Nothing wraps: each sum, product, shift and conversion of a step in Fixed32 is checked. The scenes are random, with
-// every law, drive and part and every stepper of the plan's rule. The compiler's command line includes
-// watched_fixed32.hpp. IMPACT_WATCHED_SCENES=1000 sets the number of scenes for each.
+// every law, drive and part and every stepper of the rule. The compiler's command line includes watched_fixed32.hpp.
+// IMPACT_WATCHED_SCENES=1000 sets the number of scenes for each combination.
 
 #include <execinfo.h>
 #include <gtest/gtest.h>
@@ -30,11 +30,11 @@ int scenes() {
   return asked ? std::atoi(asked) : 40;
 }
 
-// Expectations that failed although no fault was raised, by the functions that led to them, with an example of each.
+// Conditions that failed without a fault, by call stack, with an example of each.
 std::map<std::string, std::string> found;
 std::string scene_now;
 
-// The innermost functions of the kernel. (addr2line -Cfipe finds their lines.)
+// The innermost functions of the call stack. (addr2line -Cfipe finds their lines.)
 std::string callers() {
   std::string text = broken.condition;
   char** names = backtrace_symbols(broken.callers, broken.depth);
@@ -50,7 +50,7 @@ class Watched final : public Simulation {
  public:
   explicit Watched(std::unique_ptr<Simulation> simulation) : simulation_(std::move(simulation)) {}
 
-  // In the step that raises a fault, a state beyond its bounds may wrap, since it is clamped at once.
+  // A number may wrap in the step that raises a fault, since the state is then clamped.
   void step(double force, double base) override {
     broken.count = 0;
     simulation_->step(force, base);
@@ -95,7 +95,7 @@ TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
   for (int i = 0; i < scenes(); ++i)
     for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball})
       for (const Parts parts : {Parts::none, Parts::some}) {
-        if (parts == Parts::some && stepper < Stepper::moment) continue;  // the tool's classical schemes reject them
+        if (parts == Parts::some && stepper < Stepper::moment) continue;  // the tool's classical schemes reject parts
         CoupledScene scene = coupled_scene(law, edge, static_cast<unsigned>(i), parts);
         scene.request.numeric = numeric;
         scene.request.stepper = stepper;
@@ -105,7 +105,7 @@ TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
           scene.request.bounds->displacement *= random.wide(1, 100);
           scene.request.bounds->speed *= random.wide(1, 100);
         }
-        // A main mass that is pressed so hard that a step may change its speed by far more than its bound.
+        // A force that may change the main mass's speed in a step by far more than its bound.
         if (i % 4 == 3) scene.request.scene.drive_amplitude *= random.wide(1, 1e9);
         scene_now = text_of(scene.request);
         accepted += run_coupled(scene).is_accepted;
@@ -134,8 +134,8 @@ TEST_P(WatchedFixed32, WrapsNowhereInFreePairs) {
   expect_nothing_found();
 }
 
-// The rate of penetration wrapped in such scenes with steppers that do not read it. A step is 0.7/w0 of the main mass,
-// or a force may change a speed in a step by far more than its bound.
+// The rate of penetration used to wrap in these scenes with steppers that do not read it. A step is 0.7/w0 of the main
+// mass, or a force may change a speed in a step by far more than its bound.
 TEST_P(WatchedFixed32, WrapsNowhereInWideStepsAndUnderALargeForce) {
   Request request;
   request.law = GetParam().law;
@@ -163,7 +163,7 @@ TEST_P(WatchedFixed32, WrapsNowhereInWideStepsAndUnderALargeForce) {
   expect_nothing_found();
 }
 
-// Single scenes in which something wrapped, each a machine that is pressed hard.
+// Single scenes in which a number used to wrap, each with a large force.
 template <class Law, class Stepper, class Drive>
 std::vector<double> forces_in(const Scene& scene, const Bounds& bounds, double h, const std::vector<int32_t>& samples) {
   using Pressed = Absorber<AtRunTime, Law, Stepper, Drive, Fixed32, EnergyLedger, ImpactLog, ContactForce>;
@@ -205,7 +205,7 @@ TEST(WatchedScenes, AnImpulsiveContactThatLastsMuchLongerThanAStep) {
   scene.stops = Stops::right;
   forces_in<HuntCrossley, Impulsive, Sine>(scene, {0.00571, 0.701874, 0, 0}, 4.67576e-05, std::vector<int32_t>(4));
 }
-// The force changes the rate in a step by twice its bound, and a damper's force with it.
+// In a step the force changes the rate, and so the damper's force, by twice the bound of the rate.
 TEST(WatchedScenes, AHookeNewtonContactAsTheForceTurns) {
   Scene scene = pair(0.352996, 14.2256, 6.907e-07, 26657.56, 206.32);
   scene.main_damping = 6.09e-05;
@@ -216,7 +216,7 @@ TEST(WatchedScenes, AHookeNewtonContactAsTheForceTurns) {
   forces_in<HookeNewton, Moment, Sampled>(scene, {9.87984e-05, 0.0110391, 4.12165e-06, 55.2716}, 0.000135744,
                                           {-2147483647, 2147483647});
 }
-// The sub-steps turn the rate of a ball and a main mass that approach at their bounds.
+// Sub-steps reverse the rate of a ball and a main mass that approach each other at their bounds.
 TEST(WatchedScenes, SubStepsOfABallAsFastAsItsBound) {
   Scene scene = pair(3.44038, 8.80236, 2.37409e-07, 4.92607e17, 1.39216e17);
   scene.main_damping = 0.0342844;
@@ -227,8 +227,8 @@ TEST(WatchedScenes, SubStepsOfABallAsFastAsItsBound) {
   forces_in<HuntCrossley, SubsteppedMoment<8>, Sampled>(scene, {8.57508e-07, 0.89358, 0, 3034257}, 3.91739e-07,
                                                         {2147483647});
 }
-// The damping of a touch without speed is large. A force that then presses the ball in fast exceeds the force's unit,
-// where it is clamped. It was read as a pull.
+// The damping of a touch without speed is large. If the ball is then pressed in fast, the contact force exceeds its
+// unit and is clamped. It used to be read as a pull.
 TEST(WatchedScenes, AForceBeyondItsUnitIsClamped) {
   Scene scene = pair(1697.23, 1341.56, 0.001071, 7530.42, 0);
   scene.main_stiffness = 71.3067;

@@ -7,8 +7,8 @@
 namespace impact::host {
 namespace {
 
-// The ball of the paper's scene moves by 30 mm. A bound of 12 mm gives room for less than 15.625 mm = 2^-6 m. Bounds
-// below half the clearance are rejected, and so are penetrations beyond displacements.
+// The ball of the paper's scene moves by 30 mm. With a bound of 12 mm there is room for less than 15.625 mm = 2^-6 m.
+// Bounds below half the clearance are rejected, and so are penetrations above displacements.
 TEST_F(ImpactSim, AFaultIsExitCodeThreeWithTheDataUpToIt) {
   const std::string scene =
       "--newmark moment --numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004 --output data.csv";
@@ -49,8 +49,8 @@ TEST_F(ImpactSim, EveryFaultSaysWhatItIs) {
   }
 }
 
-// If the bounds are stated, the penetration that follows from them cannot be widened, and the run ends with a fault.
-// The search for bounds used not to end.
+// If the bounds are stated, the penetration that follows from them is fixed, and the run ends with a fault. The search
+// for bounds used to run forever.
 TEST_F(ImpactSim, BoundsThatCannotBeWidenedEndTheSearch) {
   const Result result = run(
       "--main-mass 0.088520148707700905 --ball-mass 88.520148707700884 --main-stiffness 883562.8419814657 "

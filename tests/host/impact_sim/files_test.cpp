@@ -1,4 +1,4 @@
-// The files that the tool writes are whole, or do not appear at all.
+// A file that the tool writes is complete, or does not exist.
 
 #include "impact_sim.hpp"
 
@@ -28,7 +28,7 @@ TEST_F(ImpactSim, WritesThroughALinkWhoseFileIsNotThereYet) {
   EXPECT_TRUE(fs::is_symlink(file("loop")));
 }
 
-// For any spelling of a file's name, a file that is read is not replaced, and two outputs are not written to one file.
+// For any spelling of its name, a file that is read is not replaced, and no two outputs go to one file.
 TEST_F(ImpactSim, NoFileHasTwoUses) {
   write(file("forces"), "1\n2\n");
   fs::create_symlink("forces", file("link"));
@@ -51,8 +51,8 @@ TEST_F(ImpactSim, NoFileHasTwoUses) {
   EXPECT_EQ(run("--duration 0.01 --output /dev/null --plot /dev/null").code, 0) << "a device keeps nothing";
 }
 
-// An empty record means a run of no steps, which writes only the start, in every format and in a sweep. A stated
-// duration requires more samples.
+// An empty record is a run of no steps. The output is only the start, in every format and in a sweep. A stated duration
+// requires more samples.
 TEST_F(ImpactSim, AnEmptyRecordIsARunOfNoSteps) {
   write(file("empty"), "");
   for (const char* option : {"--drive-file", "--base-file", "--base-acceleration-file"}) {
@@ -74,7 +74,7 @@ TEST_F(ImpactSim, AnEmptyRecordIsARunOfNoSteps) {
 TEST_F(ImpactSim, ASignalThatEndsARunLeavesTheOldFileAndNoRemains) {
   for (const char* signal : {"TERM", "HUP"}) {
     write(file("data.csv"), "old\n");
-    // The signal comes once the run has begun to write. The run would take long, so the unfinished file is there.
+    // The signal is sent once the run has begun to write. The run is long, so the unfinished file exists then.
     const Result result = run("--newmark moment --duration 200 --output data.csv", "",
                               "& run=$!; while ! ls | grep -q partial; do sleep 0.01; done; ls > seen; kill -" +
                                   std::string(signal) + " $run; wait $run");
@@ -99,7 +99,7 @@ TEST_F(ImpactSim, WhatCannotBeWrittenIsExitCodeOne) {
 
 TEST_F(ImpactSim, AFullDiskLeavesTheOldFileAndNoRemains) {
   write(file("data.csv"), "old\n");
-  // The shell's limit stands for a full disk. The signal that comes with it is ignored.
+  // The shell's limit simulates a full disk. Its signal is ignored.
   const Result result = run("--duration 10 --output data.csv", "trap '' XFSZ; ulimit -f 16;");
   EXPECT_EQ(result.code, 1);
   EXPECT_THAT(result.err, HasSubstr("data.csv"));

@@ -31,7 +31,7 @@ TEST_F(ImpactSim, AnUprightSceneWithFrictionIsTheReferences) {
   EXPECT_NEAR(row.at(3), reference.sample().x2, 1e-6);
 }
 
-// A base moves by z. Seen from outside it acts by the force k z + c z', and seen from the base by its acceleration.
+// A base moves by z. In absolute displacements it acts as the force k z + c z', in relative ones as its acceleration.
 TEST_F(ImpactSim, ABasesDisplacementAndItsAccelerationAreTheSameMotion) {
   constexpr double amplitude = 0.004, pulsation = 45, step = 1e-4;
   std::string displacements, accelerations;
@@ -52,7 +52,7 @@ TEST_F(ImpactSim, ABasesDisplacementAndItsAccelerationAreTheSameMotion) {
   EXPECT_NEAR(last_row(outside.out).at(3) - z, last_row(inside.out).at(3), 3e-6);
 }
 
-// If nothing states the step of a sample file, the tool says which one it assumes. It also mentions the paper's drive.
+// If the step of a sample file is not stated, the tool says which one it assumes. It also mentions the paper's drive.
 TEST_F(ImpactSim, SaysWhatASampleFileIsTakenFor) {
   using testing::HasSubstr;
   using testing::Not;
@@ -107,7 +107,7 @@ TEST_F(ImpactSim, PartsOutOfRangeAreRefused) {
   }
 }
 
-// The tolerance is some hundred roundings of a step's displacement: 2^-31 of half a metre, 2^-24 of 0.2 mm.
+// The tolerance is some hundred rounding errors of a step's displacement: 2^-31 of 0.5 m, or 2^-24 of 0.2 mm.
 TEST_F(ImpactSim, EveryFormatTakesParts) {
   const std::string scene = "--gravity -9.81 --ball-friction 0.5 --x1 -0.01 --x2 -0.01 --duration 0.4 --step 1e-4 ";
   const Result exact = run(scene + "--numeric float64");
@@ -119,7 +119,7 @@ TEST_F(ImpactSim, EveryFormatTakesParts) {
   }
 }
 
-// The named limit of the friction is accepted together with the bounds that follow it in the message.
+// The limit of the friction in the message is accepted together with the bounds that follow it there.
 TEST_F(ImpactSim, TooMuchFrictionNamesTheMost) {
   for (const std::string scene : {"", "--step 1e-4 ", "--numeric fixed32 ", "--step 5e-4 --newmark energy "}) {
     const Result refused = run(scene + "--ball-friction 1e6 --duration 0.1");

@@ -1,6 +1,6 @@
-// Messages of rejected commands are true. The named value is outside the printed range. Each end of that range is
-// accepted together with the printed bounds, or another value is then rejected. The commands are random, often far
-// outside the ranges, with sample files of any length. IMPACT_REFUSED_COMMANDS sets their number.
+// Messages of rejected commands are true. The named value is outside the printed range. With the printed bounds each
+// end of that range is accepted, or another value is then rejected. The commands are random, often far outside the
+// ranges, with sample files of any length. IMPACT_REFUSED_COMMANDS sets their number.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -151,7 +151,7 @@ TEST(Refusal, ALimitThatIsTypedBackIsAccepted) {
       EXPECT_LE(*least, *most) << context;
       EXPECT_FALSE(*least <= *value && *value <= *most) << context;
       retyped_values = {limits[1].str(), limits[2].str()};
-      // "A number from" begins the range of a value alone, which is checked before all others.
+      // "a number from" begins a value's own range, which is checked before all others.
       is_enough = said->allowed.find("another value") == said->allowed.npos && said->allowed[0] != 'a';
     } else if (said->allowed == "no value, if the others stay") {
       ++without_a_range;

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--benchmark --law hertz", "--law", "hertz", "without --benchmark"},
         Refused{"--x1 '1\n2'", "--x1", "1?2", "1000 m"}));
 
-// The message names what is wrong: the bound that excludes the start, or the step at which an increment has no room. It
+// The message names the cause: the bound that excludes the start, or the step at which an increment has no room. It
 // never names a format that was not requested.
 TEST_F(ImpactSim, ARefusalNamesWhatIsWrong) {
   EXPECT_THAT(run("--numeric float64 --bound-displacement 1e-3 --x1 0.01").err,
@@ -85,7 +85,7 @@ TEST_F(ImpactSim, ARefusalNamesWhatIsWrong) {
 }
 
 // A rig at resonance that its damper limits to 1 m/s, and the same rig without a damper. An estimate of its motion
-// grows with the duration. What the run reaches decides, for any duration, also in a sweep.
+// grows with the duration. The tool uses the values that the run reaches, for any duration, also in a sweep.
 const char* const upright =
     "--main-mass 2.4 --main-stiffness 59218 --ball-mass 0.15 --clearance 0.008 --contact-stiffness 1.9e10 "
     "--damping exact --restitution 0.6 --drive-amplitude 30 --drive-pulsation 157.08 --gravity -9.81 --step 1e-4 ";
@@ -116,7 +116,7 @@ TEST_F(ImpactSim, ARefusalSaysThatTheBallCrossesTheClearance) {
   EXPECT_THAT(run(fast + "--bound-speed 25").err, HasSubstr(said + "25 m/s)"));
 }
 
-// If a range depends on bounds that the tool has found, the message states them. The whole line is then accepted.
+// If a range depends on bounds that the tool has found, the message states them. The tool accepts both as printed.
 TEST_F(ImpactSim, ARangeIsAcceptedAsItIsPrinted) {
   const std::string heavy =
       "--main-mass 1.3748 --ball-mass 911.29 --main-stiffness 20814212 --main-damping 0 --clearance 0.00018452 "
@@ -141,7 +141,7 @@ TEST_F(ImpactSim, ARefusalNamesTheLimitOfSubSteps) {
   EXPECT_THAT(stiff, AllOf(HasSubstr(contact), Not(HasSubstr(crossing))));
 }
 
-// A rejection runs nothing and reads no samples. With three samples a shorter step would lack some.
+// A rejected command runs nothing and reads no samples. Three samples would be too few for a shorter step.
 TEST_F(ImpactSim, ARefusalReadsNoSamples) {
   write(file("three.txt"), "1\n1\n1\n");
   const Result few =

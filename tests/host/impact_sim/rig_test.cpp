@@ -83,7 +83,7 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
     }
     EXPECT_GT(largest, 0.1) << "nothing moved: " << runs[i].options;
   }
-  // The rig does not state what the run does not read.
+  // The rig states only values that the run reads.
   EXPECT_THAT(read(file("rig2.hpp")), testing::Not(HasSubstr("scene.restitution")));
   EXPECT_THAT(read(file("rig6.hpp")), HasSubstr("scene.restitution = 0."));
   EXPECT_THAT(read(file("rig0.hpp")), HasSubstr("bounds.force = 0;"));

@@ -1,4 +1,4 @@
-// The summary at the end of a run, computed again from the rows that the tool has written.
+// The summary at the end of a run, recomputed from the rows that the tool has written.
 
 #include <cmath>
 

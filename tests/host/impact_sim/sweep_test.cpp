@@ -1,4 +1,4 @@
-// Sweeps: one row per scene, which an interruption does not destroy.
+// Sweeps: one row per scene. Finished rows survive an interruption.
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ TEST_F(ImpactSimSweep, ResumesWhereItWasInterrupted) {
 }
 
 TEST_F(ImpactSimSweep, KeepsTheRowsThatAreThere) {
-  // A mark in a finished row is still there afterwards, so that scene was not run again.
+  // A mark in a finished row remains, so that scene was not run again.
   std::string marked = whole;
   const size_t impacts = marked.rfind(',', marked.find('\n', marked.find("\n4,") + 1));
   marked.insert(impacts, "99");
@@ -79,7 +79,7 @@ TEST_F(ImpactSimSweep, KeepsTheRowsThatAreThere) {
 }
 
 TEST_F(ImpactSimSweep, KilledInTheMiddleLosesNothing) {
-  // The signal may come before, during or after the work. Only whole rows may be left, and the others must follow.
+  // The signal may come before, during or after the work. Only complete rows remain, and the next run adds the others.
   const std::string slow = "--sweep scenes.csv --duration 5 --newmark moment ";
   EXPECT_EQ(run(slow + "--output reference.csv").code, 0);
   for (const char* delay : {"0.02", "0.1", "0.3"}) {
@@ -122,7 +122,7 @@ TEST_F(ImpactSimSweep, RefusesAFileOfSomethingElse) {
   refuses("\n", sweep);
 }
 
-// A finished row is valid only for the samples that it was run with. A copy with another time stamp is the same file.
+// A finished row is valid only for its samples. A copy of their file with another time stamp is the same.
 TEST_F(ImpactSimSweep, RowsOfADriveFileThatHasChangedAreNotReused) {
   const auto forces = [](double force) {
     std::string text;
@@ -186,8 +186,7 @@ TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
   }
 }
 
-// The main mass oscillates by half a radian per step. EnergyConsistent accepts that, and so must the mass without
-// absorber.
+// The main mass oscillates by 0.5 rad per step. EnergyConsistent accepts that, and so must the mass without absorber.
 TEST_F(ImpactSimSweep, RunsWhatItsStepperTakes) {
   write(file("stiff.csv"), "main-stiffness\n1e6\n1000\n");
   const Result result =

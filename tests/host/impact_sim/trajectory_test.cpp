@@ -48,15 +48,15 @@ TEST_F(ImpactSim, ChoosesTheStepWhereNoneIsGiven) {
   EXPECT_THAT(run("--drive-file force").out, HasSubstr("\n0.0003,"));
 }
 
-// Near resonance the drive alone would accelerate the mass to 50 m/s in five seconds. The absorber prevents that. For
-// the speeds that the scene reaches, Moment is the rule's choice in every format.
+// Near resonance the drive alone would accelerate the mass to 50 m/s in 5 s. The absorber prevents that. At the speeds
+// that the scene reaches, the rule chooses Moment in every format.
 TEST_F(ImpactSim, NearResonanceTheRuleRestsOnWhatTheSceneReaches) {
   for (const char* numeric : {"float64", "float32", "fixed32"}) {
     const Result result = run(std::string("--drive-pulsation 31.6228 --step 1e-3 --duration 5 --numeric ") + numeric);
     EXPECT_EQ(result.code, 0);
     EXPECT_THAT(result.err, StartsWith("impact-sim: moment")) << numeric;
   }
-  EXPECT_EQ(run("--drive-pulsation 31.6228 --step 2e-3 --duration 5 --newmark moment").code, 0) << "5 steps a contact";
+  EXPECT_EQ(run("--drive-pulsation 31.6228 --step 2e-3 --duration 5 --newmark moment").code, 0) << "5 steps";
 }
 
 TEST_F(ImpactSim, WarnsOfAClassicalSchemeWithFewStepsPerContact) {
@@ -122,9 +122,8 @@ TEST_F(ImpactSim, DriveFileGivesTheForceAtTheEndOfEachStep) {
   EXPECT_THAT(bad.err, HasSubstr("line 3: 'three'"));
 }
 
-// One impact of a ball on a free main mass has the requested restitution. The tolerance is 1e-3. The largest error at
-// 80 steps per contact is 4e-3, for Hooke-Newton, and falls at least in proportion to the step. Here there are at least
-// 840.
+// One impact of a ball on a free main mass has the requested restitution within 1e-3. At 80 steps per contact the
+// largest error is 4e-3, for Hooke-Newton. It falls at least in proportion to the step, and here are at least 840.
 TEST_F(ImpactSim, RestitutionIsWhatWasAskedFor) {
   const auto rebound = [&](const std::string& arguments) {
     const Result result =
@@ -237,8 +236,8 @@ TEST_F(ImpactSim, TheBenchmarkHasEveryStepperInEveryFormat) {
         EXPECT_THAT(result.out, HasSubstr("\n" + std::string(law) + "," + stepper + "," + numeric + ","));
 }
 
-// The tool prints the number that the rule uses, of steps in the shortest part of a contact. It also says why a better
-// line of the rule was not used.
+// The tool prints the rule's number of steps in the shortest part of a contact. It also says why a better line of the
+// rule was not used.
 TEST_F(ImpactSim, TheRulesOwnNumberIsPrinted) {
   const auto said = [&](const std::string& options) { return run(options + " --duration 0.01 --output run.csv").err; };
   // k1 = 1e6 N/m, mu = 0.3/1.3 kg and c1 = 6 mu/(3.2 ms). In a contact the damper stops the ball in 3.2 ms, which is 8

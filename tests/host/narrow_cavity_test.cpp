@@ -1,7 +1,7 @@
 // A ball that crosses its cavity in a small part of a step. Most impacts begin in the step in which the last one ends,
 // while the main spring acts. Nothing dissipates, and the terms that the step neglects create energy. At w0 h = 0.16
-// this is up to 0.02 % in 2000 steps and falls with the fourth power of w0 h. With Hooke-Newton it is 0.3 % and falls
-// with the second power (kernel/docs/moment.md).
+// this is up to 0.02 % in 2000 steps and falls with the fourth power of w0 h. With Hooke-Newton it is up to 0.1 % and
+// falls with the second power (kernel/docs/moment.md); the limit here is 0.3 %.
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,8 @@ import { missingFile, optionsOf } from './scene.mjs';
 // The limit of the page. For longer runs use impact-sim.
 const mostSteps = 2e6;
 export const stepsBetweenLooksAtTheClock = 500;
+// Rounding may raise the restitution of an elastic impact above 1 by as much.
+const roundingOfRestitution = 1e-3;
 
 export class Run {
   constructor(kernel, slot) {
@@ -67,6 +69,15 @@ export class Run {
   }
   attenuation() {
     return this.hasBare ? this.kernel.attenuation(this.slot, this.slot) : NaN;
+  }
+  // Of all complete impacts: the median distance of the restitution from the law's, and how many restitutions exceed 1.
+  restitutions() {
+    const { data, count, width } = this.kernel.impacts(this.slot);
+    if (count === 0) return null;
+    const impacts = Array.from({ length: count }, (_, i) => ({ speed: data[i * width + 1], restitution: data[i * width + 2] }));
+    const distances = impacts.map(({ speed, restitution }) => Math.abs(restitution - this.kernel.lawRestitution(this.slot, speed))).sort((a, b) => a - b);
+    const above = impacts.filter(({ restitution }) => restitution > 1 + roundingOfRestitution).length;
+    return { count, fromLaw: distances[Math.ceil(count / 2) - 1], above };
   }
   fault() {
     return this.kernel.fault(this.slot);

@@ -19,9 +19,15 @@ export function findingsOf(runs, isCompared) {
   return {
     displacement: ofEach((run, { largest }) => `${short(1e3 * largest)} mm at most${run.hasBare ? `, ${short(1e3 * run.bareLargest())} mm without absorber` : ''}`),
     loop: ofEach((run, { peakForce }) => `${short(peakForce)} N at most`),
-    restitution: ofEach((run, { impacts }) => `${impacts} impacts`),
+    restitution: ofEach((run) => restitutionsOf(run.restitutions())),
     'energy-a': energyOf('a'), 'energy-b': energyOf('b'),
   };
+}
+
+function restitutionsOf(found) {
+  if (!found) return '0 complete impacts';
+  const { count, fromLaw, above } = found;
+  return `50 % within ${short(fromLaw, 2)} of the line${above > 0 ? `, ${above} of ${count} above 1` : ''}`;
 }
 
 export function numbersRow(run) {

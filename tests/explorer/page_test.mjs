@@ -98,6 +98,39 @@ async function choices(page) {
   }
 }
 
+// The heading of the restitutions, from the impacts that the plot shows.
+async function restitutions(page) {
+  const heading = () => text(page, 'found-restitution');
+  const own = (letter) => page.value(`(() => {
+    const { kernel, slot } = explorer.runs.${letter}, { data, count } = kernel.impacts(slot);
+    return Array.from({ length: count }, (_, i) => [data[3 * i + 2], kernel.lawRestitution(slot, data[3 * i + 1])]);
+  })()`);
+  const one = String.raw`50 % within (\d[\d.e-]*) of the line(?:, (\d+) of (\d+) above 1)?`;
+  const checkOne = (words, impacts, what) => {
+    const [distance, above = 0, count = impacts.length] = (words ?? []).slice(1).map((number) => number && Number(number));
+    // The distance has two digits. At least half of the impacts are within it, and at most half are within less.
+    const within = (limit) => impacts.filter(([restitution, law]) => Math.abs(restitution - law) <= limit).length;
+    check(words !== null && 2 * within(1.051 * distance) >= impacts.length && 2 * within(0.949 * distance) <= impacts.length + 1 &&
+      count === impacts.length && above === impacts.filter(([restitution]) => restitution > 1.001).length, `${what}: ${words?.[0]}`);
+  };
+  await page.click('[data-preset="paper"]');
+  await settled(page);
+  checkOne((await heading()).match(new RegExp(`^${one}$`)), await own('a'), 'restitutions of the paper');
+  // With a stiff stop the kernel keeps the law's restitution, and the paper's scheme creates energy.
+  await page.click('[data-preset="stiff"]');
+  await settled(page);
+  const [a, b] = (await heading()).split('; ');
+  const kernels = a.match(new RegExp(`^A: ${one}$`)), papers = b.match(new RegExp(`^B: ${one}$`));
+  checkOne(kernels, await own('a'), 'restitutions of a stiff stop');
+  checkOne(papers, await own('b'), "restitutions by the paper's scheme");
+  check(Number(kernels[1]) < 2e-3 && kernels[2] === undefined && Number(papers[2]) > 100, 'only the scheme creates energy');
+  await page.click('[data-preset="paper"]');
+  await page.value("explorer.change('drive', 'none')");
+  await settled(page);
+  check((await heading()) === '0 complete impacts', `without a drive: ${await heading()}`);
+  await page.click('[data-preset="paper"]');
+}
+
 async function refusals(page) {
   await page.click('[data-preset="paper"]');
   for (const [name, value] of [['step', '0.05'], ['main-mass', '0'], ['main-mass', '1e300'], ['restitution', '2'], ['clearance', '-1'], ['drive-pulsation', '1e9']]) {
@@ -302,7 +335,7 @@ async function selfTest() {
 const page = await Browser.open(chromium, url, { height: 1600 });
 try {
   await page.until('!!window.explorer');
-  for (const part of [sliders, choices, refusals, parts, rigs, sweep, playing, link]) await part(page);
+  for (const part of [sliders, choices, restitutions, refusals, parts, rigs, sweep, playing, link]) await part(page);
   check(page.complaints.length === 0, `the page has no complaint ${page.complaints}`);
   await stillness();
   await selfTest();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The units of Fixed32: the powers of two that a plan chooses for each quantity from the largest values of its scene,
-// and the shifts that convert Values and states from one unit to another.
+// The units of Fixed32: the powers of two that a plan chooses from the largest values of each quantity, and the shifts
+// that convert Values and states between them.
 //
 //     position x = raw * 2^(position - 63); its upper word is a Value. 2^position is twice the bound or more, so that a
 //     state that passes its bound is seen before anything wraps.
@@ -17,11 +17,10 @@ struct Fixed32Units {
   using Value = Fixed32Numbers::Value;
   using Long = Fixed32Numbers::Long;
 
-  // Every unit is the smallest that holds its bound with some room. An addition to a state in range, at most half of
-  // its own unit, must not wrap it before the next check. These are a displacement and a drive's sample to a position;
-  // three increments at a change of plan to a displacement; in a contact two pushes to a displacement, or one push and
-  // a position correction to a position. If a quantity is large compared with the positions' bound, their unit grows to
-  // leave that room.
+  // Each unit is the smallest that has room for the bound and for all additions until the next check, at most half of
+  // the unit. A position gets a displacement and a drive's sample, and in a contact one push and a position correction.
+  // A displacement gets three increments at a change of plan, or two pushes in a contact. If a quantity is large
+  // compared with the bound of positions, their unit grows to leave that room.
   static constexpr UnitExponents exponents(const UnitBounds& bounds) {
     using constant::exponent_above;
     UnitExponents e{};
@@ -36,13 +35,14 @@ struct Fixed32Units {
                          e.displacement + 1, e.penetration + 1, e.push + 2};
     for (const int exponent : least)
       if (e.position < exponent) e.position = exponent;
-    // The finest unit of a quantity is 2^-31 of a position's unit: its Value then ends with the position's LSB.
+    // A unit is at least 2^-31 of a position's: its Value then ends with the position's LSB.
     int* const others[] = {&e.displacement, &e.increment, &e.push, &e.penetration};
     for (int* const own : others)
       if (*own < e.position - 31) *own = e.position - 31;
     if (e.displacement <= e.increment) e.displacement = e.increment + 1;
     e.recoil = e.push - 1;
-    // Through the damper an LSB of a position changes the next step at most an eighth as much as through the spring.
+    // If lightly damped, an LSB of a position changes the next step through the damper by at most an eighth of what it
+    // does through the spring.
     e.damped = bounds.is_lightly_damped ? e.position : e.displacement;
     return e;
   }
@@ -94,7 +94,7 @@ struct Fixed32Units {
              raw(limits.speed, e.displacement), raw(limits.penetration, e.penetration)}};
   }
 
-  // Further than two positions in range are apart.
+  // A distance that two positions in range never have.
   static constexpr double out_of_reach(const UnitExponents& e) {
     return constant::power_of_two(e.position) * (1 - 0x1p-53);
   }
@@ -129,7 +129,7 @@ struct Fixed32Units {
     IMPACT_EXPECT(x == static_cast<int32_t>(x));
     return {static_cast<int32_t>(x)};
   }
-  // Of a displacement per step and of a force: their own units serve.
+  // The native units of a velocity and of a force are those of a displacement per step and of the force.
   static constexpr Value velocity(Displacement<Value> per_step) { return per_step; }
   static constexpr Value native_force(Force<Value> force) { return force; }
   static constexpr Displacement<Value> per_step(Value velocity) { return Displacement<Value>(velocity); }
@@ -143,7 +143,7 @@ struct Fixed32Units {
   constexpr Penetration<Value> increment_of_rate(Increment<Value> increment) const {
     return Penetration<Value>(Fixed32Numbers::moved(increment, penetration_shift - increment_shift));
   }
-  // What is added from outside: no more than the limit.
+  // Clamps a correction to its limit. Returns true if it changed x.
   static constexpr bool clamp(Value& x, int32_t limit) {
     const int32_t clamped = x.raw > limit ? limit : x.raw < -limit ? -limit : x.raw;
     const bool is_beyond = clamped != x.raw;
@@ -152,7 +152,7 @@ struct Fixed32Units {
   }
   constexpr int32_t correction_limit() const { return limits.main; }
   constexpr int32_t rate_correction_limit() const { return displacement({(int64_t{limits.way} << 32) - 1}).raw; }
-  // Clamped at the unit's end, which two limits of a bound that is a power of two pass by a hundredth.
+  // Clamped to the unit. If the bound is a power of two, twice its limit exceeds the unit by up to 1 %.
   static constexpr void add_position(Long& x, Position<Value> by) {
     if (__builtin_add_overflow(x.raw, int64_t{by.raw} * (int64_t{1} << 32), &x.raw))
       x.raw = by.raw > 0 ? INT64_MAX : -INT64_MAX;
@@ -163,13 +163,13 @@ struct Fixed32Units {
   constexpr void add(Long& x, Increment<Value> increment) const { add_shifted(x.raw, increment.raw, increment_shift); }
   static constexpr void add(Long& x, In<Value, unit::Field> by, int bits) { add_shifted(x.raw, by.raw, bits); }
   constexpr int bits_of(int exponent) const { return 32 - (position_exponent - exponent); }
-  // Modulo 2^64, because a state beyond its bounds may be moved by any amount.
+  // Modulo 2^64, since a state beyond its bounds may be moved by any amount.
   constexpr void displace(Long& x, Penetration<Value> penetration) const {
     const auto change = static_cast<uint64_t>(shifted_left(penetration.raw, penetration_shift));
     IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + Wide{penetration.raw} * (Wide{1} << penetration_shift)));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + change);
   }
-  // By gain * x with all the bits of a state. One mass then gains exactly what the other loses.
+  // Adds gain * by with all bits of a state. One mass then gains exactly what the other loses.
   template <class Unit>
   constexpr void displace(Long& x, GainOf<Fixed32Numbers::Gain, Unit, unit::Penetration> gain,
                           In<Value, Unit> by) const {
@@ -177,13 +177,13 @@ struct Fixed32Units {
     IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + way.raw));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way.raw));
   }
-  // gain x of an x that is a number in 2^-spare_bits of the penetrations' unit.
+  // gain * x for an x in 2^-spare_bits of the penetrations' unit.
   constexpr Long part(GainOf<Fixed32Numbers::Gain, unit::Penetration, unit::Penetration> gain, Long x,
                       int spare_bits) const {
     const int shift = spare_bits < penetration_shift ? penetration_shift - spare_bits : 1;
     return product(gain.own, narrowed((x.raw + (int64_t{1} << (shift - 1))) >> shift), shift);
   }
-  // gain x with all the bits of a state; x counts in 2^shift of them.
+  // gain * x with all bits of a state. An LSB of x is 2^shift LSBs of a state.
   static constexpr Long product(Fixed32Numbers::Gain gain, Value x, int shift) {
     const int64_t product = full_product(x.raw, gain.mantissa);
     const int bits = 32 + gain.shift - shift;
@@ -214,18 +214,18 @@ struct Fixed32Units {
     const auto upper = static_cast<uint32_t>((relative_displacement - Long{gap}).raw >> 32);
     return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) >> 1 == 0;
   }
-  // On the upper words alone, and without the last twelve LSBs of the gap's, which one instruction of RISC-V loads
-  // then: true whenever x2 - x1 > gap, and at times by up to 2^12 LSBs of a position early.
+  // Compares only upper words, without the gap's twelve low bits, so that one instruction of RISC-V loads it. True if
+  // x2 - x1 > gap, and sometimes up to 2^12 LSBs of a position before.
   constexpr bool beyond_stop(Long x2, Long x1) const {
     return upper_difference(x2, x1) >= (static_cast<int32_t>(gap >> 32) & ~0xfff);
   }
-  // Either stop; the upper words of a negative difference may say one bit less.
+  // For both stops. The upper words of a negative difference may be off by one.
   constexpr bool beyond_stops(Long x2, Long x1) const {
     const int32_t apart = upper_difference(x2, x1);
     return (apart ^ apart >> 31) >= ((static_cast<int32_t>(gap >> 32) - 1) & ~0xfff);
   }
-  // Whether w less `other` is more than `least`, or where the sign is negative less than its opposite; on the upper
-  // words alone, at times two LSBs late.
+  // True if w - other > least, or for a negative sign if it is below -least. Compares only upper words, with an error
+  // of up to two LSBs towards false.
   static constexpr bool is_beyond(Long w, Long other, Long sign, Position<Value> least) {
     return (upper_difference(w, other) ^ static_cast<int32_t>(sign.raw >> 63)) > least.raw;
   }
@@ -233,7 +233,7 @@ struct Fixed32Units {
     IMPACT_EXPECT(int64_t{x2.raw >> 32} - (x1.raw >> 32) == static_cast<int32_t>((x2.raw >> 32) - (x1.raw >> 32)));
     return static_cast<int32_t>(static_cast<uint32_t>(x2.raw >> 32) - static_cast<uint32_t>(x1.raw >> 32));
   }
-  // On the upper words alone.
+  // Compares only the upper word.
   static constexpr bool is_within(Long x, int32_t limit) {
     const auto upper = static_cast<int32_t>(x.raw >> 32);
     return (upper ^ upper >> 31) < limit;
@@ -262,7 +262,7 @@ struct Fixed32Units {
     x.raw = x.raw > 0 ? most : -most;
     return true;
   }
-  // 1, and a linear elastic force, in the unit of forces.
+  // 1 and the force of a linear stop, in the unit of forces.
   constexpr Value one() const { return {static_cast<int32_t>(0x80000000u >> force_bits)}; }
   constexpr Force<Value> elastic(Penetration<Value> x) const {
     return Force<Value>({force_bits >= 0 ? x.raw >> force_bits : to_left(x.raw, -force_bits)});

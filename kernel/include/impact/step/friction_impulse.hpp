@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Dry friction's impulse in a step; motion/friction.hpp has its physics. Each step ends with a whole impulse, after
-// flight or contact. Around a start, a correction or a change of plan there is half of one. Without DryFriction all of
-// this compiles away.
+// The impulse of dry friction in a step; motion/friction.hpp has the physics. Each step ends with one impulse, after
+// flight or contact. At a start, a correction or a change of plan there is half of one. Without DryFriction all of this
+// compiles away.
 
 #include <impact/step/machine.hpp>
 #include <impact/stepper/rubbing.hpp>
@@ -19,7 +19,7 @@ struct FrictionImpulse {
   using Long = typename Model::Long;
   using Penetration = impact::Penetration<Value>;
 
-  // False for a plan AtRunTime with a friction of 0: then nothing is done, and the bits are those without DryFriction.
+  // False for a plan AtRunTime with a friction of 0. The bits are then those without DryFriction.
   static constexpr bool acts([[maybe_unused]] const Model& m) {
     if constexpr (Friction::is_friction)
       return is_positive(m.plan.friction.full);
@@ -27,7 +27,7 @@ struct FrictionImpulse {
       return false;
   }
 
-  // The rate of sliding that friction works against.
+  // The sliding rate at which friction does work.
   static constexpr Penetration rubbing_rate(const Model& m) {
     Penetration main = m.plan.units.relative(m.state.dx1) + m.rate_ahead(), sliding = m.relative_rate(false);
     if constexpr (Contact::traits.keeps_force) {
@@ -38,7 +38,7 @@ struct FrictionImpulse {
     }
     return Friction::rubbing_rate(m.plan, sliding, main);
   }
-  // The work of the half of the last impulse that acts in the step ahead.
+  // The work of that half of the last impulse which acts in the coming step.
   static constexpr auto still_to_work(const Model& m) {
     if constexpr (Contact::traits.feels_friction) return decltype(work(Value{}, Penetration{})){};
     const Penetration impulse = m.state.impulse;
@@ -47,7 +47,7 @@ struct FrictionImpulse {
     return Friction::dissipated(m.plan, m.state, rubbing_rate(m) + Format::value(half(more)));
   }
 
-  // Half of the impulse acts in the coming step. The impulse exceeds that of a first step by `excess`; only its change
+  // Half of the impulse acts in the coming step. The impulse exceeds that of a first step by `excess`. Only its change
   // is added.
   static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] Penetration excess = {}) {
     if constexpr (Friction::is_friction) {
@@ -62,8 +62,8 @@ struct FrictionImpulse {
       if constexpr (Model::counts_slid_way) m.state.slid.add(still_to_work(m));
     }
   }
-  // Call it before a change of the state or the plan, and start() after the change. It returns by how much the last
-  // impulse exceeds that of a first step. If nothing changes, the impulse then stays the same.
+  // Call it before a change of the state or the plan, and start() after it. Returns the excess of the last impulse over
+  // that of a first step. If nothing changes, the impulse stays the same.
   static constexpr Penetration stop([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return {};
@@ -76,7 +76,7 @@ struct FrictionImpulse {
       return {};
     }
   }
-  // Removes from the state what the last impulse has already taken for the coming step.
+  // Removes the effect of the last impulse on the coming step from the state.
   static constexpr void undo([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction)
       if (acts(m)) Friction::undo(m.plan, m.state);
@@ -87,13 +87,13 @@ struct FrictionImpulse {
   [[gnu::noinline]] static constexpr void apply_anew(Model& m, Penetration slid, Long ahead, Allowed allowed) {
     Friction::rub(m.plan, m.state, slid, ahead, allowed);
   }
-  // The work of an impulse at the average of the rates before and after it: exactly what both masses lose.
+  // The work of an impulse at the average of the rates before and after it, which is exactly what both masses lose.
   static constexpr void count_work(Model& m, Penetration rate_before) {
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rate_before));
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rubbing_rate(m)));
   }
 
-  // The rest, up to after_flight(), is for a contact that feels friction.
+  // The functions up to slide_or_turn() are for a contact that follows friction within the step.
 
   // The rate of sliding at the step's end.
   static constexpr Penetration sliding_rate(const Model& m) { return m.relative_rate(false) - half_taken(m); }
@@ -113,8 +113,8 @@ struct FrictionImpulse {
     rubbing.force = mirrored(m.state.impulse, left);
     rubbing.slides = mirrored(Friction::slides(m.plan, m.state.impulse), left);
   }
-  // A ball that has turned before it met its stop: the flight ends with the friction since then. Returns true if it
-  // does not meet the stop at all.
+  // If the ball has reversed before it met its stop, the flight ends with the friction since then. Returns true if the
+  // ball does not meet the stop at all.
   [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, Long main_travel) {
     const bool is_apart = m.state.contact.phase == Phase::apart;
     if (!acts(m) || !(is_apart || Contact::traits.is_instantaneous)) return false;
@@ -131,8 +131,8 @@ struct FrictionImpulse {
     count_slid(m, -rubbing.way);
     return false;
   }
-  // At the end of a step in which a stop has changed the motion. The contact's own rate neglects how the main mass
-  // turns meanwhile.
+  // At the end of a step in which a stop has changed the motion. The contact's own rate neglects the main mass's
+  // oscillation in that time.
   [[gnu::noinline]] static constexpr void after_stop(Model& m, const Rubbing<Format>& rubbing) {
     if (rubbing.slides != 0) {
       Friction::slide_on(m.plan, m.state, is_negative(sliding_rate(m)));
@@ -144,7 +144,7 @@ struct FrictionImpulse {
     }
     count_slid(m, rubbing.slid);
   }
-  // Both masses lose the work of the impulse that the step began with, and what the change at its end takes.
+  // Both masses lose the work of the impulse at the step's start, and that of its change at the step's end.
   [[gnu::noinline]] static constexpr void turn(Model& m, Penetration way) {
     [[maybe_unused]] const Penetration impulse = m.state.impulse;
     [[maybe_unused]] Penetration before{};
@@ -184,8 +184,8 @@ struct FrictionImpulse {
       if constexpr (Model::counts_slid_way) count_work(m, rate);
     }
   }
-  // At the end of a step in which the ball has met a stop. If it still touches, contact is assumed to take as much of
-  // x2 - x1 in the coming step as in this one, `taken`.
+  // At the end of a step in which the ball has met a stop. If it still touches, the contact is assumed to reduce x2 -
+  // x1 in the coming step by `taken`, as in this one.
   [[gnu::always_inline]] static constexpr void after_contact(Model& m, Long flight, Long taken) {
     const Long slid = flight - taken;
     const bool touches = m.state.contact.phase != Phase::apart;

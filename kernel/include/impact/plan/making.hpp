@@ -156,14 +156,14 @@ class PlanMaking {
     // acts in the coming step.
     largest.displacement = largest.way + h * h / 2 * terms.pressing;
     if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
-    // If the ball crosses the clearance in a step, it may be beyond the stop when a contact begins in the next step, by
-    // the displacements of both masses.
+    // If the ball can cross the clearance in a step, it may be up to two steps' displacement inside the stop when a
+    // contact begins.
     const double way = terms.largest_rate * h * (terms.crosses() && !Contact::traits.crosses_cavity ? 2 : 1);
     // Free flight from a state in contact ends deeper than contact lets the ball go. After a correction the ball may be
     // at its deepest and at its fastest at once.
     largest.penetration = limit_of(terms.largest_penetration) + way;
-    // An impact changes the rate of sliding by at most twice the largest rate, and friction by at most that rate in a
-    // step.
+    // In a step an impact changes the sliding rate by at most twice the largest rate, and friction by at most that
+    // rate.
     const double largest_change = scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
     largest.penetration = larger(largest.penetration, largest_change);
     // A contact reads the rate of free flight at the step's end. Sub-steps also read their change of it.
@@ -186,7 +186,7 @@ class PlanMaking {
     largest.limits.main = limit_of(bounds.displacement + offset);
     largest.limits.way = limit_of(largest.displacement);
     largest.limits.speed = limit_of(bounds.speed * h);
-    // Also for a displacement that has just passed its limit, since the check comes afterwards.
+    // A displacement may just have passed its limit, since the check comes afterwards.
     const double spring = scene.main_stiffness * (largest.limits.main + 2 * largest.limits.way),
                  damper = scene.main_damping * 2 * largest.limits.way / h;
     largest.increment = h * h * (2 * larger(scene.drive_amplitude, bounds.force) + spring + damper) / scene.main_mass +
@@ -200,7 +200,7 @@ class PlanMaking {
     // The ball may start at any depth. Other steppers reject a deep start.
     if (Contact::traits.is_instantaneous)
       largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
-    // An impact that takes no time has no way. A force at the step's end does not read the depth of the flight.
+    // With Impulsive and with a force at the step's end, free flight may end deeper than the other bounds allow.
     const bool is_stated = bounds.penetration > 0 && (Contact::traits.keeps_force || terms.deepest >= bounds.penetration),
                is_of_flight = (Contact::traits.keeps_force || largest.is_as_deep_as_flight) && !is_stated;
     largest.limits.penetration = limit_of(Contact::traits.is_instantaneous ? largest.penetration

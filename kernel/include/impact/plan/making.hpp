@@ -159,9 +159,11 @@ class PlanMaking {
     // If the ball can cross the clearance in a step, it may be up to two steps' displacement inside the stop when a
     // contact begins.
     const double way = terms.largest_rate * h * (terms.crosses() && !Contact::traits.crosses_cavity ? 2 : 1);
-    // Free flight from a state in contact ends deeper than contact lets the ball go. After a correction the ball may be
-    // at its deepest and at its fastest at once.
-    largest.penetration = limit_of(terms.largest_penetration) + way;
+    // Free flight from a state in contact ends deeper than the contact allows. With (d/D)^2 + (d'/V)^2 <= 1 (power
+    // laws: (d/D)^(5/2)) it ends at most (D^2 + (5/4) (h V)^2)^(1/2) deep.
+    const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
+                 flown = way / longer;
+    largest.penetration = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
     // In a step an impact changes the sliding rate by at most twice the largest rate, and friction by at most that
     // rate.
     const double largest_change = scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;

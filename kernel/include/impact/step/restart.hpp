@@ -57,6 +57,9 @@ struct Restart {
     const bool left = m.contact_is_left();
     const Phase phase = contact.phase;
     const Standing<Value> found = standing(m, left);
+    // A correction may make a deep ball so fast that its penetration has no room in the unit a step before or after.
+    const auto distance = mirrored(m.state.x2 - m.state.x1, left), flight = mirrored(m.way_ahead(), left);
+    if (!units.fits(distance - flight) || !units.fits(distance - mirrored(flight, true))) m.raise(Fault::penetration);
     if (Contact::traits.is_instantaneous ? is_negative(found.penetration) : !is_positive(found.penetration))
       return m.end_contact();
     Penetration<Value> inside = found.penetration;

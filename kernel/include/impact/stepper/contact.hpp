@@ -167,9 +167,9 @@ struct ContactDefaults {
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     using constant::larger;
     const double k1 = terms.stiffness, h = terms.step;
-    // A linear force is sized by the largest penetration of free flight.
+    // A linear force is sized by the largest penetration: of a contact of few steps the ball's way in one.
     const double way = terms.largest_rate * h * (terms.crosses() ? 2 : 1);
-    const double d = terms.largest_penetration + (terms.is_linear ? way : 0);
+    const double d = terms.is_linear ? larger(terms.largest_penetration, way) : terms.largest_penetration;
     // What presses may change a linear law's rate in a step by more than its bound.
     const double damping = terms.damping_time * (terms.largest_rate + (terms.is_linear ? h * terms.pressing : 0));
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));

@@ -78,8 +78,8 @@ struct Pointwise {
       const double h = terms.step, way = terms.largest_rate * h, changed = h * h * (terms.pressing + terms.rubbing),
                    mobility = h * h / terms.reduced_mass(), d = terms.largest_penetration,
                    flight = (terms.crosses() ? 2 : 1) * way;
-      Reach reach{slack * constant::larger(limit_of(d) + flight, 3 * flight + changed), slack * (way + changed),
-                  slack * (4 * way + 2 * changed), 0};
+      Reach reach{slack * constant::larger(constant::square_root(d * d + 1.25 * flight * flight), 3 * flight + changed),
+                  slack * (way + changed), slack * (4 * way + 2 * changed), 0};
       const double damping = terms.damping_time * reach.rate / h,
                    law = terms.stiffness *
                          (terms.is_linear ? reach.trial + damping : terms.to_the_power(reach.trial) * (1 + damping));

@@ -91,7 +91,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     // In a field a stiff contact may leave the ball deeper than its stored energy would have it (stiff.hpp).
     largest.is_as_deep_as_flight = terms.field > 0;
     const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
-    largest.penetration = constant::smaller(largest.penetration, constant::larger(limit_of(terms.deepest), 4 * rate));
+    largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double k1 = terms.stiffness, law = k1 * terms.to_the_power(terms.deepest),
                  turning = 2.1 * rate / (h * h * mobility), pressing = 2.1 * terms.pressing / mobility,

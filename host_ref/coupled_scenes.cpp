@@ -270,7 +270,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
     if (!(back <= result.returned)) result.returned = back;
     if (!(now.energy_dissipated <= dissipated)) dissipated = now.energy_dissipated;
     const double rubbed_back = (rubbed - now.friction_dissipated) / scale;
-    if (!(rubbed_back <= result.rubbed)) result.rubbed = rubbed_back;
+    if (!(rubbed_back <= result.rubbed_back)) result.rubbed_back = rubbed_back;
     rubbed = now.friction_dissipated;
     if (outcome.simulation->fault()) {
       result.has_fault = true;

@@ -53,8 +53,8 @@ struct CoupledRun {
   bool is_warned = false;  // true if the tool warns that the named stepper may gain energy
   double gain = 0;
   double returned = 0;  // the largest decrease of the ledger, relative to the same energy
-  // The same two numbers including friction and its ledger.
-  double rubbed = 0;
+  // The same two numbers with friction and its ledger.
+  double rubbed = 0, rubbed_back = 0;
 };
 CoupledRun run_coupled(const CoupledScene& scene);
 

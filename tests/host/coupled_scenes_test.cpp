@@ -136,6 +136,8 @@ TEST_P(CoupledScenes, WithPartsCreateNoEnergyAndRaiseNoFault) {
     const Tally tally = run_scenes(stepper, Parts::some, {Edge::none, Edge::heavy_ball}, scenes() / 2,
                                    [](const CoupledScene& found, const CoupledRun& run) {
                                      EXPECT_LE(run.rubbed, largest_energy_gain(found)) << text_of(found.request);
+                                     EXPECT_LE(run.rubbed_back, largest_supply_by_friction(found))
+                                         << text_of(found.request);
                                    });
     EXPECT_GE(tally.accepted, stepper == Stepper::automatic ? tally.made / 4 : tally.made / 30) << name_of(stepper);
   }

@@ -18,6 +18,7 @@ namespace {
 using host::energy_with_weight;
 using host::kinetic_energy;
 using host::larger;
+using host::mechanical_energy;
 
 // Two free masses without momentum. The ball slides at v, and friction stops it after v^2/(2 R/mu) with the reduced
 // mass mu. For a heavy main mass and R = f m g that is v^2/(2 f g).
@@ -349,6 +350,110 @@ TEST(Friction, LedgerClosesByTheAverageAcceleration) {
   const double by_contact = absorber.state().dissipated.total() * plan.force_scale;
   EXPECT_GT(by_contact, 0.2);
   EXPECT_NEAR(by_drive - by_contact - absorber.friction_dissipated(), energy() - at_start, 1e-5 * by_contact);
+}
+
+// Without drive and damper, a main mass of 1 kg that turns by up to `longest_turn` per step of 1 ms.
+struct Undamped {
+  static constexpr double step = 1e-3;
+  Scene scene;
+  Bounds bounds;
+  double turn, mu, energy;
+
+  Undamped(Random& random, double longest_turn, bool meets_stops) : turn(random.wide(1e-3, longest_turn)) {
+    const double speed = random.wide(0.03, 1), heading = random.between(0, 6.28);
+    scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = 0;
+    scene.main_mass = 1;
+    scene.ball_mass = random.wide(0.01, 30);
+    mu = scene.ball_mass / (1 + scene.ball_mass);
+    scene.main_stiffness = turn * turn / (step * step);
+    scene.clearance = (meets_stops ? random.wide(2, 100) : 1e4) * speed * step;
+    scene.contact_stiffness = random.wide(1e9, 1e13);
+    scene.contact_damping = scene.contact_stiffness * random.between(0, 0.9) / speed;
+    scene.v1 = speed * std::cos(heading);
+    scene.v2 = speed * std::sin(heading);
+    scene.x2 = random.between(-0.45, 0.45) * scene.clearance;
+    scene.ball_friction = mu * speed / step * random.wide(1e-4, 0.3);
+    energy = kinetic_energy(scene, scene);
+    bounds.speed = 1.01 * std::sqrt(2 * energy / std::min(1.0, scene.ball_mass));
+    bounds.displacement = std::sqrt(2 * energy / scene.main_stiffness) + scene.clearance + bounds.speed * step;
+  }
+};
+template <class Stepper>
+using Undriven = Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Float64, DryFriction, EnergyLedger>;
+
+// What both masses and the main spring lose is in the ledger, however far the main mass turns in a step, u = w0 h. An
+// entry is the exact work on the state, so a step misses only the rounding of some hundred products, each at most the
+// scene's energy. An impulse J at an instant takes up to J^2/(2 M) u^4/12 of the main mass's energy that no entry has
+// (impulsive.md). J is at most 2 mu V, and mu V^2/2 at most the energy, so that this is at most u^4/3 mu/M of it.
+template <class Stepper>
+void expect_ledger_has_all(double longest_turn, bool meets_stops) {
+  Random random(1);
+  int planned = 0, turns = 0;
+  double rubbed = 0, hit = 0;
+  for (int scenes = 0; scenes < 300; ++scenes) {
+    const Undamped made(random, longest_turn, meets_stops);
+    const auto plan = Undriven<Stepper>::PlanType::make(made.scene, made.bounds, made.step);
+    if (plan.status != PlanStatus::ok) continue;
+    ++planned;
+    Undriven<Stepper> absorber(plan);
+    const double unit = plan.force_scale * plan.units.si_penetration_unit();
+    const auto dissipated = [&] { return absorber.state().dissipated.total() * unit; };
+    const auto sum = [&] {
+      return mechanical_energy(made.scene, absorber.reading()) + dissipated() + absorber.friction_dissipated();
+    };
+    const auto goes_back = [&] { return absorber.reading().v2 < absorber.reading().v1; };
+    const double rounded = 100 * 0x1p-53 * made.energy;
+    for (int n = 0; n < 400; ++n) {
+      const double before = sum(), by_contact = dissipated();
+      const bool back = goes_back();
+      absorber.step();
+      turns += back != goes_back();
+      const double unseen = dissipated() > by_contact ? std::pow(made.turn, 4) / 3 * made.mu * made.energy : 0;
+      ASSERT_LE(sum() - before, rounded) << scenes << ", step " << n;
+      ASSERT_GE(sum() - before, -rounded - unseen) << scenes << ", step " << n;
+    }
+    EXPECT_EQ(absorber.fault(), Fault::none);
+    rubbed += absorber.friction_dissipated() / made.energy;
+    hit += dissipated() / made.energy;
+  }
+  EXPECT_GT(planned, 100);
+  EXPECT_GT(turns, 3 * planned);
+  EXPECT_GT(rubbed, 0.2 * planned);
+  EXPECT_GE(hit, meets_stops ? 0.1 * planned : 0);
+}
+TEST(Friction, AllThatIsLostIsInTheLedgerOfAnImpulsiveMachine) { expect_ledger_has_all<Impulsive>(0.9, true); }
+TEST(Friction, AllThatIsLostInFlightIsInTheLedger) {
+  expect_ledger_has_all<Impulsive>(0.9, false);
+  expect_ledger_has_all<SubsteppedMoment<>>(0.3, false);
+}
+
+// A scene and its mirror image have the same ledger. At times the ball turns and meets a stop in the same step.
+template <class Stepper>
+void expect_ledger_of_mirror_image() {
+  Random random(2);
+  int planned = 0;
+  for (int scenes = 0; scenes < 300; ++scenes) {
+    const Undamped made(random, 0.3, true);
+    Scene image = made.scene;
+    image.v1 = -image.v1;
+    image.x2 = -image.x2;
+    image.v2 = -image.v2;
+    const auto plan = Undriven<Stepper>::PlanType::make(made.scene, made.bounds, made.step);
+    if (plan.status != PlanStatus::ok) continue;
+    ++planned;
+    Undriven<Stepper> absorber(plan), other(Undriven<Stepper>::PlanType::make(image, made.bounds, made.step));
+    for (int n = 0; n < 400; ++n) {
+      absorber.step();
+      other.step();
+      ASSERT_NEAR(absorber.friction_dissipated(), other.friction_dissipated(), 1e-9 * made.energy)
+          << scenes << ", step " << n;
+    }
+  }
+  EXPECT_GT(planned, 100);
+}
+TEST(Friction, AMirrorImageHasTheSameLedger) {
+  expect_ledger_of_mirror_image<Impulsive>();
+  expect_ledger_of_mirror_image<SubsteppedMoment<>>();
 }
 
 // The motion continues after a correction, a change of plan and a saved state.

@@ -58,6 +58,7 @@ struct DryFriction : ScenePart {
       Share main_share;              // of an impulse, in dx1
       Share main_ahead, ball_ahead;  // of the half of it that acts in the step ahead, in dx1 and dx2
       Share main_rate_ahead;         // the same in h v1
+      Share main_shift;              // of a change of y at unchanged rates, in dx1
       GainOf<Gain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
       Share excess;                     // of the main mass's momentum by an impulse over the ball's
       int spare_bits;                   // of an impulse that is no more than r
@@ -81,9 +82,10 @@ struct DryFriction : ScenePart {
     return {{in(full), in(full + at_once + constant::power_of_two(unit.position - 29)),
              gain(main.constant_increment() / both), gain(main.constant_start() / both),
              gain(ball.constant_start() / both), gain(main.constant_start() / main.e12 / both),
-             gain(full > 0 ? 0.5 / full : 0), gain(momentum_ratio - 1),
-             unit.penetration - constant::exponent_above(2 * full), units.state(friction * main.constant_increment()),
-             units.state(-friction * ball.constant_increment()), friction}};
+             gain(-main.e11 * main.constant_increment() / both), gain(full > 0 ? 0.5 / full : 0),
+             gain(momentum_ratio - 1), unit.penetration - constant::exponent_above(2 * full),
+             units.state(friction * main.constant_increment()), units.state(-friction * ball.constant_increment()),
+             friction}};
   }
 
   template <class Format>
@@ -260,17 +262,19 @@ struct DryFriction : ScenePart {
     const Value left = way - Value(Plan::FormatType::value(half(Value(state.impulse))));
     return holding(plan, within_full(plan, left + left));
   }
-  // Removes the half of the impulse that has acted for the coming step, which is to be made anew.
+  // Removes the impulse at the step's end, which is to be made anew, and makes it again.
   template <class Plan, class State>
   static constexpr void take_back(const Plan& plan, State& state) {
-    const auto impulse = state.impulse;
-    set(plan, state, -impulse);
-    state.impulse = impulse;
+    push_by(plan, state, -state.impulse);
   }
-  // What turn() has changed: the rate at the step's end by `taken`, and x2 - x1 by `moved`, against the load.
+  template <class Plan, class State>
+  static constexpr void put_again(const Plan& plan, State& state) {
+    push_by(plan, state, state.impulse);
+  }
+  // What turn() has changed: the rate at the step's end by the impulse `taken`, and x2 - x1 by `moved`.
   template <class Value>
   struct Turned {
-    Value taken, moved, load;
+    Value taken, moved;
   };
   // After a step of flight in which the sliding may have turned, ended or begun. `way` and `rate`: of the step, and at
   // its end, with its friction; `ahead`: of the coming step, without friction.
@@ -321,14 +325,24 @@ struct DryFriction : ScenePart {
       } else if (before == 0 && !is_positive(size(coming) - full)) {
         stick(plan, state, impulse, ahead);
         state.impulse = next;
-        return {taken, moved, load};
+        return {coming - Format::value(half(impulse + next)), moved};
       }
     }
-    // The impulse that takes it, since one of the same size takes s of it, and 1/s is 2 - s.
-    taken = taken + taken - half_taken(plan, taken) - half_taken(plan, taken);
+    taken = impulse_for(plan, taken);
     move_ball(plan, state, moved);
     change_to(plan, state, next, taken);
-    return {taken, moved, load};
+    return {taken, moved};
+  }
+  // The impulse that takes this rate, since one of the same size takes s of it, and 1/s is 2 - s.
+  template <class Plan, class Value>
+  static constexpr Value impulse_for(const Plan& plan, Value rate) {
+    return rate + (rate - half_taken(plan, rate) - half_taken(plan, rate));
+  }
+  // Changes the rates by `impulse`, and x2 - x1 by `moved` at unchanged rates.
+  template <class Plan, class State, class Value>
+  static constexpr void act_at_once(const Plan& plan, State& state, Value impulse, Value moved) {
+    move_ball(plan, state, moved);
+    push_by(plan, state, impulse);
   }
 
  private:
@@ -346,7 +360,7 @@ struct DryFriction : ScenePart {
     }
     return left;
   }
-  // Changes x2 - x1 and leaves the common centre of both masses.
+  // Changes x2 - x1 and leaves the common centre of both masses and their rates.
   template <class Plan, class State, class Value>
   static constexpr void move_ball(const Plan& plan, State& state, Value by) {
     typename Plan::FormatType::Long main{}, ball{};
@@ -355,6 +369,7 @@ struct DryFriction : ScenePart {
     ball.advance(main);
     state.x1.advance(main);
     state.x2.advance(ball);
+    plan.units.displace(state.dx1, plan.friction.main_shift, by);
   }
   template <class State, class Long>
   [[gnu::always_inline]] static constexpr void push(State& state, Long main, Long ball) {
@@ -362,12 +377,16 @@ struct DryFriction : ScenePart {
     state.dx2.advance(ball);
   }
   template <class Plan, class State, class Value>
-  [[gnu::always_inline]] static constexpr void set(const Plan& plan, State& state, Value impulse) {
+  [[gnu::always_inline]] static constexpr void push_by(const Plan& plan, State& state, Value impulse) {
     typename Plan::FormatType::Long main{}, ball{};
     plan.units.displace(main, plan.friction.main_share, impulse);
     plan.units.displace(ball, -impulse);
     ball.advance(main);
     push(state, main, ball);
+  }
+  template <class Plan, class State, class Value>
+  [[gnu::always_inline]] static constexpr void set(const Plan& plan, State& state, Value impulse) {
+    push_by(plan, state, impulse);
     state.impulse = impulse;
     state.lasting = never<Plan>();
   }

@@ -41,10 +41,13 @@ struct FrictionImpulse {
   // The work of that half of the last impulse which acts in the coming step.
   static constexpr auto still_to_work(const Model& m) {
     if constexpr (Contact::traits.feels_friction) return decltype(work(Value{}, Penetration{})){};
+    return Friction::dissipated(m.plan, m.state, rubbing_rate(m) + Format::value(half(rubbed_ahead(m))));
+  }
+  // What the half of the last impulse that acts in the step ahead takes of that rate.
+  static constexpr Penetration rubbed_ahead(const Model& m) {
     const Penetration impulse = m.state.impulse;
     const Penetration main = m.plan.friction.main_rate_ahead * impulse, ball = m.plan.friction.ball_ahead * impulse;
-    const Penetration more = Friction::rubbing_rate(m.plan, main + ball, -main);
-    return Friction::dissipated(m.plan, m.state, rubbing_rate(m) + Format::value(half(more)));
+    return Friction::rubbing_rate(m.plan, main + ball, -main);
   }
 
   // Half of the impulse acts in the coming step. The impulse exceeds that of a first step by `excess`. Only its change
@@ -95,6 +98,19 @@ struct FrictionImpulse {
 
   // The functions up to slide_or_turn() are for a contact that follows friction within the step.
 
+  // A flight: the way of sliding, and at its end the main mass's position and, for the ledger, what friction works
+  // against.
+  struct Flight {
+    Penetration way;
+    Long x1;
+    Penetration load;
+  };
+  static constexpr Flight flight_of(const Model& m, Long main_travel) {
+    if (!acts(m)) return {};
+    Flight flight{m.way_flown(main_travel), m.state.x1, {}};
+    if constexpr (Model::counts_slid_way) flight.load = m.plan.units.relative(m.way_ahead()) - flight.way;
+    return flight;
+  }
   // The rate of sliding at the step's end.
   static constexpr Penetration sliding_rate(const Model& m) { return m.relative_rate(false) - half_taken(m); }
   static constexpr Penetration half_taken(const Model& m) {
@@ -111,72 +127,102 @@ struct FrictionImpulse {
     if (!acts(m)) return;
     rubbing.full = m.plan.friction.full;
     rubbing.force = mirrored(m.state.impulse, left);
+    rubbing.main_share = m.plan.friction.main_share;
     rubbing.slides = mirrored(Friction::slides(m.plan, m.state.impulse), left);
   }
-  // If the ball has reversed before it met its stop, the flight ends with the friction since then. Returns true if the
-  // ball does not meet the stop at all.
-  [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, Long main_travel) {
+  // A ball that has turned before it met its stop: the flight ends with the friction since then. Returns true if it
+  // does not meet the stop at all.
+  [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, const Flight& flight) {
     const bool is_apart = m.state.contact.phase == Phase::apart;
     if (!acts(m) || !(is_apart || Contact::traits.is_instantaneous)) return false;
     const bool left = is_apart ? m.ball_is_left() : m.contact_is_left();
     if (mirrored(Friction::slides(m.plan, m.state.impulse), left) >= 0 || !is_positive(mirrored(sliding_rate(m), left)))
       return false;
-    const Penetration way = m.way_flown(main_travel);
-    const Long before = m.state.x2 - m.state.x1;
-    turn(m, way);
+    [[maybe_unused]] const Penetration impulse = m.state.impulse;
+    const auto by = turn(m, flight);
     if (is_apart && !m.is_beyond_stop()) return true;
     Friction::take_back(m.plan, m.state);
     rubbing.has_turned = true;
-    rubbing.way = way + m.plan.units.relative((m.state.x2 - m.state.x1) - before);
-    count_slid(m, -rubbing.way);
+    rubbing.way = flight.way + by.moved;
+    if constexpr (Model::counts_slid_way) {
+      const Penetration change = Format::value(half(impulse - m.state.impulse));
+      rubbing.half_late = Format::value(half(change)) + Format::value(half(by.taken)) +
+                          Format::value(half(by.moved - m.plan.friction.main_shift * by.moved));
+    }
     return false;
   }
-  // At the end of a step in which a stop has changed the motion. The contact's own rate neglects the main mass's
-  // oscillation in that time.
-  [[gnu::noinline]] static constexpr void after_stop(Model& m, const Rubbing<Format>& rubbing) {
+  // At the end of a step in which a stop has changed the motion. The contact's own rate neglects how the main mass
+  // turns meanwhile.
+  [[gnu::noinline]] static constexpr void after_stop(Model& m, const Rubbing<Format>& rubbing, const Flight& flight) {
+    const bool left = m.contact_is_left();
+    if constexpr (Contact::traits.is_instantaneous) {
+      // The flight's friction works on the way that the contact has left of the flight's.
+      if (!rubbing.has_turned) count_loss(m, m.state.impulse, flight.way);
+      const Penetration against = -mirrored(rubbing.prevented, left);
+      count_loss(m, m.state.impulse, against);
+      if (m.state.contact.is_at_rest)
+        for (int quarter = 0; quarter < 4; ++quarter) count_loss(m, rubbing.half_late, against);
+      const Penetration before = rubbing_rate(m) - rubbed_ahead(m),
+                        impulse = Friction::impulse_for(m.plan, mirrored(rubbing.taken, left)),
+                        moved = mirrored(rubbing.moved, left);
+      Friction::act_at_once(m.plan, m.state, impulse, moved);
+      count_change(m, flight, impulse, moved, before, rubbing_rate(m) - rubbed_ahead(m));
+    } else {
+      count_slid(m, rubbing.has_turned ? rubbing.slid - mirrored(rubbing.way, left) : rubbing.slid);
+    }
     if (rubbing.slides != 0) {
       Friction::slide_on(m.plan, m.state, is_negative(sliding_rate(m)));
     } else {
       const Penetration next = m.state.contact.phase != Phase::apart
-                                   ? Friction::holding(m.plan, mirrored(rubbing.force, m.contact_is_left()))
+                                   ? Friction::holding(m.plan, mirrored(rubbing.force, left))
                                    : Friction::holding_in_flight(m.plan, m.state, m.plan.units.relative(m.way_ahead()));
       Friction::change_to(m.plan, m.state, next, Penetration{});
     }
-    count_slid(m, rubbing.slid);
   }
-  // Both masses lose the work of the impulse at the step's start, and that of its change at the step's end.
-  [[gnu::noinline]] static constexpr void turn(Model& m, Penetration way) {
-    [[maybe_unused]] const Penetration impulse = m.state.impulse;
+  // Both masses lose the work of the impulse that the step began with, and what the change at its end takes.
+  [[gnu::noinline]] static constexpr auto turn(Model& m, const Flight& flight) {
+    count_loss(m, m.state.impulse, flight.way);
     [[maybe_unused]] Penetration before{};
-    if constexpr (Model::counts_slid_way) before = rubbing_rate(m) - half_taken(m);
-    [[maybe_unused]] const auto by = Friction::turn(m.plan, m.state, way, sliding_rate(m), m.way_ahead());
+    if constexpr (Model::counts_slid_way) before = rubbing_rate(m) - rubbed_ahead(m);
+    const auto by = Friction::turn(m.plan, m.state, flight.way, sliding_rate(m), m.way_ahead());
+    count_change(m, flight, by.taken, by.moved, before, rubbing_rate(m) + rubbed_ahead(m));
+    return by;
+  }
+  // The exact loss by a change at the step's end: an impulse works at the average of the rates before and after it, and
+  // a change of x2 - x1 at the average of the load.
+  static constexpr void count_change([[maybe_unused]] Model& m, [[maybe_unused]] const Flight& flight,
+                                     [[maybe_unused]] Penetration impulse, [[maybe_unused]] Penetration moved,
+                                     [[maybe_unused]] Penetration before, [[maybe_unused]] Penetration after) {
     if constexpr (Model::counts_slid_way) {
-      const Penetration after = rubbing_rate(m) + half_taken(m);
-      count_loss(m, impulse, way);
-      count_loss(m, by.taken, Format::value(half(before)) + Format::value(half(after)));
-      count_loss(m, by.moved, by.load);
+      Long shift = m.state.x1 - flight.x1;
+      m.plan.units.displace(shift, m.plan.friction.main_share, Penetration(Format::value(half(moved))));
+      const auto by_spring = Format::term(m.plan.stiffness, m.plan.units.position(shift));
+      count_loss(m, impulse, Format::value(half(before)) + Format::value(half(after)));
+      count_loss(m, moved, flight.load + m.plan.units.increment_of_rate(by_spring));
     }
   }
-  static constexpr void count_loss(Model& m, Penetration impulse, Penetration way) {
-    const auto quarter = work(bare(m.plan.friction.half_by_full * Penetration(Format::value(half(impulse)))), way);
-    m.state.slid.add(quarter + quarter);
-    m.state.slid.add(quarter + quarter);
+  static constexpr void count_loss([[maybe_unused]] Model& m, [[maybe_unused]] Penetration impulse,
+                                   [[maybe_unused]] Penetration way) {
+    if constexpr (Model::counts_slid_way) {
+      const auto quarter = work(bare(m.plan.friction.half_by_full * Penetration(Format::value(half(impulse)))), way);
+      m.state.slid.add(quarter + quarter);
+      m.state.slid.add(quarter + quarter);
+    }
   }
-  [[gnu::always_inline]] static constexpr void slide_or_turn(Model& m, Long main_travel) {
-    const Penetration way = m.way_flown(main_travel);
+  [[gnu::always_inline]] static constexpr void slide_or_turn(Model& m, const Flight& flight) {
     if (Friction::slides_on(m.plan, m.state, m.state.dx2))
-      count_slid(m, mirrored(way, is_negative(way)));
+      count_slid(m, mirrored(flight.way, is_negative(m.state.impulse)));
     else
-      turn(m, way);
+      turn(m, flight);
   }
 
   // At the end of a step in flight.
   [[gnu::always_inline]] static constexpr void after_flight([[maybe_unused]] Model& m,
                                                             [[maybe_unused]] Long main_travel) {
     if (!acts(m)) return;
-    if constexpr (Friction::is_friction && Contact::traits.feels_friction) {
-      slide_or_turn(m, main_travel);
-    } else if constexpr (Friction::is_friction) {
+    if constexpr (Contact::traits.feels_friction) {
+      slide_or_turn(m, flight_of(m, main_travel));
+    } else {
       [[maybe_unused]] Penetration rate{};
       if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
       if (!Friction::slides_on(m.plan, m.state, m.state.dx2))

@@ -116,8 +116,22 @@ struct Step {
   [[gnu::always_inline]] static constexpr void contact_and_friction(Model& m, Increment increment, Long main_travel,
                                                                     SeenChange change) {
     StopRubbing rubbing{};
-    if constexpr (!Friction::is_friction) {
+    if constexpr (feels_friction) {
+      const auto flight = FrictionStep::flight_of(m, main_travel);
+      if (FrictionStep::turns_before_stop(m, rubbing, flight)) return clamp_if_out_of_range(m);
+      if (rubbing.has_turned)
+        increment = increment - Format::term(m.plan.stiffness, m.plan.units.position(m.state.x1 - flight.x1));
       solve_contact(m, increment, main_travel, change, rubbing);
+      if (rubbing.meets_stop)
+        FrictionStep::after_stop(m, rubbing, flight);
+      else if (rubbing.has_turned)
+        FrictionStep::Friction::put_again(m.plan, m.state);
+      else
+        FrictionStep::after_flight(m, main_travel);
+    } else if constexpr (Friction::is_friction) {
+      const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
+      solve_contact(m, increment, main_travel, change, rubbing);
+      if (FrictionStep::acts(m)) FrictionStep::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
     } else {
       if constexpr (!feels_friction) {
         const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
@@ -248,9 +262,13 @@ struct Step {
     } else {
       approach.increment = minus_mirrored(increment, left);
     }
-    if constexpr (traits.is_instantaneous) approach.main_rate = mirrored(main_rate(m), left);
-    // A law at the step's end reads the rate after the friction of the whole step. Half of that impulse is still to
-    // act.
+    if constexpr (traits.is_instantaneous) {
+      approach.main_rate = mirrored(main_rate(m), left);
+      if constexpr (feels_friction)
+        approach.main_rate = approach.main_rate + mirrored(plan.friction.main_rate_ahead * state.impulse, left);
+    }
+    // A law at the step's end reads the rate with the friction of the whole step. Half of that impulse is still to
+    // come.
     [[maybe_unused]] const auto rate = approach.rate;
     if constexpr (Friction::is_friction && traits.keeps_force)
       approach.rate = rate - mirrored(Format::value(half(state.impulse)), left);

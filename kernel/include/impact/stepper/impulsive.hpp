@@ -147,8 +147,7 @@ struct Impulsive {
     template <class Seen>
     [[gnu::always_inline]] constexpr Reaction<Format, Force> solve(const Plan& plan, const Units& units,
                                                                    const Seen& step) {
-      [[maybe_unused]] Impulse<Value> friction{};
-      const SplitImpulse impulse = impulse_of(plan, units, step, friction);
+      const SplitImpulse impulse = impulse_of(plan, units, step);
       Reaction<Format, Force> reaction{as_forces(impulse.main), as_forces(impulse.ball), step.penetration, {}, {}, {}};
       if constexpr (Seen::is_recorded) {
         reaction.record.force = {reaction.ball.j0, Format::value(half(reaction.ball.j0))};
@@ -157,9 +156,9 @@ struct Impulsive {
         reaction.record.rate = Penetration(impulse.rate);
       }
       if constexpr (Seen::is_rubbed) {
-        const Impulse<Force> by_friction = as_forces(friction);
-        reaction.main = {reaction.main.j0 + by_friction.j0, reaction.main.j1 + by_friction.j1};
-        reaction.ball = {reaction.ball.j0 + by_friction.j0, reaction.ball.j1 + by_friction.j1};
+        Penetration moment(impulse.ball.j1);
+        if (!is_at_rest) moment = moment - step.rubbing->main_share * Penetration(impulse.ball.j1 - impulse.main.j1);
+        step.rubbing->prevented = Penetration(plan.support.penetration * bare(moment + moment));
       }
       return reaction;
     }
@@ -174,8 +173,7 @@ struct Impulsive {
       return {Force(impulse.j0), Force(impulse.j1)};
     }
     template <class Seen>
-    [[gnu::always_inline]] constexpr SplitImpulse impulse_of(const Plan& plan, const Units& units, Seen step,
-                                                             [[maybe_unused]] Impulse<Value>& friction) {
+    [[gnu::always_inline]] constexpr SplitImpulse impulse_of(const Plan& plan, const Units& units, Seen step) {
       const Value trial = step.penetration, rate = step.rate, travel = step.travel;
       const Value before = trial - travel;
       constexpr bool is_in_field = Seen::is_in_field;
@@ -196,7 +194,10 @@ struct Impulsive {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
         acceleration = main_part + bare(units.increment_of_rate(step.ball_increment));
       }
-      if constexpr (Seen::is_rubbed) acceleration = acceleration - bare(step.rubbing->force);
+      if constexpr (Seen::is_rubbed) {
+        main_part = main_part - bare(step.rubbing->main_share * step.rubbing->force);
+        acceleration = acceleration - bare(step.rubbing->force);
+      }
       const Value pace = is_positive(travel) ? travel : rate;
       const auto way = Format::divisor(without_sign(pace));
       const Value half_acceleration = Format::value(half(acceleration)),
@@ -229,8 +230,7 @@ struct Impulsive {
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - half_rate)) {
           if (!is_inside) phase = Phase::apart;
-          if constexpr (Seen::is_rubbed)
-            friction = rub(*step.rubbing, t, at.rate, rate, impulse, travel, no_more(beyond, travel));
+          if constexpr (Seen::is_rubbed) rub(*step.rubbing, t, at.rate, rate, impulse);
           return at.split(t, impulse);
         }
       }
@@ -239,7 +239,7 @@ struct Impulsive {
       const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(half(quarter(half_rate))));
       if (!sends_back) return rest_on_stop(plan, trial, from, from - before, weight, on_the_stop, step);
       is_at_rest = 1;
-      if constexpr (Seen::is_rubbed) stick(*step.rubbing, from - before);
+      if constexpr (Seen::is_rubbed) stick(*step.rubbing);
       const Value force = clamped(plan, units, plan.support.by_rate * rate),
                   inside = trial - plan.support.penetration * force;
       depth_at_rest = Penetration(left_inside(inside, weight, force, inside - before));
@@ -259,35 +259,29 @@ struct Impulsive {
     [[gnu::always_inline]] constexpr SplitImpulse rest_on_stop(const Plan& plan, Value trial, Value from, Value way,
                                                                Value weight, const Support& support,
                                                                [[maybe_unused]] const Seen& step) {
-      if constexpr (Seen::is_rubbed) stick(*step.rubbing, way);
+      if constexpr (Seen::is_rubbed) stick(*step.rubbing);
       const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
       is_at_rest = 1;
       depth_at_rest = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
       return support_impulse(plan, support.force, last, way);
     }
     // Dry friction after an impact, t before the step's end: against the rebound, and again forward if the ball comes
-    // back. `beyond`: the way in the step from then on without the impact.
+    // back.
     template <class Share>
-    static constexpr Impulse<Value> rub(Rubbing<Format>& step, Share t, Value rate_there, Value rate_at_end,
-                                        Value impulse, Value travel, Value beyond) {
+    static constexpr void rub(Rubbing<Format>& step, Share t, Value rate_there, Value rate_at_end, Value impulse) {
       step.meets_stop = is_positive(step.full);
-      if (!step.meets_stop) return {};
+      if (!step.meets_stop) return;
       const Penetration full = Format::value(t * step.full), turned = -full - Format::value(t * step.force),
                         rebound(rate_there - impulse - impulse), end(rate_at_end - impulse - impulse);
       PartRubbing<Format> rest{full, -full, -1};
-      const auto taken = rest.follow(rebound, end - turned);
-      const Penetration moment = Format::value(half(turned)) + taken.moment;
-      const Value back = Format::value(t * bare(moment)), hit = Format::value(t * impulse),
-                  last = Format::value(
-                      half(Format::value(taken.left * Format::value(t * bare(end - turned - taken.rate)))));
+      const auto by = rest.follow(rebound, end - turned);
       step.slides = rest.slides;
-      step.slid = Penetration(travel - beyond - (beyond - hit - hit - back) + last + last);
-      return {Format::value(half(bare(turned + taken.rate))), Format::value(half(back))};
+      step.taken = turned + by.rate;
+      step.moved = -Penetration(Format::value(t * bare(Penetration(Format::value(half(turned)) + by.moment))));
     }
     // A ball at rest on its stop is held without friction.
-    static constexpr void stick(Rubbing<Format>& step, Value way) {
+    static constexpr void stick(Rubbing<Format>& step) {
       step.meets_stop = is_positive(step.full);
-      step.slid = Penetration(mirrored(way, step.slides < 0));
       step.slides = 0;
       step.force = {};
     }

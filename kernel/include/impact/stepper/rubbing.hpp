@@ -23,11 +23,16 @@ struct Rubbing {
 
   Penetration full;   // 0: none
   Penetration force;  // of the flight; then at the step's end
-  int slides;         // 1 into the stop, -1 out of it, 0 if it sticks
-  bool meets_stop;    // false: all of the step was flight
-  bool has_turned;    // before the stop
-  Penetration way;    // of the flight, if it has turned
-  Penetration slid;   // the way of sliding
+  GainOf<typename Format::Gain, unit::Penetration, unit::Penetration> main_share;  // of what it takes
+  int slides;        // 1 into the stop, -1 out of it, 0 if it sticks
+  bool meets_stop;   // false: all of the step was flight
+  bool has_turned;   // before the stop
+  Penetration way;   // of the flight, if it has turned
+  Penetration slid;  // the way of sliding, where sub-steps follow it
+  // With a contact that takes no time: what it prevents of the flight's way, and how friction changes rate and
+  // penetration at the step's end. For the ledger of a ball that has turned before it comes to rest: half of what its
+  // way differs from that of a flight with the last friction alone.
+  Penetration prevented, taken, moved, half_late;
 };
 
 // The friction in a part of the step.
@@ -39,11 +44,9 @@ struct PartRubbing {
   Penetration full, force;
   int slides;
 
-  // What friction takes of the rate, its moment about the part's end, and what is left of the part after the turn. The
-  // latter two are over the part's duration.
+  // What friction takes of the rate, and its moment about the part's end, over the part's duration.
   struct Taken {
     Penetration rate, moment;
-    decltype(Format::constant(0)) left;
   };
   // At the part's end, with `rate` as if the friction had not changed.
   constexpr Taken follow(Penetration before, Penetration rate) {
@@ -62,7 +65,7 @@ struct PartRubbing {
       force = mirrored(full, back);
     }
     taken = mirrored(taken, back);
-    return {taken, Format::value(half(Format::value(left * taken))), left};
+    return {taken, Format::value(half(Format::value(left * taken)))};
   }
 };
 

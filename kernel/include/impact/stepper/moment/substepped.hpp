@@ -130,7 +130,10 @@ struct SubsteppedMoment {
       const double by_friction = 2 * terms.rubbing * terms.step * terms.step;
       largest.push = constant::larger(
           largest.push, 2 * constant::smaller(2 * terms.largest_rate * terms.step, n * n * largest.push + by_friction));
+      largest.push = constant::larger(largest.push, bending_noise * largest.penetration);
     }
+    // A flight's change of rate follows from penetrations and rates, and is known to some LSBs of their unit.
+    static constexpr double bending_noise = 0x1p-23;
     // The displacements of both masses over that of the lighter one.
     static constexpr double both_masses(const ContactTerms& terms) {
       return constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
@@ -150,13 +153,16 @@ struct SubsteppedMoment {
     static constexpr UnitExponents units(const ContactTerms& terms, UnitExponents unit) {
       const ContactTerms sub = in_a_part(terms);
       const double n = terms.step / sub.step;
+      const double way_unit = constant::power_of_two(unit.penetration);
       const int depth = Format::exponent_of(2 * (limit_of(terms.largest_penetration) + terms.largest_rate * sub.step));
       if (!is_linear && depth < unit.penetration) unit.penetration = depth;
       UnitBounds largest{};
       largest.penetration = 0.999 * constant::power_of_two(unit.penetration);
       largest.increment = constant::power_of_two(unit.increment) / n;
       Inner::room(sub, largest);
-      const int impulse = Format::exponent_of(largest.push * (is_linear ? both_masses(sub) : 0.5)),
+      const double noise = bending_noise * way_unit / (n * n);
+      const int impulse =
+                    Format::exponent_of(constant::larger(largest.push * (is_linear ? both_masses(sub) : 0.5), noise)),
                 finest = unit.recoil - Format::exponent_of(0.5 * n);
       if (impulse < unit.recoil) unit.recoil = impulse > finest ? impulse : finest;
       return unit;

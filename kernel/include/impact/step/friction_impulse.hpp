@@ -220,9 +220,9 @@ struct FrictionImpulse {
   [[gnu::always_inline]] static constexpr void after_flight([[maybe_unused]] Model& m,
                                                             [[maybe_unused]] Long main_travel) {
     if (!acts(m)) return;
-    if constexpr (Contact::traits.feels_friction) {
+    if constexpr (Friction::is_friction && Contact::traits.feels_friction) {
       slide_or_turn(m, flight_of(m, main_travel));
-    } else {
+    } else if constexpr (Friction::is_friction) {
       [[maybe_unused]] Penetration rate{};
       if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
       if (!Friction::slides_on(m.plan, m.state, m.state.dx2))

@@ -118,34 +118,25 @@ struct Step {
     StopRubbing rubbing{};
     if constexpr (feels_friction) {
       const auto flight = FrictionStep::flight_of(m, main_travel);
-      if (FrictionStep::turns_before_stop(m, rubbing, flight)) return clamp_if_out_of_range(m);
-      if (rubbing.has_turned)
-        increment = increment - Format::term(m.plan.stiffness, m.plan.units.position(m.state.x1 - flight.x1));
-      solve_contact(m, increment, main_travel, change, rubbing);
-      if (rubbing.meets_stop)
-        FrictionStep::after_stop(m, rubbing, flight);
-      else if (rubbing.has_turned)
-        FrictionStep::Friction::put_again(m.plan, m.state);
-      else
-        FrictionStep::after_flight(m, main_travel);
+      if (!FrictionStep::turns_before_stop(m, rubbing, flight)) {
+        if (rubbing.has_turned)
+          increment = increment - Format::term(m.plan.stiffness, m.plan.units.position(m.state.x1 - flight.x1));
+        solve_contact(m, increment, main_travel, change, rubbing);
+        if (rubbing.meets_stop)
+          FrictionStep::after_stop(m, rubbing, flight);
+        else if (rubbing.has_turned)
+          FrictionStep::Friction::put_again(m.plan, m.state);
+        else
+          FrictionStep::after_flight(m, main_travel);
+      }
     } else if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
       solve_contact(m, increment, main_travel, change, rubbing);
       if (FrictionStep::acts(m)) FrictionStep::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
     } else {
-      if constexpr (!feels_friction) {
-        const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
-        solve_contact(m, increment, main_travel, change, rubbing);
-        if (FrictionStep::acts(m)) FrictionStep::after_contact(m, flight, distance - (m.state.x2 - m.state.x1));
-      } else if (!FrictionStep::turns_before_stop(m, rubbing, main_travel)) {
-        solve_contact(m, increment, main_travel, change, rubbing);
-        if (rubbing.meets_stop)
-          FrictionStep::after_stop(m, rubbing);
-        else
-          FrictionStep::after_flight(m, main_travel);
-      }
-      clamp_if_out_of_range(m);
+      solve_contact(m, increment, main_travel, change, rubbing);
     }
+    if constexpr (Friction::is_friction) clamp_if_out_of_range(m);
   }
 
   // The step in the coordinates of the stop.

@@ -235,8 +235,8 @@ TEST(WatchedScenes, SubStepsOfAStepThatIsShortBesideItsContact) {
   scene.restitution = 1;
   forces_in<Flores, SubsteppedMoment<>, Sampled>(scene, Bounds{}, 1e-7, std::vector<int32_t>(2000));
 }
-// The damping of a touch without speed is large. A force that then presses the ball in fast exceeds the force's unit,
-// where it is clamped. It was read as a pull.
+// The damping of a touch without speed is large. If the ball is then pressed in fast, the contact force exceeds its
+// unit and is clamped. It used to be read as a pull.
 TEST(WatchedScenes, AForceBeyondItsUnitIsClamped) {
   Scene scene = pair(1697.23, 1341.56, 0.001071, 7530.42, 0);
   scene.main_stiffness = 71.3067;

@@ -265,11 +265,11 @@ struct DryFriction : ScenePart {
   // Removes the impulse at the step's end, which is to be made anew, and makes it again.
   template <class Plan, class State>
   static constexpr void take_back(const Plan& plan, State& state) {
-    push_by(plan, state, -state.impulse);
+    act_at_once(plan, state, -state.impulse, decltype(state.impulse){});
   }
   template <class Plan, class State>
   static constexpr void put_again(const Plan& plan, State& state) {
-    push_by(plan, state, state.impulse);
+    act_at_once(plan, state, state.impulse, decltype(state.impulse){});
   }
   // What turn() has changed: the rate at the step's end by the impulse `taken`, and x2 - x1 by `moved`.
   template <class Value>
@@ -340,7 +340,7 @@ struct DryFriction : ScenePart {
   }
   // Changes the rates by `impulse`, and x2 - x1 by `moved` at unchanged rates.
   template <class Plan, class State, class Value>
-  static constexpr void act_at_once(const Plan& plan, State& state, Value impulse, Value moved) {
+  [[gnu::noinline]] static constexpr void act_at_once(const Plan& plan, State& state, Value impulse, Value moved) {
     move_ball(plan, state, moved);
     push_by(plan, state, impulse);
   }
@@ -362,7 +362,7 @@ struct DryFriction : ScenePart {
   }
   // Changes x2 - x1 and leaves the common centre of both masses and their rates.
   template <class Plan, class State, class Value>
-  static constexpr void move_ball(const Plan& plan, State& state, Value by) {
+  [[gnu::noinline]] static constexpr void move_ball(const Plan& plan, State& state, Value by) {
     typename Plan::FormatType::Long main{}, ball{};
     plan.units.displace(main, plan.friction.main_share, -by);
     plan.units.displace(ball, by);

@@ -190,9 +190,11 @@ struct FrictionImpulse {
   }
   // The exact loss by a change at the step's end: an impulse works at the average of the rates before and after it, and
   // a change of x2 - x1 at the average of the load.
-  static constexpr void count_change([[maybe_unused]] Model& m, [[maybe_unused]] const Flight& flight,
-                                     [[maybe_unused]] Penetration impulse, [[maybe_unused]] Penetration moved,
-                                     [[maybe_unused]] Penetration before, [[maybe_unused]] Penetration after) {
+  [[gnu::noinline]] static constexpr void count_change([[maybe_unused]] Model& m, [[maybe_unused]] const Flight& flight,
+                                                       [[maybe_unused]] Penetration impulse,
+                                                       [[maybe_unused]] Penetration moved,
+                                                       [[maybe_unused]] Penetration before,
+                                                       [[maybe_unused]] Penetration after) {
     if constexpr (Model::counts_slid_way) {
       Long shift = m.state.x1 - flight.x1;
       m.plan.units.displace(shift, m.plan.friction.main_share, Penetration(Format::value(half(moved))));
@@ -201,8 +203,8 @@ struct FrictionImpulse {
       count_loss(m, moved, flight.load + m.plan.units.increment_of_rate(by_spring));
     }
   }
-  static constexpr void count_loss([[maybe_unused]] Model& m, [[maybe_unused]] Penetration impulse,
-                                   [[maybe_unused]] Penetration way) {
+  [[gnu::noinline]] static constexpr void count_loss([[maybe_unused]] Model& m, [[maybe_unused]] Penetration impulse,
+                                                     [[maybe_unused]] Penetration way) {
     if constexpr (Model::counts_slid_way) {
       const auto quarter = work(bare(m.plan.friction.half_by_full * Penetration(Format::value(half(impulse)))), way);
       m.state.slid.add(quarter + quarter);

@@ -82,8 +82,9 @@ struct Impulsive {
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       const double rate = terms.largest_rate * terms.step;
       largest.force_factor = 1;
-      largest.penetration =
-          (terms.crosses() ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment;
+      const double weight = terms.step * terms.step * terms.field * terms.ball_mass / (2 * terms.reduced_mass());
+      largest.penetration = constant::larger(
+          (terms.crosses() ? 2 : 1) * rate + deepest_rebound<ContactLaw>(terms) + 2 * largest.increment, weight);
       largest.push = rate + 2 * largest.increment;
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {

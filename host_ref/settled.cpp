@@ -101,9 +101,10 @@ Bounds bounds_of(const Request& asked, const Reached& reached) {
   const auto with_margin = [](double value) { return smaller(bound_range.most, larger(1e-6, margin * value)); };
   const double speed = with_margin(reached.speed),
                penetration = reached.penetration > 0 ? with_margin(reached.penetration) : 0,
-               way = larger(penetration, speed * asked.step);
-  return completed(asked, clamped(larger(larger(with_margin(reached.displacement), asked.scene.clearance), way)), speed,
-                   penetration);
+               displacement = larger(penetration, speed * asked.step);
+  return completed(asked,
+                   clamped(larger(larger(with_margin(reached.displacement), asked.scene.clearance), displacement)),
+                   speed, penetration);
 }
 
 Bounds scaled(const Request& asked, const Bounds& bounds, double times) {

@@ -186,7 +186,7 @@ Refusal refusal_before_a_run(const Request& asked) {
 
 double automatic_step(const Request& asked) {
   constexpr double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
-  constexpr double longest_phase = 0.2, longest_way = 0.25, usual = 1e-4, longest_run = 1e7;
+  constexpr double longest_phase = 0.2, longest_displacement = 0.25, usual = 1e-4, longest_run = 1e7;
   Request open = asked;
   state_true_restitution(open);
   Request request = open;
@@ -194,11 +194,12 @@ double automatic_step(const Request& asked) {
   const Scene& scene = request.scene;
   const auto longest = [&] {
     const double pulsation = std::max(natural_pulsation(scene), scene.drive_pulsation);
-    const double way = scene.clearance > 0 ? longest_way * scene.clearance : bound_range.most;
+    const double displacement = scene.clearance > 0 ? longest_displacement * scene.clearance : bound_range.most;
     for (const double step : steps) {
       request.step = step;
-      if (step <= request.duration / 100 && step * pulsation <= longest_phase && step * request.bounds->speed <= way &&
-          chosen(request) == Stepper::moment && Moment::restitution_error(resolution(request), step) <= automatic_error)
+      if (step <= request.duration / 100 && step * pulsation <= longest_phase &&
+          step * request.bounds->speed <= displacement && chosen(request) == Stepper::moment &&
+          Moment::restitution_error(resolution(request), step) <= automatic_error)
         return step;
     }
     return 0.0;

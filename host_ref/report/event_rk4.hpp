@@ -87,9 +87,9 @@ class EventRk4 {
   // The instant at which the ball passes the face of the stop on its way to `next`. Newton's method on the cubic starts
   // from a straight line.
   Real root(const State& next, int stop, Real h) const {
-    const Real from = beyond(now_, stop), to = beyond(next, stop), way = to - from,
+    const Real from = beyond(now_, stop), to = beyond(next, stop), displacement = to - from,
                start = h * signed_by(stop, now_.v2 - now_.v1), rise = h * signed_by(stop, next.v2 - next.v1) - start,
-               bend = start + (start + rise) - 2 * way, bow = way - start - bend;
+               bend = start + (start + rise) - 2 * displacement, bow = displacement - start - bend;
     if ((from > 0) == (to > 0)) return 0;
     Real s = from / (from - to);
     for (int i = 0; i < 4; ++i)

@@ -77,7 +77,8 @@ void check(const Absorber& absorber) {
     // The next step checks what friction has done by the end of this one.
     if constexpr (Absorber::Friction::is_friction) state.dx1 = state.dx2 = {};
     expect(units.is_within(state.x1, units.limits.main) && units.is_within(state.x2, units.limits.ball) &&
-               units.is_within(state.dx1, units.limits.way) && units.is_within(state.dx2, units.limits.way),
+               units.is_within(state.dx1, units.limits.displacement) &&
+               units.is_within(state.dx2, units.limits.displacement),
            "the state is in range");
   }
 }

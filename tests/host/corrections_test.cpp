@@ -158,8 +158,8 @@ TEST(Corrections, PutABallInAStopOntoIt) {
     Kernel kernel(Kernel::PlanType::make(scene, {}, 1e-4));
     ASSERT_EQ(kernel.fault(), Fault::none);
     const double gap = scene.clearance / 2;
-    for (const double way : {1.5, -3.5}) {
-      kernel.correct(native<Format>(way * gap, kernel.displacement_unit()), {});
+    for (const double distance : {1.5, -3.5}) {
+      kernel.correct(native<Format>(distance * gap, kernel.displacement_unit()), {});
       const auto now = kernel.reading();
       EXPECT_NEAR(std::abs(now.x2 - now.x1), gap, 0x1p-44 * gap);
     }

@@ -28,13 +28,14 @@ inline double energy_rounded(const CoupledScene& found) {
   if (found.request.numeric != Numeric::fixed32) return 0;
   const Scene& scene = found.request.scene;
   const Bounds& bounds = *found.request.bounds;
-  const double h = found.request.step, way = 2 * bounds.speed * h, mass = scene.main_mass;
+  const double h = found.request.step, displacement = 2 * bounds.speed * h, mass = scene.main_mass;
   const double turn = scene.main_stiffness / mass * h * h;
   const double force = larger(scene.drive_amplitude, bounds.force);
   const double field = std::abs(scene.gravity) + bounds.base_acceleration;
   const double increment = 2 * (turn * bounds.displacement + h * h * (force / mass + field));
   const double deepest =
-      larger(deepest_penetration(scene, bounds, found.request.law == Law::hooke_newton, 0, 0), 4 * way) + 2 * increment;
+      larger(deepest_penetration(scene, bounds, found.request.law == Law::hooke_newton, 0, 0), 4 * displacement) +
+      2 * increment;
   const double push = 4 * deepest;
   const double in_flight = 0x1p-31 * (2 * increment + turn * larger(4 * bounds.displacement, 8 * push)),
                in_contact = 0x1p-31 * 2 * push;

@@ -307,21 +307,21 @@ TEST(StiffContact, GainsNothingInADampedContactOfAFewSteps) {
 // `steps_of_contact`.
 double delay_of(double steps_of_contact) {
   using Contact = StiffContact<Float64, Hertz>;
-  constexpr double way = 1e-3;  // per step
-  // The peak penetration. V there is way/2.
-  const double peak = steps_of_contact * way / 2.9432;
-  const auto plan = Contact::Plan::make(2.5 * way * way / 4 / std::pow(peak, 2.5), 1, 0);
+  constexpr double displacement = 1e-3;  // per step
+  // The peak penetration. V there is displacement/2.
+  const double peak = steps_of_contact * displacement / 2.9432;
+  const auto plan = Contact::Plan::make(2.5 * displacement * displacement / 4 / std::pow(peak, 2.5), 1, 0);
   double late = 0;
   for (int phase = 0; phase < 64; ++phase) {
-    double d = -way * (phase + 0.5) / 64, w = way, rate = 0;
-    const double impact = -d / way;
+    double d = -displacement * (phase + 0.5) / 64, w = displacement, rate = 0;
+    const double impact = -d / displacement;
     int steps = 0;
     do {
       const auto end = Contact{plan, 0, rate > 0, rate, d, w, d + w, 0, 0}.end();
       w -= 2 * end.recoil, d = end.penetration, rate = end.rate, ++steps;
     } while (rate > 0 && steps < 1000);
-    EXPECT_NEAR(w, -way, 1e-14);
-    late += (steps + d / way - impact - steps_of_contact) / 64;
+    EXPECT_NEAR(w, -displacement, 1e-14);
+    late += (steps + d / displacement - impact - steps_of_contact) / 64;
   }
   return late;
 }

@@ -27,7 +27,7 @@ bool is_clamped(const Kernel& absorber) {
   const auto& state = absorber.state();
   return std::isfinite(now.x1) && std::isfinite(now.x2) && std::isfinite(now.v1) && std::isfinite(now.v2) &&
          units.is_within(state.x1, units.limits.main) && units.is_within(state.x2, units.limits.ball) &&
-         units.is_within(state.dx1, units.limits.way) && units.is_within(state.dx2, units.limits.way);
+         units.is_within(state.dx1, units.limits.displacement) && units.is_within(state.dx2, units.limits.displacement);
 }
 
 template <class Kernel>
@@ -206,7 +206,8 @@ TYPED_TEST(Faults, ASpeedThatAForceAddsInAStep) {
                                                                                                       sine);
     }
 }
-// In Fixed32 a step at this bound is shorter than an LSB of a position. The speed passed six times its bound in silence.
+// In Fixed32 a step at this bound is shorter than an LSB of a position. The speed passed six times its bound in
+// silence.
 TYPED_TEST(Faults, ASpeedBelowAnLsb) {
   Scene scene;
   scene.stops = Stops::none;

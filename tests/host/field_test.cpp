@@ -407,8 +407,8 @@ TYPED_TEST(FieldIn, BallOnAnImpulsiveStopMovesAlongWithoutGain) {
               gain = larger(gain, now - before);
               before = now;
             }
-            const double way = sag / 8 * turn / std::sqrt(1 + ratio), lsb = 4 * scene.main_stiffness * 0x1p-33;
-            const double of_forces = std::is_same_v<TypeParam, Fixed32> ? lsb * way / swing : 0;
+            const double displacement = sag / 8 * turn / std::sqrt(1 + ratio), lsb = 4 * scene.main_stiffness * 0x1p-33;
+            const double of_forces = std::is_same_v<TypeParam, Fixed32> ? lsb * displacement / swing : 0;
             EXPECT_LE(gain, (is_double ? 40 * 0x1p-52 : 0x1p-24) + of_forces);
             const auto now = absorber.reading();
             EXPECT_NEAR(now.x2 - now.x1, scene.clearance / 2, is_double ? 1e-15 : 1e-9);

@@ -24,7 +24,7 @@ using host::mechanical_energy;
 // mass mu. For a heavy main mass and R = f m g that is v^2/(2 f g).
 struct Slide {
   Scene scene;
-  double rate = 0.13, deceleration = 0, way = 0, time = 0;
+  double rate = 0.13, deceleration = 0, distance = 0, time = 0;
 
   Slide() {
     scene.drive_amplitude = scene.main_stiffness = scene.main_damping = 0;
@@ -33,7 +33,7 @@ struct Slide {
     scene.v1 = -0.03;
     scene.v2 = 0.1;
     deceleration = scene.ball_friction * (1 / scene.main_mass + 1 / scene.ball_mass);
-    way = rate * rate / (2 * deceleration);
+    distance = rate * rate / (2 * deceleration);
     time = rate / deceleration;
   }
 };
@@ -45,12 +45,12 @@ TEST(Friction, BallStopsInTheReferenceAsInClosedForm) {
   run.drive = host::DriveKind::none;
   host::Reference reference(run);
   reference.advance(slide.time / 2);
-  EXPECT_NEAR(reference.sample().x2 - reference.sample().x1, 0.75 * slide.way, 1e-15);
+  EXPECT_NEAR(reference.sample().x2 - reference.sample().x1, 0.75 * slide.distance, 1e-15);
   reference.advance(2 * slide.time);
   const host::Sample now = reference.sample();
-  EXPECT_NEAR(now.x2 - now.x1, slide.way, 1e-15);
+  EXPECT_NEAR(now.x2 - now.x1, slide.distance, 1e-15);
   EXPECT_EQ(now.v2, now.v1);
-  EXPECT_NEAR(now.friction_dissipated, slide.scene.ball_friction * slide.way, 1e-15);
+  EXPECT_NEAR(now.friction_dissipated, slide.scene.ball_friction * slide.distance, 1e-15);
 }
 
 template <class Format>
@@ -79,8 +79,8 @@ TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
     for (const int end = n + 100; n < end; ++n) absorber.step();
     const auto stopped = absorber.reading();
     const double second_order = slide.deceleration * step * step / 8;
-    EXPECT_NEAR(stopped.x2 - stopped.x1, slide.way, second_order + 4 * floor_of<TypeParam>);
-    EXPECT_NEAR(absorber.friction_dissipated(), slide.scene.ball_friction * slide.way,
+    EXPECT_NEAR(stopped.x2 - stopped.x1, slide.distance, second_order + 4 * floor_of<TypeParam>);
+    EXPECT_NEAR(absorber.friction_dissipated(), slide.scene.ball_friction * slide.distance,
                 slide.scene.ball_friction * (second_order + 1e-7));
     for (const int end = n + 100000; n < end; ++n) absorber.step();
     const auto still = absorber.reading();
@@ -106,9 +106,9 @@ void expect_exact_stop() {
     for (; n * step < slide.time + 2 * step; ++n) absorber.step();
     for (const int end = n + 10000; n < end; ++n) {
       const auto now = absorber.reading();
-      ASSERT_NEAR(now.x2 - now.x1, slide.way, rounded) << n;
+      ASSERT_NEAR(now.x2 - now.x1, slide.distance, rounded) << n;
       ASSERT_NEAR(now.v2, now.v1, rounded / step) << n;
-      ASSERT_NEAR(absorber.friction_dissipated(), slide.scene.ball_friction * slide.way,
+      ASSERT_NEAR(absorber.friction_dissipated(), slide.scene.ball_friction * slide.distance,
                   slide.scene.ball_friction * (rounded + 1e-7));
       absorber.step();
     }
@@ -175,7 +175,7 @@ TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
     const double middle = (slides + t2) / 2;
     (rate(middle) < 0 ? slides : t2) = middle;
   }
-  const double way =
+  const double displacement =
       amplitude / pulsation *
           ((std::sin(pulsation * t2) - std::sin(pulsation * t1)) / pulsation - std::cos(pulsation * t1) * (t2 - t1)) +
       limit * (t2 - t1) * (t2 - t1) / 2;
@@ -202,19 +202,19 @@ TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
     reference.advance(n * sample_step);
   };
   // The base's acceleration moves the main mass by 8e-7 m.
-  const auto expect_way = [&](double expected) {
+  const auto expect_displacement = [&](double expected) {
     EXPECT_NEAR(reference.sample().x2 - reference.sample().x1, expected, 2e-6 + 1e-3 * std::abs(expected));
     EXPECT_NEAR(absorber.reading().x2 - absorber.reading().x1, expected, 2e-6 + 1e-3 * std::abs(expected));
   };
   advance_to(t1 * 0.99);
-  expect_way(0);
+  expect_displacement(0);
   advance_to((t2 + t3) / 2);
-  expect_way(way);
+  expect_displacement(displacement);
   EXPECT_EQ(reference.sample().v1, reference.sample().v2);
   advance_to(t3 * 0.999);
-  expect_way(way);
+  expect_displacement(displacement);
   advance_to((t2 + t3) / 2 + pi / pulsation);
-  expect_way(0);
+  expect_displacement(0);
 }
 
 // The largest difference of a displacement from the reference over 0.4 s of the paper's scene, upright or level.

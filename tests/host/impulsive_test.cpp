@@ -69,12 +69,12 @@ void expect_restitution_of_the_law() {
     if (steps > 8 || scene.contact_damping > contact_damping_range.most) continue;
     ++impacts;
     const int run = static_cast<int>(2 * steps) + 6;
-    const double way = 4 * speed * h * (run + 2);
-    scene.clearance = way;
+    const double clearance = 4 * speed * h * (run + 2);
+    scene.clearance = clearance;
     scene.v2 = speed;
     for (int phase = 0; phase < 64; ++phase) {
-      scene.x2 = way / 2 - speed * h * (1 + phase / 64.0);
-      auto absorber = accepted<Kernel<Format, ContactLaw>>(scene, {2 * way, 2 * speed, way, 1}, h);
+      scene.x2 = clearance / 2 - speed * h * (1 + phase / 64.0);
+      auto absorber = accepted<Kernel<Format, ContactLaw>>(scene, {2 * clearance, 2 * speed, clearance, 1}, h);
       const double before = energy_of(scene, absorber);
       for (int i = 0; i < run; ++i) absorber.step();
       const auto after = absorber.reading();

@@ -54,20 +54,21 @@ struct Allowance : SilentFeature {
     constexpr bool is_fixed = std::is_same_v<Format, Fixed32>, is_double = std::is_same_v<Format, Float64>;
     constexpr double relative = is_fixed ? 0x1p-23 : is_double ? 0x1p-49 : 0x1p-20, sum = rounded_by_sum<Format>;
     const double lsb = is_fixed ? std::ldexp(1, -31 + larger(0, -plan.contact.response.travel_bits)) : 0;
-    const double force = plan.units.fraction(step.force.j0), way = plan.units.fraction(step.way),
+    const double force = plan.units.fraction(step.force.j0), displacement = plan.units.fraction(step.displacement),
                  stored = plan.units.fraction(step.stored),
                  response =
                      std::ldexp(0.5 / factor_of(plan.contact.response.force.own), -plan.contact.response.travel_bits),
-                 back = response * force, free = way + back, press = free - plan.units.fraction(step.rate_at_start),
-                 length = std::abs(free) + std::abs(press);
+                 back = response * force, free = displacement + back,
+                 press = free - plan.units.fraction(step.rate_at_start), length = std::abs(free) + std::abs(press);
     state.allowed += sum * std::abs(state.dissipated.total());
     state.allowed += relative * (length * length / response + state.stored_before + stored) +
-                     4 * lsb * ((length + std::abs(back)) / response + std::abs(way));
-    if constexpr (Plan::LawType::is_linear) state.allowed += 3 * lsb * std::abs(way) / factor_of(plan.contact.solved);
+                     4 * lsb * ((length + std::abs(back)) / response + std::abs(displacement));
+    if constexpr (Plan::LawType::is_linear)
+      state.allowed += 3 * lsb * std::abs(displacement) / factor_of(plan.contact.solved);
     if constexpr (!Plan::LawType::is_linear) {
       const double depth = plan.units.fraction(state.contact.penetration);
       if (!plan.contact.response.is_sudden)
-        state.left_over += force * (step.begins ? -back : way - (depth - state.depth_before));
+        state.left_over += force * (step.begins ? -back : displacement - (depth - state.depth_before));
       state.most_left_over = larger(state.most_left_over, state.left_over);
       state.depth_before = depth;
     }
@@ -179,8 +180,8 @@ struct InDouble : SilentFeature {
     const double force = number(step.force.j0), rate = number(step.rate), stored = number(step.stored),
                  before = step.begins ? number(step.rate_at_start) : state.rate_before;
     const double work = Plan::ContactType::traits.starts_from_rate ? number(step.work)  // of the step's contacts
-                        : step.knows_way                           ? force * number(step.way)
-                                         : force * rate - (rate - before) * number(step.force.j1);
+                        : step.knows_displacement                  ? force * number(step.displacement)
+                                                  : force * rate - (rate - before) * number(step.force.j1);
     state.sum += work - (stored - state.stored_before);
     state.size += std::abs(force * rate) + std::abs(work) + stored;
     state.rate_before = rate;

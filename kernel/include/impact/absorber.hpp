@@ -370,7 +370,7 @@ class AbsorberOf
     change_plan<PlanType>(plan, next, Machine::state);
     if constexpr (!Source::is_constant) Source::go_on_under(next);
     (restart<Features>(), ...);
-    if constexpr (counts_slid_way) Machine::state.slid = {};
+    if constexpr (counts_sliding_distance) Machine::state.slid = {};
     FrictionStep::start(machine(), excess);
     Machine::clamp_to_range();
     if (is_other_contact && Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), false);
@@ -403,7 +403,7 @@ class AbsorberOf
   // For a host, in double arithmetic: the energy that dry friction has dissipated since the start, J. 0 without
   // DryFriction and EnergyLedger.
   constexpr double friction_dissipated() const {
-    if constexpr (counts_slid_way) {
+    if constexpr (counts_sliding_distance) {
       if (!FrictionStep::acts(machine())) return 0;
       const double taken = Machine::state.slid.total() - plan.units.fraction(FrictionStep::still_to_work(machine()));
       return plan.friction.force * plan.units.si_penetration_unit() * taken;
@@ -446,7 +446,7 @@ class AbsorberOf
   using Steps = Step<Machine>;
   using FrictionStep = FrictionImpulse<Machine>;
   using Begin = Restart<Machine>;
-  using Machine::counts_slid_way;
+  using Machine::counts_sliding_distance;
   constexpr Machine& machine() { return *this; }
   constexpr const Machine& machine() const { return *this; }
 
@@ -520,7 +520,7 @@ class AbsorberOf
                     state.at_left <= 1 && is_of_state(state.fault);
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
-    if constexpr (counts_slid_way) is_sound = is_sound && Format::is_sound(state.slid);
+    if constexpr (counts_sliding_distance) is_sound = is_sound && Format::is_sound(state.slid);
     return is_sound && state.contact.valid(plan.contact, units) && (Features::is_sound(plan, state) && ...);
   }
 };

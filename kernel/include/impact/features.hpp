@@ -64,8 +64,8 @@ struct EnergyLedger {
     auto& own = record_in<EnergyLedger, Plan>(state);
     const auto rate_before = step.begins ? step.rate_at_start : own.contact_rate;
     const auto done = Plan::ContactType::traits.starts_from_rate ? step.work
-                      : step.knows_way
-                          ? work(step.force.j0, step.way)
+                      : step.knows_displacement
+                          ? work(step.force.j0, step.displacement)
                           : work(step.force.j0 - step.force.j1, step.rate) + work(step.force.j1, rate_before);
     own.dissipated.add(done - (step.stored - own.stored));
     own.stored = step.stored;

@@ -132,7 +132,7 @@ TEST_F(ImpactSim, ARangeIsAcceptedAsItIsPrinted) {
   }
 }
 
-// Sub-steps limit a step by the stop's duration or by the ball's way from stop to stop.
+// Sub-steps limit a step by the stop's duration or by the ball's displacement from stop to stop.
 TEST_F(ImpactSim, ARefusalNamesTheLimitOfSubSteps) {
   const std::string crossing = "moment-4 allows steps of at most 2 times that", contact = "a contact lasts ";
   const std::string narrow = run("--newmark moment-4 --clearance 1e-3 --step 2e-3").err,

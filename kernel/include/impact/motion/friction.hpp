@@ -3,11 +3,12 @@
 // Dry friction of the ball in its cavity: a force of Scene::ball_friction newtons, R, between ball and main mass
 // against the sliding y'; at rest it holds the ball, up to R.
 //
-// It acts between two steps as an impulse on the velocities alone, with r = R h^2 (1/m + 1/M), y0 the way that the ball
-// has slid in this step and y the way that it would slide in the next one without friction, in the direction of y0:
+// It acts between two steps as an impulse on the velocities alone, with r = R h^2 (1/m + 1/M), y0 the distance that the
+// ball has slid in this step and y the distance that it would slide in the next one without friction, in the direction
+// of y0:
 //
 //     y - r >= 0           it slides on          p = r
-//     |y - y0| <= r        it sticks             p = y: no way at all
+//     |y - y0| <= r        it sticks             p = y: no displacement
 //     otherwise            it slides back        p = (1 - z) r - z r        z = (r - y)/(y0 + r - y)
 //
 // It is exact while the ball slides, and of second order where sliding begins, turns or ends. After a step of sliding
@@ -32,12 +33,12 @@ struct NoFriction {
   struct FrictionPlan {};
 };
 
-// With an EnergyLedger: the way that the ball has slid, a Penetration. Times R it is the energy that
+// With an EnergyLedger: the distance that the ball has slid, a Penetration. Times R it is the energy that
 // friction has dissipated.
 template <class Format, bool is_counted>
-struct SlidWay {};
+struct SlidingDistance {};
 template <class Format>
-struct SlidWay<Format, true> {
+struct SlidingDistance<Format, true> {
   typename Format::Tally slid;
 };
 
@@ -94,10 +95,10 @@ struct DryFriction : ScenePart {
     Penetration<typename Format::Value> impulse;  // the last one
     Position<typename Format::Value> lasting;     // where y is more in the same direction, the sliding goes on
   };
-  // A push is at most the largest relative way of ball and main mass in a step.
+  // A push is at most the largest relative displacement of ball and main mass in a step.
   template <class Plan, class State>
   static constexpr bool is_sound(const Plan& plan, const State& state) {
-    const auto most = plan.units.limits.way + plan.units.limits.way;
+    const auto most = plan.units.limits.displacement + plan.units.limits.displacement;
     return plan.units.is_within(state.main_push, most) && plan.units.is_within(state.ball_push, most) &&
            plan.units.is_sound(state.main_push) && plan.units.is_sound(state.ball_push) &&
            plan.units.is_sound(state.impulse) && Plan::FormatType::is_sound(state.lasting);
@@ -119,16 +120,17 @@ struct DryFriction : ScenePart {
                 rate);
   }
   // By how much the last impulse exceeds that of a first step, from rest or from sliding. The half of a first impulse
-  // leaves no way, if it can. `way` is y, with the last impulse.
+  // leaves no displacement, if it can. `displacement` is y, with the last impulse.
   template <class Plan, class State, class Value>
-  static constexpr Value excess(const Plan& plan, const State& state, Value way) {
-    const Value free = way + plan.friction.main_ahead * state.impulse + plan.friction.ball_ahead * state.impulse;
+  static constexpr Value excess(const Plan& plan, const State& state, Value displacement) {
+    const Value free =
+        displacement + plan.friction.main_ahead * state.impulse + plan.friction.ball_ahead * state.impulse;
     return state.impulse - within_full(plan, free + free);
   }
   // Changes the last impulse to that of a first step plus `excess`, up to `most`.
   template <class Plan, class State, class Value>
-  static constexpr void begin(const Plan& plan, State& state, Value way, Value excess, Value most) {
-    const Value next = excess - DryFriction::excess(plan, state, way) + state.impulse,
+  static constexpr void begin(const Plan& plan, State& state, Value displacement, Value excess, Value most) {
+    const Value next = excess - DryFriction::excess(plan, state, displacement) + state.impulse,
                 change = clamped(Passive<Value>{-most, most}, next) - state.impulse;
     move_masses(plan, state, change);
     state.impulse = state.impulse + change;
@@ -170,9 +172,9 @@ struct DryFriction : ScenePart {
   [[gnu::always_inline]] static constexpr void rub(const Plan& plan, State& state, Value slid, Long ahead,
                                                    const Allowed& allowed) {
     using Format = typename Plan::FormatType;
-    const Value way = plan.units.relative(ahead);
-    const bool back = is_negative(is_positive(slid) || is_negative(slid) ? slid : way);
-    const Value behind = plan.friction.full - mirrored(way, back),
+    const Value displacement = plan.units.relative(ahead);
+    const bool back = is_negative(is_positive(slid) || is_negative(slid) ? slid : displacement);
+    const Value behind = plan.friction.full - mirrored(displacement, back),
                 change = mirrored(slid, back) + behind;  // r - y, y0 + r - y
     const Value twice_full = plan.friction.full + plan.friction.full;
     if (!is_positive(behind)) {
@@ -185,10 +187,10 @@ struct DryFriction : ScenePart {
       const auto left = Format::short_quotient(without_sign(behind), without_sign(change));
       const Value impulse(difference(without_sign(plan.friction.full), without_sign(twice_full) * left));
       set(plan, state, clamped(allowed, mirrored(impulse, back)));
-    } else if (allows(allowed, way)) {
-      stick(plan, state, way, ahead);
+    } else if (allows(allowed, displacement)) {
+      stick(plan, state, displacement, ahead);
     } else {
-      set(plan, state, clamped(allowed, way));
+      set(plan, state, clamped(allowed, displacement));
     }
   }
   // The full impulse in every step, while the ball slides.
@@ -256,10 +258,10 @@ struct DryFriction : ScenePart {
     if (slides(plan, impulse) == 0) return clamped(Passive<Value>{-most, most}, impulse);
     return mirrored(full - full * Format::short_constant(0x1p-9) - Value(Format::lsb()), is_negative(impulse));
   }
-  // One that leaves no way of `way`, which is that without friction.
+  // One that leaves none of `displacement`, which is that without friction.
   template <class Plan, class State, class Value>
-  static constexpr Value holding_in_flight(const Plan& plan, const State& state, Value way) {
-    const Value left = way - Value(Plan::FormatType::value(half(Value(state.impulse))));
+  static constexpr Value holding_in_flight(const Plan& plan, const State& state, Value displacement) {
+    const Value left = displacement - Value(Plan::FormatType::value(half(Value(state.impulse))));
     return holding(plan, within_full(plan, left + left));
   }
   // Removes the impulse at the step's end, which is to be made anew, and makes it again.
@@ -276,14 +278,14 @@ struct DryFriction : ScenePart {
   struct Turned {
     Value taken, moved;
   };
-  // After a step of flight in which the sliding may have turned, ended or begun. `way` and `rate`: of the step, and at
-  // its end, with its friction; `ahead`: of the coming step, without friction.
+  // After a step of flight in which the sliding may have turned, ended or begun. `displacement` and `rate`: of the
+  // step, and at its end, with its friction; `ahead`: of the coming step, without friction.
   template <class Plan, class State, class Value, class Long>
-  static constexpr Turned<Value> turn(const Plan& plan, State& state, Value way, Value rate, Long ahead) {
+  static constexpr Turned<Value> turn(const Plan& plan, State& state, Value displacement, Value rate, Long ahead) {
     using Format = typename Plan::FormatType;
     const Value full = plan.friction.full, impulse = state.impulse, coming = plan.units.relative(ahead);
     // What friction works against at the step's end, and a sixth of its change in the step.
-    const Value load = coming - way, bend = way - rate + Format::value(half(load - impulse));
+    const Value load = coming - displacement, bend = displacement - rate + Format::value(half(load - impulse));
     const int before = slides(plan, impulse);
     const bool back = before < 0;
     if (before == 0 ? is_positive(size(rate) - full) : !is_negative(mirrored(rate, back))) {
@@ -296,7 +298,7 @@ struct DryFriction : ScenePart {
       const Value end = mirrored(rate, back), slope = mirrored(load - impulse, back), own_bend = mirrored(bend, back);
       const auto left = left_after_turn<Format>(end, slope, own_bend);
       const Value bent = Format::value(left * own_bend), third = bent + bent + bent;
-      // The way back by the friction so far.
+      // The displacement back by the friction so far.
       const Value gone = Format::value(left * (end - Format::value(left * (Format::value(half(slope)) - bent))));
       turns_back = is_positive(third + third - mirrored(load, back) - full);
       Value ahead_of_it = -gone;
@@ -404,12 +406,12 @@ struct DryFriction : ScenePart {
   static constexpr auto never() {
     return in<unit::Position>(Plan::FormatType::largest_sample(1e30));
   }
-  // The impulse that leaves no way.
+  // The impulse that leaves no displacement.
   template <class Plan, class State, class Value, class Long>
-  [[gnu::always_inline]] static constexpr void stick(const Plan& plan, State& state, Value way, Long ahead) {
+  [[gnu::always_inline]] static constexpr void stick(const Plan& plan, State& state, Value displacement, Long ahead) {
     const Long main = plan.units.part(plan.friction.main_share, ahead, plan.friction.spare_bits);
     push(state, main, main - ahead);
-    state.impulse = way;
+    state.impulse = displacement;
     state.lasting = never<Plan>();
   }
   template <class Value>

@@ -24,7 +24,8 @@ struct Fixed32Units {
   static constexpr UnitExponents exponents(const UnitBounds& bounds) {
     using constant::exponent_above;
     UnitExponents e{};
-    e.displacement = exponent_above(constant::larger(2 * bounds.displacement, bounds.limits.way + bounds.increment));
+    e.displacement =
+        exponent_above(constant::larger(2 * bounds.displacement, bounds.limits.displacement + bounds.increment));
     e.increment = exponent_above(bounds.increment);
     if (e.displacement <= e.increment) e.displacement = e.increment + 1;
     e.push = exponent_above(bounds.push);
@@ -59,8 +60,8 @@ struct Fixed32Units {
   static constexpr Overflow overflow_of(const UnitExponents& e, const UnitBounds& bounds) {
     if (e.force > 20) return Overflow::force;
     if (constant::power_of_two(e.penetration - 14) > bounds.amplitude) return Overflow::penetration;
-    if (constant::power_of_two(e.penetration - 19) > bounds.way) return Overflow::penetration;
-    if (constant::power_of_two(e.position - 14) * bounds.way > bounds.amplitude * bounds.amplitude)
+    if (constant::power_of_two(e.penetration - 19) > bounds.displacement_at_bound) return Overflow::penetration;
+    if (constant::power_of_two(e.position - 14) * bounds.displacement_at_bound > bounds.amplitude * bounds.amplitude)
       return Overflow::position;
     if (e.penetration > constant::exponent_above(bounds.penetration)) return Overflow::position;
     return Overflow::none;
@@ -73,9 +74,9 @@ struct Fixed32Units {
   int position_exponent, displacement_shift, damped_shift, increment_shift, push_shift, penetration_shift,
       penetration_exponent, force_bits;
   struct {
-    int32_t main, ball, way;     // of a state's upper word
-    int32_t speed, penetration;  // of a displacement's Value and of a penetration's
-  } limits;                          // StateLimits, rounded up
+    int32_t main, ball, displacement;  // of a state's upper word
+    int32_t speed, penetration;        // of a displacement's Value and of a penetration's
+  } limits;                            // StateLimits, rounded up
 
   static constexpr Fixed32Units make(const UnitExponents& e, double gap, const StateLimits& limits, double, double) {
     const auto raw = [](double limit, int exponent) {
@@ -90,7 +91,7 @@ struct Fixed32Units {
             32 - (e.position - e.penetration),
             e.penetration,
             e.force,
-            {raw(limits.main, e.position), raw(limits.ball, e.position), raw(limits.way, e.position),
+            {raw(limits.main, e.position), raw(limits.ball, e.position), raw(limits.displacement, e.position),
              raw(limits.speed, e.displacement), raw(limits.penetration, e.penetration)}};
   }
 
@@ -151,7 +152,9 @@ struct Fixed32Units {
     return is_beyond;
   }
   constexpr int32_t correction_limit() const { return limits.main; }
-  constexpr int32_t rate_correction_limit() const { return displacement({(int64_t{limits.way} << 32) - 1}).raw; }
+  constexpr int32_t rate_correction_limit() const {
+    return displacement({(int64_t{limits.displacement} << 32) - 1}).raw;
+  }
   // Clamped to the unit. If the bound is a power of two, twice its limit exceeds the unit by up to 1 %.
   static constexpr void add_position(Long& x, Position<Value> by) {
     if (__builtin_add_overflow(x.raw, int64_t{by.raw} * (int64_t{1} << 32), &x.raw))
@@ -173,9 +176,9 @@ struct Fixed32Units {
   template <class Unit>
   constexpr void displace(Long& x, GainOf<Fixed32Numbers::Gain, Unit, unit::Penetration> gain,
                           In<Value, Unit> by) const {
-    const Long way = product(gain.own, by, penetration_shift);
-    IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + way.raw));
-    x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(way.raw));
+    const Long displacement = product(gain.own, by, penetration_shift);
+    IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + displacement.raw));
+    x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(displacement.raw));
   }
   // gain * x for an x in 2^-spare_bits of the penetrations' unit.
   constexpr Long part(GainOf<Fixed32Numbers::Gain, unit::Penetration, unit::Penetration> gain, Long x,
@@ -246,8 +249,8 @@ struct Fixed32Units {
     if (!is_speed(speed)) w.raw -= speed.raw - (speed.raw > 0 ? most_speed() - 1 : 1 - most_speed());
   }
   // True if a displacement's limit is too few LSBs of a position to show a speed to 2 %.
-  static constexpr bool is_coarse(double way, const UnitExponents& e) {
-    return way < 64 * constant::power_of_two(e.position - 31);
+  static constexpr bool is_coarse(double displacement, const UnitExponents& e) {
+    return displacement < 64 * constant::power_of_two(e.position - 31);
   }
   constexpr bool is_too_deep(Penetration<Value> penetration) const { return penetration.raw >= limits.penetration; }
   static constexpr bool is_sound(Long) { return true; }

@@ -110,7 +110,7 @@ struct RealFormat {
     Long gap;                          // m
     Real per_second, step, of_forces;  // 1/s, s, N
     struct {
-      Real main, ball, way, speed, penetration;
+      Real main, ball, displacement, speed, penetration;
     } limits;  // StateLimits
 
     static constexpr Units make(const UnitExponents&, double gap, const StateLimits& limits, double step,
@@ -119,7 +119,7 @@ struct RealFormat {
               static_cast<Real>(1 / step),
               static_cast<Real>(step),
               static_cast<Real>(force_unit),
-              {static_cast<Real>(limits.main), static_cast<Real>(limits.ball), static_cast<Real>(limits.way),
+              {static_cast<Real>(limits.main), static_cast<Real>(limits.ball), static_cast<Real>(limits.displacement),
                static_cast<Real>(limits.speed), static_cast<Real>(limits.penetration)}};
     }
     constexpr Value velocity(Displacement<Value> per_step) const { return per_step * per_second; }
@@ -140,7 +140,7 @@ struct RealFormat {
       return true;
     }
     constexpr Real correction_limit() const { return limits.main; }
-    constexpr Real rate_correction_limit() const { return limits.way; }
+    constexpr Real rate_correction_limit() const { return limits.displacement; }
     static constexpr void add_position(Long& x, Position<Value> by) { x.add(by); }
     static constexpr void add_displacement(Long& w, Displacement<Value> by) { w.add(by); }
 

@@ -29,7 +29,7 @@ enum class Overflow { none, force, penetration, position };
 // the bound of its speed alone, and the penetration at a step's end. Beyond each a fault is raised. Only the first
 // three clamp.
 struct StateLimits {
-  double main, ball, way, speed, penetration;
+  double main, ball, displacement, speed, penetration;
 };
 
 // The limit of a quantity with this bound. It is 0.1 to 0.9 % higher: room for rounding in a motion that just reaches
@@ -39,11 +39,12 @@ constexpr double limit_of(double bound) {
   return static_cast<double>(static_cast<int64_t>(most / grain) + 1) * grain;
 }
 
-// The largest magnitudes in a scene, in the same units. `way` is a mass's displacement in a step at the bound of its
-// speed. `apart` is the distance of a mass from the middle of its range, or of both masses, before the check at a
-// step's end.
+// The largest magnitudes in a scene, in the same units. `displacement_at_bound` is a mass's displacement in a step at
+// the bound of its speed. `apart` is the distance of a mass from the middle of its range, or of both masses, before the
+// check at a step's end.
 struct UnitBounds {
-  double gap, apart, amplitude, way, position, displacement, increment, push, penetration, force_factor;
+  double gap, apart, amplitude, displacement_at_bound, position, displacement, increment, push, penetration,
+      force_factor;
   bool is_lightly_damped;     // the damper's factor is at most an eighth of the spring's
   bool is_as_deep_as_flight;  // the ball may end a step as deep as its free flight takes it
   double finest_penetration;  // the smallest change of a penetration that a contact must resolve; 0: any

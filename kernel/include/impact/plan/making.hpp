@@ -53,7 +53,7 @@ class PlanMaking {
   struct Basis {
     LinearFlow flow, ball;
     ContactTerms terms;
-    double friction_way;  // change of the sliding displacement per step by friction in one step, m
+    double friction_displacement;  // change of the sliding displacement per step by friction in one step, m
   };
 
   static constexpr Plan made(Scene scene, const Bounds& bounds, double h) {
@@ -73,7 +73,7 @@ class PlanMaking {
     const auto& limits = plan.units.limits;
     if (!plan.units.is_within(plan.x1, limits.main) || !plan.units.is_within(plan.x2, limits.ball))
       return Plan::refused(PlanStatus::displacement_bound);
-    if (!plan.units.is_within(plan.dx1, limits.way) || !plan.units.is_within(plan.dx2, limits.way))
+    if (!plan.units.is_within(plan.dx1, limits.displacement) || !plan.units.is_within(plan.dx2, limits.displacement))
       return Plan::refused(PlanStatus::speed_bound);
     return plan;
   }
@@ -104,7 +104,7 @@ class PlanMaking {
     Basis basis{Stepper::flow(scene, h), {}, contact_terms<ContactLaw>(scene, bounds), 0};
     if constexpr (Field::is_field || Friction::is_friction) basis.ball = flow_of_ball<Stepper>(scene, h);
     if constexpr (Friction::is_friction)
-      basis.friction_way = scene.ball_friction * Friction::increment(basis.flow, basis.ball);
+      basis.friction_displacement = scene.ball_friction * Friction::increment(basis.flow, basis.ball);
     basis.terms.step = h;
     basis.terms.field = Field::largest(scene, bounds);
     basis.terms.rubbing = scene.ball_friction / basis.terms.reduced_mass();
@@ -118,17 +118,17 @@ class PlanMaking {
 
   // Checks the step for the parts of the scene, and the initial state.
   static constexpr PlanStatus status_of_motion(const Scene& scene, const Bounds& bounds, const Basis& basis) {
-    const double way = basis.terms.largest_rate * basis.terms.step;
+    const double displacement = basis.terms.largest_rate * basis.terms.step;
     // If the ball can cross the cavity in one step, a contact may first see it up to two steps' displacement inside a
     // stop. Putting it back would do work against a field, and friction would not act on that distance.
     const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
-    if (has_parts && scene.stops == Stops::both && 2 * way >= scene.clearance) return PlanStatus::clearance;
+    if (has_parts && scene.stops == Stops::both && 2 * displacement >= scene.clearance) return PlanStatus::clearance;
     if constexpr (Friction::is_friction) {
       // An impulse of friction must act forward, and a part of it in the coming step.
       const LinearFlow& flow = basis.flow;
       if (!(flow.e12 > 0 && flow.constant_start() > 0 && flow.constant_increment() > flow.constant_start()))
         return PlanStatus::step;
-      if (!(basis.friction_way <= way)) return PlanStatus::ball_friction;
+      if (!(basis.friction_displacement <= displacement)) return PlanStatus::ball_friction;
     }
     // The state is a position minus the share of a sample, h^2 a/6. The check of its bound is wider by that, at most 1
     // %.
@@ -151,18 +151,18 @@ class PlanMaking {
     largest.gap = scene.stops == Stops::none ? 0 : scene.clearance / 2;
     largest.amplitude = bounds.speed / constant::square_root(larger(scene.main_stiffness / scene.main_mass, 1e-30));
     largest.position = bounds.displacement;
-    largest.way = bounds.speed * h;
+    largest.displacement_at_bound = bounds.speed * h;
     // With the change of h v by spring, damper and drive in half a step, and with the half of friction's impulse that
     // acts in the coming step.
-    largest.displacement = largest.way + h * h / 2 * terms.pressing;
-    if constexpr (Friction::is_friction) largest.displacement += basis.friction_way / 2;
+    largest.displacement = largest.displacement_at_bound + h * h / 2 * terms.pressing;
+    if constexpr (Friction::is_friction) largest.displacement += basis.friction_displacement / 2;
     // If the ball can cross the clearance in a step, it may be up to two steps' displacement inside the stop when a
     // contact begins.
-    const double way = terms.largest_rate * h * (terms.crosses() && !Contact::traits.crosses_cavity ? 2 : 1);
+    const double displacement = terms.largest_rate * h * (terms.crosses() && !Contact::traits.crosses_cavity ? 2 : 1);
     // Free flight from a state in contact ends deeper than the contact allows. With (d/D)^2 + (d'/V)^2 <= 1 (power
     // laws: (d/D)^(5/2)) it ends at most (D^2 + (5/4) (h V)^2)^(1/2) deep.
-    const double longer = larger(terms.largest_penetration, way), depth = terms.largest_penetration / longer,
-                 flown = way / longer;
+    const double longer = larger(terms.largest_penetration, displacement), depth = terms.largest_penetration / longer,
+                 flown = displacement / longer;
     largest.penetration = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
     // In a step an impact changes the sliding rate by at most twice the largest rate, and friction by at most that
     // rate.
@@ -174,7 +174,7 @@ class PlanMaking {
                                                             (terms.largest_rate + h * terms.pressing));
     if constexpr (Field::is_field) {
       const double in_field = h * h * Field::largest(scene, bounds);
-      largest.way += in_field;
+      largest.displacement_at_bound += in_field;
       largest.displacement += in_field;
     }
     // A force at the step's end also acts in the coming step, by at most half of its effect in a step.
@@ -186,11 +186,11 @@ class PlanMaking {
     // In a sampled field the state is a position minus up to h^2 a/6 (motion/field.hpp).
     const double offset = Field::is_sampled ? h * h * Field::largest(scene, bounds) / 6 : 0;
     largest.limits.main = limit_of(bounds.displacement + offset);
-    largest.limits.way = limit_of(largest.displacement);
+    largest.limits.displacement = limit_of(largest.displacement);
     largest.limits.speed = limit_of(bounds.speed * h);
     // A displacement may just have passed its limit, since the check comes afterwards.
-    const double spring = scene.main_stiffness * (largest.limits.main + 2 * largest.limits.way),
-                 damper = scene.main_damping * 2 * largest.limits.way / h;
+    const double spring = scene.main_stiffness * (largest.limits.main + 2 * largest.limits.displacement),
+                 damper = scene.main_damping * 2 * largest.limits.displacement / h;
     largest.increment = h * h * (2 * larger(scene.drive_amplitude, bounds.force) + spring + damper) / scene.main_mass +
                         2 * h * h * Field::largest(scene, bounds);
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
@@ -198,12 +198,13 @@ class PlanMaking {
     Contact::room(terms, largest);
     // The contact may have lowered it. Friction compares the displacements of both masses.
     if (largest_change > 0)
-      largest.penetration = larger(largest.penetration, larger(largest_change, 2 * largest.limits.way));
+      largest.penetration = larger(largest.penetration, larger(largest_change, 2 * largest.limits.displacement));
     // The ball may start at any depth. Other steppers reject a deep start.
     if (Contact::traits.is_instantaneous)
-      largest.penetration = larger(largest.penetration, initial_penetration(scene) + way);
+      largest.penetration = larger(largest.penetration, initial_penetration(scene) + displacement);
     // With Impulsive and with a force at the step's end, free flight may end deeper than the other bounds allow.
-    const bool is_stated = bounds.penetration > 0 && (Contact::traits.keeps_force || terms.deepest >= bounds.penetration),
+    const bool is_stated =
+                   bounds.penetration > 0 && (Contact::traits.keeps_force || terms.deepest >= bounds.penetration),
                is_of_flight = (Contact::traits.keeps_force || largest.is_as_deep_as_flight) && !is_stated;
     largest.limits.penetration = limit_of(Contact::traits.is_instantaneous ? largest.penetration
                                           : is_of_flight ? constant::smaller(of_flight, largest.penetration)
@@ -213,16 +214,16 @@ class PlanMaking {
     largest.limits.ball = largest.limits.main;
     if (is_between)
       largest.limits.ball +=
-          largest.gap + larger(limit_of(largest.penetration), largest.limits.penetration) + largest.limits.way;
-    largest.apart = (is_between ? largest.limits.ball : 2 * largest.limits.main) + 2 * largest.limits.way;
+          largest.gap + larger(limit_of(largest.penetration), largest.limits.penetration) + largest.limits.displacement;
+    largest.apart = (is_between ? largest.limits.ball : 2 * largest.limits.main) + 2 * largest.limits.displacement;
     // The unit of penetrations must also have room for rates, even of a state that has just passed its limits. `ahead`
     // is the largest difference between a displacement of the coming step and a speed.
     const LinearFlow& flow = basis.flow;
     const double ahead =
-        constant::magnitude(1 / flow.e12 - 1) * largest.limits.way +
-        constant::magnitude(flow.e11 / flow.e12) * (largest.limits.main + largest.limits.way) +
+        constant::magnitude(1 / flow.e12 - 1) * largest.limits.displacement +
+        constant::magnitude(flow.e11 / flow.e12) * (largest.limits.main + largest.limits.displacement) +
         h * h * (larger(scene.drive_amplitude, bounds.force) / scene.main_mass + Field::largest(scene, bounds));
-    largest.penetration = larger(largest.penetration, larger(ahead, 2 * largest.limits.way));
+    largest.penetration = larger(largest.penetration, larger(ahead, 2 * largest.limits.displacement));
     return largest;
   }
 
@@ -244,7 +245,7 @@ class PlanMaking {
     if (largest.finest_penetration > 0 && !Units::resolves(largest.finest_penetration, exponents.penetration))
       return PlanStatus::contact_stiffness;
     // Friction must change the rate by more than 64 LSBs in a step.
-    if (scene.ball_friction > 0 && !Units::resolves(basis.friction_way / 64, exponents.penetration))
+    if (scene.ball_friction > 0 && !Units::resolves(basis.friction_displacement / 64, exponents.penetration))
       return PlanStatus::ball_friction;
     return PlanStatus::ok;
   }
@@ -272,8 +273,8 @@ class PlanMaking {
     plan.left_stop = scene.stops == Stops::both || scene.stops == Stops::left;
     plan.right_stop = scene.stops != Stops::left;
     plan.crosses = terms.crosses() && Contact::traits.crosses_cavity;
-    plan.checks_speeds =
-        largest.limits.way > 1.25 * largest.limits.speed || Format::Units::is_coarse(largest.limits.way, exponents);
+    plan.checks_speeds = largest.limits.displacement > 1.25 * largest.limits.speed ||
+                         Format::Units::is_coarse(largest.limits.displacement, exponents);
     plan.x1 = units.state_at(scene.x1);
     const double field_at_once = Field::template at_once<typename Format::Units>(scene, bounds, flow, ball, exponents);
     const double main_in_field = scene.gravity * (scene.main_mass * flow.constant_start() - field_at_once);

@@ -55,14 +55,14 @@ struct FrictionImpulse {
   static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] Penetration excess = {}) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
-      const Penetration way = m.plan.units.relative(m.way_ahead()), full = m.plan.friction.full;
+      const Penetration displacement = m.plan.units.relative(m.displacement_ahead()), full = m.plan.friction.full;
       if constexpr (Contact::traits.feels_friction) {
-        Friction::begin(m.plan, m.state, way, excess, full + full);
+        Friction::begin(m.plan, m.state, displacement, excess, full + full);
         Friction::begin_sliding(m.plan, m.state, m.relative_rate(false) + half_taken(m));
       } else {
-        Friction::begin(m.plan, m.state, way, excess, full);
+        Friction::begin(m.plan, m.state, displacement, excess, full);
       }
-      if constexpr (Model::counts_slid_way) m.state.slid.add(still_to_work(m));
+      if constexpr (Model::counts_sliding_distance) m.state.slid.add(still_to_work(m));
     }
   }
   // Call it before a change of the state or the plan, and start() after it. Returns the excess of the last impulse over
@@ -70,11 +70,11 @@ struct FrictionImpulse {
   static constexpr Penetration stop([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return {};
-      if constexpr (Model::counts_slid_way) {
+      if constexpr (Model::counts_sliding_distance) {
         const auto work = still_to_work(m);
         m.state.slid.add(decltype(work){} - work);
       }
-      return Friction::excess(m.plan, m.state, m.plan.units.relative(m.way_ahead()));
+      return Friction::excess(m.plan, m.state, m.plan.units.relative(m.displacement_ahead()));
     } else {
       return {};
     }
@@ -98,17 +98,18 @@ struct FrictionImpulse {
 
   // The functions up to slide_or_turn() are for a contact that follows friction within the step.
 
-  // A flight: the way of sliding, and at its end the main mass's position and, for the ledger, what friction works
-  // against.
+  // A flight: the displacement of sliding, and at its end the main mass's position and, for the ledger, what friction
+  // works against.
   struct Flight {
-    Penetration way;
+    Penetration displacement;
     Long x1;
     Penetration load;
   };
   static constexpr Flight flight_of(const Model& m, Long main_travel) {
     if (!acts(m)) return {};
-    Flight flight{m.way_flown(main_travel), m.state.x1, {}};
-    if constexpr (Model::counts_slid_way) flight.load = m.plan.units.relative(m.way_ahead()) - flight.way;
+    Flight flight{m.displacement_flown(main_travel), m.state.x1, {}};
+    if constexpr (Model::counts_sliding_distance)
+      flight.load = m.plan.units.relative(m.displacement_ahead()) - flight.displacement;
     return flight;
   }
   // The rate of sliding at the step's end.
@@ -116,10 +117,10 @@ struct FrictionImpulse {
   static constexpr Penetration half_taken(const Model& m) {
     return Friction::half_taken(m.plan, Penetration(m.state.impulse));
   }
-  static constexpr void count_slid([[maybe_unused]] Model& m, [[maybe_unused]] Penetration way) {
-    if constexpr (Model::counts_slid_way) {
-      const auto half_way = work(Format::value(Format::constant(0.5)), way);
-      m.state.slid.add(half_way + half_way);
+  static constexpr void count_slid([[maybe_unused]] Model& m, [[maybe_unused]] Penetration displacement) {
+    if constexpr (Model::counts_sliding_distance) {
+      const auto half_displacement = work(Format::value(Format::constant(0.5)), displacement);
+      m.state.slid.add(half_displacement + half_displacement);
     }
   }
   // The friction of the flight, in the coordinates of its stop.
@@ -143,8 +144,8 @@ struct FrictionImpulse {
     if (is_apart && !m.is_beyond_stop()) return true;
     Friction::take_back(m.plan, m.state);
     rubbing.has_turned = true;
-    rubbing.way = flight.way + by.moved;
-    if constexpr (Model::counts_slid_way) {
+    rubbing.displacement = flight.displacement + by.moved;
+    if constexpr (Model::counts_sliding_distance) {
       const Penetration change = Format::value(half(impulse - m.state.impulse));
       rubbing.half_late = Format::value(half(change)) + Format::value(half(by.taken)) +
                           Format::value(half(by.moved - m.plan.friction.main_shift * by.moved));
@@ -156,8 +157,8 @@ struct FrictionImpulse {
   [[gnu::noinline]] static constexpr void after_stop(Model& m, const Rubbing<Format>& rubbing, const Flight& flight) {
     const bool left = m.contact_is_left();
     if constexpr (Contact::traits.is_instantaneous) {
-      // The flight's friction works on the way that the contact has left of the flight's.
-      if (!rubbing.has_turned) count_loss(m, m.state.impulse, flight.way);
+      // The flight's friction works on the displacement that the contact has left of the flight's.
+      if (!rubbing.has_turned) count_loss(m, m.state.impulse, flight.displacement);
       const Penetration against = -mirrored(rubbing.prevented, left);
       count_loss(m, m.state.impulse, against);
       if (m.state.contact.is_at_rest)
@@ -168,23 +169,24 @@ struct FrictionImpulse {
       Friction::act_at_once(m.plan, m.state, impulse, moved);
       count_change(m, flight, impulse, moved, before, rubbing_rate(m) - rubbed_ahead(m));
     } else {
-      count_slid(m, rubbing.has_turned ? rubbing.slid - mirrored(rubbing.way, left) : rubbing.slid);
+      count_slid(m, rubbing.has_turned ? rubbing.slid - mirrored(rubbing.displacement, left) : rubbing.slid);
     }
     if (rubbing.slides != 0) {
       Friction::slide_on(m.plan, m.state, is_negative(sliding_rate(m)));
     } else {
-      const Penetration next = m.state.contact.phase != Phase::apart
-                                   ? Friction::holding(m.plan, mirrored(rubbing.force, left))
-                                   : Friction::holding_in_flight(m.plan, m.state, m.plan.units.relative(m.way_ahead()));
+      const Penetration next =
+          m.state.contact.phase != Phase::apart
+              ? Friction::holding(m.plan, mirrored(rubbing.force, left))
+              : Friction::holding_in_flight(m.plan, m.state, m.plan.units.relative(m.displacement_ahead()));
       Friction::change_to(m.plan, m.state, next, Penetration{});
     }
   }
   // Both masses lose the work of the impulse that the step began with, and what the change at its end takes.
   [[gnu::noinline]] static constexpr auto turn(Model& m, const Flight& flight) {
-    count_loss(m, m.state.impulse, flight.way);
+    count_loss(m, m.state.impulse, flight.displacement);
     [[maybe_unused]] Penetration before{};
-    if constexpr (Model::counts_slid_way) before = rubbing_rate(m) - rubbed_ahead(m);
-    const auto by = Friction::turn(m.plan, m.state, flight.way, sliding_rate(m), m.way_ahead());
+    if constexpr (Model::counts_sliding_distance) before = rubbing_rate(m) - rubbed_ahead(m);
+    const auto by = Friction::turn(m.plan, m.state, flight.displacement, sliding_rate(m), m.displacement_ahead());
     count_change(m, flight, by.taken, by.moved, before, rubbing_rate(m) + rubbed_ahead(m));
     return by;
   }
@@ -195,7 +197,7 @@ struct FrictionImpulse {
                                                        [[maybe_unused]] Penetration moved,
                                                        [[maybe_unused]] Penetration before,
                                                        [[maybe_unused]] Penetration after) {
-    if constexpr (Model::counts_slid_way) {
+    if constexpr (Model::counts_sliding_distance) {
       Long shift = m.state.x1 - flight.x1;
       m.plan.units.displace(shift, m.plan.friction.main_share, Penetration(Format::value(half(moved))));
       const auto by_spring = Format::term(m.plan.stiffness, m.plan.units.position(shift));
@@ -204,16 +206,17 @@ struct FrictionImpulse {
     }
   }
   [[gnu::noinline]] static constexpr void count_loss([[maybe_unused]] Model& m, [[maybe_unused]] Penetration impulse,
-                                                     [[maybe_unused]] Penetration way) {
-    if constexpr (Model::counts_slid_way) {
-      const auto quarter = work(bare(m.plan.friction.half_by_full * Penetration(Format::value(half(impulse)))), way);
+                                                     [[maybe_unused]] Penetration displacement) {
+    if constexpr (Model::counts_sliding_distance) {
+      const auto quarter =
+          work(bare(m.plan.friction.half_by_full * Penetration(Format::value(half(impulse)))), displacement);
       m.state.slid.add(quarter + quarter);
       m.state.slid.add(quarter + quarter);
     }
   }
   [[gnu::always_inline]] static constexpr void slide_or_turn(Model& m, const Flight& flight) {
     if (Friction::slides_on(m.plan, m.state, m.state.dx2))
-      count_slid(m, mirrored(flight.way, is_negative(m.state.impulse)));
+      count_slid(m, mirrored(flight.displacement, is_negative(m.state.impulse)));
     else
       turn(m, flight);
   }
@@ -226,10 +229,10 @@ struct FrictionImpulse {
       slide_or_turn(m, flight_of(m, main_travel));
     } else if constexpr (Friction::is_friction) {
       [[maybe_unused]] Penetration rate{};
-      if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
+      if constexpr (Model::counts_sliding_distance) rate = rubbing_rate(m);
       if (!Friction::slides_on(m.plan, m.state, m.state.dx2))
-        apply_anew(m, m.way_flown(main_travel), m.way_ahead(), typename Friction::Any{});
-      if constexpr (Model::counts_slid_way) count_work(m, rate);
+        apply_anew(m, m.displacement_flown(main_travel), m.displacement_ahead(), typename Friction::Any{});
+      if constexpr (Model::counts_sliding_distance) count_work(m, rate);
     }
   }
   // At the end of a step in which the ball has met a stop. If it still touches, the contact is assumed to reduce x2 -
@@ -239,16 +242,17 @@ struct FrictionImpulse {
     const bool touches = m.state.contact.phase != Phase::apart;
     if (!touches) taken = {};
     [[maybe_unused]] Penetration rate{};
-    if constexpr (Model::counts_slid_way) rate = rubbing_rate(m);
+    if constexpr (Model::counts_sliding_distance) rate = rubbing_rate(m);
     if (m.plan.contact.response.is_sudden)
-      apply_anew(m, m.plan.units.relative(slid), m.way_ahead() - taken, Friction::passive(m.plan, rubbing_rate(m)));
+      apply_anew(m, m.plan.units.relative(slid), m.displacement_ahead() - taken,
+                 Friction::passive(m.plan, rubbing_rate(m)));
     else if (!Friction::slides_on(m.plan, m.state, m.state.dx2 - taken))
-      apply_anew(m, m.plan.units.relative(slid), m.way_ahead() - taken, typename Friction::Any{});
-    if constexpr (Model::counts_slid_way) count_work(m, rate);
+      apply_anew(m, m.plan.units.relative(slid), m.displacement_ahead() - taken, typename Friction::Any{});
+    if constexpr (Model::counts_sliding_distance) count_work(m, rate);
     if (!touches) return;
     const Penetration towards_stop = mirrored(-m.state.impulse, m.contact_is_left());
     m.state.contact.change_rate(m.plan.contact, towards_stop);
-    if constexpr (Model::counts_slid_way) m.state.contact_rate = m.state.contact_rate + towards_stop;
+    if constexpr (Model::counts_sliding_distance) m.state.contact_rate = m.state.contact_rate + towards_stop;
   }
 };
 

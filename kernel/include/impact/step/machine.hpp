@@ -34,10 +34,11 @@ struct Machine : Source {
   // True if a feature records the steps in contact.
   static constexpr bool records = (!__is_base_of(ScenePart, Features) || ...);
   // True if friction's work is counted: with EnergyLedger or a feature derived from it.
-  static constexpr bool counts_slid_way = Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
+  static constexpr bool counts_sliding_distance =
+      Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
 
   // All that a step changes. It is a plain struct, which can be copied and restored.
-  struct State : Features::template State<Format>..., SlidWay<Format, counts_slid_way> {
+  struct State : Features::template State<Format>..., SlidingDistance<Format, counts_sliding_distance> {
     // Main mass and ball: the displacement, to be read by position_of(), and the displacement in the coming step
     // (motion/linear_flow.hpp).
     Long x1, dx1, x2, dx2;
@@ -99,23 +100,25 @@ struct Machine : Source {
 
   // Adds the immediate share of the samples at the step's end to a displacement of the main mass. If `is_ball`,
   // subtracts it from the ball's displacement relative to the main mass.
-  constexpr void add_at_once([[maybe_unused]] Long& way, [[maybe_unused]] Value force,
+  constexpr void add_at_once([[maybe_unused]] Long& displacement, [[maybe_unused]] Value force,
                              [[maybe_unused]] Value acceleration, [[maybe_unused]] bool is_ball) const {
-    if constexpr (Drive::is_sampled) plan.units.add(way, mirrored(state.drive.at_once(plan.drive, force), is_ball));
+    if constexpr (Drive::is_sampled)
+      plan.units.add(displacement, mirrored(state.drive.at_once(plan.drive, force), is_ball));
     if constexpr (Field::is_sampled)
-      if (Field::acts_at_once(plan)) plan.units.add(way, mirrored(Field::at_once(plan, acceleration), is_ball));
+      if (Field::acts_at_once(plan))
+        plan.units.add(displacement, mirrored(Field::at_once(plan, acceleration), is_ball));
   }
   // The change of x2 - x1 in the coming step if the samples stay as they are.
-  constexpr Long way_ahead() const {
-    Long way = state.dx2 - state.dx1;
+  constexpr Long displacement_ahead() const {
+    Long displacement = state.dx2 - state.dx1;
     Value force{}, acceleration{};
     if constexpr (Drive::is_sampled) force = state.drive.sample;
     if constexpr (Field::is_sampled) acceleration = state.by_field;
-    add_at_once(way, force, acceleration, true);
-    return way;
+    add_at_once(displacement, force, acceleration, true);
+    return displacement;
   }
   // The change of x2 - x1 in the step by free flight.
-  constexpr Penetration way_flown(Long main_travel) const {
+  constexpr Penetration displacement_flown(Long main_travel) const {
     return plan.units.travel(Field::ball_travel(plan, state), main_travel);
   }
 
@@ -145,9 +148,9 @@ struct Machine : Source {
   // Whether what flight changes is in range. Between two stops the ball's position is checked by contact.
   [[gnu::always_inline]] constexpr bool flight_is_in_range() const {
     const auto& limits = plan.units.limits;
-    return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.way) &&
+    return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.displacement) &&
            ((plan.left_stop && plan.right_stop) || plan.units.is_within(state.x2, limits.ball)) &&
-           (!moves_ball_in_flight || plan.units.is_within(state.dx2, limits.way)) &&
+           (!moves_ball_in_flight || plan.units.is_within(state.dx2, limits.displacement)) &&
            (!plan.checks_speeds || speeds_are_in_range());
   }
   // The displacements of the coming step do not show a speed where the forces change it too much in a step, or where
@@ -158,12 +161,13 @@ struct Machine : Source {
   }
   // Whether what contact changes is in range.
   [[gnu::always_inline]] constexpr bool contact_is_in_range() const {
-    return flight_is_in_range() && (moves_ball_in_flight || plan.units.is_within(state.dx2, plan.units.limits.way));
+    return flight_is_in_range() &&
+           (moves_ball_in_flight || plan.units.is_within(state.dx2, plan.units.limits.displacement));
   }
   constexpr bool is_in_range(const State& any) const {
     const auto& limits = plan.units.limits;
-    return plan.units.is_within(any.x1, limits.main) && plan.units.is_within(any.dx1, limits.way) &&
-           plan.units.is_within(any.x2, limits.ball) && plan.units.is_within(any.dx2, limits.way);
+    return plan.units.is_within(any.x1, limits.main) && plan.units.is_within(any.dx1, limits.displacement) &&
+           plan.units.is_within(any.x2, limits.ball) && plan.units.is_within(any.dx2, limits.displacement);
   }
   // Raises the fault of a state beyond a limit, and clamps displacements. Returns false, and clamps nothing, if only
   // the penetration is too deep.
@@ -171,7 +175,8 @@ struct Machine : Source {
     const auto& units = plan.units;
     const auto& limits = units.limits;
     const bool is_main_far = units.clamp(state.x1, limits.main), is_ball_far = units.clamp(state.x2, limits.ball),
-               is_main_fast = units.clamp(state.dx1, limits.way), is_ball_fast = units.clamp(state.dx2, limits.way);
+               is_main_fast = units.clamp(state.dx1, limits.displacement),
+               is_ball_fast = units.clamp(state.dx2, limits.displacement);
     const bool is_far = is_main_far || is_ball_far,
                is_fast = is_main_fast || is_ball_fast || (plan.checks_speeds && !speeds_are_in_range());
     raise(is_far ? Fault::displacement : is_fast ? Fault::speed : Fault::penetration);

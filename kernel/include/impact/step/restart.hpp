@@ -58,7 +58,7 @@ struct Restart {
     const Phase phase = contact.phase;
     const Standing<Value> found = standing(m, left);
     // A correction may make a deep ball so fast that its penetration has no room in the unit a step before or after.
-    const auto distance = mirrored(m.state.x2 - m.state.x1, left), flight = mirrored(m.way_ahead(), left);
+    const auto distance = mirrored(m.state.x2 - m.state.x1, left), flight = mirrored(m.displacement_ahead(), left);
     if (!units.fits(distance - flight) || !units.fits(distance - mirrored(flight, true))) m.raise(Fault::penetration);
     if (Contact::traits.is_instantaneous ? is_negative(found.penetration) : !is_positive(found.penetration))
       return m.end_contact();

@@ -166,10 +166,10 @@ struct Step {
       approach.rubbing = &rubbing;
       if (FrictionStep::acts(m)) approach.rate = approach.rate - mirrored(FrictionStep::half_taken(m), left);
     }
-    Penetration way = m.way_flown(main_travel);
+    Penetration displacement = m.displacement_flown(main_travel);
     if constexpr (feels_friction)
-      if (rubbing.has_turned) way = rubbing.way;
-    approach.travel = mirrored(way, left);
+      if (rubbing.has_turned) displacement = rubbing.displacement;
+    approach.travel = mirrored(displacement, left);
     approach.before = approach.penetration - approach.travel;
     if constexpr (traits.starts_from_rate) {
       approach.bend = -mirrored(change.bend, left);
@@ -282,7 +282,7 @@ struct Step {
       }
       seen.rate_at_start = approach.rate_at_start();
       seen.begins = begins;
-      seen.knows_way = traits.knows_way;
+      seen.knows_displacement = traits.knows_displacement;
       if (begins) {
         if (!traits.sees_change) approach.increment = approach.increment + minus_mirrored(to_end, left);
         seen.rate_at_touch = touch_rate(plan.units, approach);
@@ -317,9 +317,9 @@ struct Step {
   static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
     if (is_positive(approach.before) || !is_positive(approach.penetration) || !is_positive(approach.travel))
       return approach.rate;
-    const auto way = Format::divisor(without_sign(approach.travel));
-    return rate_at_touch<Format>(way, way.share(without_sign(approach.penetration)), approach.travel, approach.rate,
-                                 units.increment_of_rate(approach.increment), 0);
+    const auto divisor = Format::divisor(without_sign(approach.travel));
+    return rate_at_touch<Format>(divisor, divisor.share(without_sign(approach.penetration)), approach.travel,
+                                 approach.rate, units.increment_of_rate(approach.increment), 0);
   }
   // The range check of a flight, with the friction that acts at its end.
   [[gnu::always_inline]] static constexpr void clamp_if_out_of_range(Model& m) {

@@ -38,17 +38,17 @@ enum class Phase : uint32_t { apart, touching, released };
 // A contact keeps its `penetration` from step to step, unless it is_instantaneous or keeps_force. One that
 // starts_from_rate keeps it in a unit of its own.
 struct ContactTraits {
-  bool is_instantaneous = false;  // impacts take no time: no check of the force's size; forces are in units of 2 mu
-  bool crosses_cavity = false;    // it can leave one stop and touch the other in the same step; one that
-                                  // starts_from_rate follows the ball there by itself
-  bool reads_rate = true;         // reads the rate at the step's end, which costs computing the main mass's
-  bool sees_change = false;       // needs the increment of the drive's force at the step's end
-  bool starts_from_rate = false;  // at a touch it needs the rate at the step's start, by the plan's start_rate
-  bool keeps_force = false;       // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
-                                  // share in the displacements of the coming one, dx1_share and dx2_share
-  bool puts_back = false;         // a ball that is inside goes back to its stop before the touch
-  bool feels_friction = false;    // follows dry friction within the step (stepper/rubbing.hpp)
-  bool knows_way = false;         // its force is constant in a step: reaction.way tells the work to rounding
+  bool is_instantaneous = false;    // impacts take no time: no check of the force's size; forces are in units of 2 mu
+  bool crosses_cavity = false;      // it can leave one stop and touch the other in the same step; one that
+                                    // starts_from_rate follows the ball there by itself
+  bool reads_rate = true;           // reads the rate at the step's end, which costs computing the main mass's
+  bool sees_change = false;         // needs the increment of the drive's force at the step's end
+  bool starts_from_rate = false;    // at a touch it needs the rate at the step's start, by the plan's start_rate
+  bool keeps_force = false;         // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
+                                    // share in the displacements of the coming one, dx1_share and dx2_share
+  bool puts_back = false;           // a ball that is inside goes back to its stop before the touch
+  bool feels_friction = false;      // follows dry friction within the step (stepper/rubbing.hpp)
+  bool knows_displacement = false;  // its force is constant in a step: reaction.displacement tells the work to rounding
 };
 
 // A step of free flight in the coordinates of the stop: penetrations and their changes in a step, positive into the
@@ -120,9 +120,9 @@ struct ContactStep {
   Impulse<Force<Value>> force;
   typename Format::Energy stored;
   Penetration<Value> rate;                          // at the step's end, or before an impact that takes no time
-  Penetration<Value> way;                           // how far the contact moved, where it knows_way
+  Penetration<Value> displacement;                  // how far the contact moved, where it knows_displacement
   Penetration<Value> rate_at_start, rate_at_touch;  // the latter in the first step of a contact
-  bool begins, knows_way;
+  bool begins, knows_displacement;
   Penetration<Value> rate_at_crossing;  // at the last touch of the other stop in the step
   typename Format::Energy work;         // of the force, where the contact starts_from_rate
 };
@@ -167,9 +167,9 @@ struct ContactDefaults {
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     using constant::larger;
     const double k1 = terms.stiffness, h = terms.step;
-    // A linear force is sized by the largest penetration: of a contact of few steps the ball's way in one.
-    const double way = terms.largest_rate * h * (terms.crosses() ? 2 : 1);
-    const double d = terms.is_linear ? larger(terms.largest_penetration, way) : terms.largest_penetration;
+    // A linear force is sized by the largest penetration: of a contact of few steps the ball's displacement in one.
+    const double displacement = terms.largest_rate * h * (terms.crosses() ? 2 : 1);
+    const double d = terms.is_linear ? larger(terms.largest_penetration, displacement) : terms.largest_penetration;
     // What presses may change a linear law's rate in a step by more than its bound.
     const double damping = terms.damping_time * (terms.largest_rate + (terms.is_linear ? h * terms.pressing : 0));
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));

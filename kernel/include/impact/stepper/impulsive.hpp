@@ -123,7 +123,7 @@ struct Impulsive {
 
     static constexpr ContactTraits traits = [] {
       ContactTraits own;
-      own.is_instantaneous = own.sees_change = own.knows_way = own.feels_friction = true;
+      own.is_instantaneous = own.sees_change = own.knows_displacement = own.feels_friction = true;
       return own;
     }();
 
@@ -153,7 +153,7 @@ struct Impulsive {
       if constexpr (Seen::is_recorded) {
         reaction.record.force = {reaction.ball.j0, Format::value(half(reaction.ball.j0))};
         // The work at the average rate; the change of the rate may be twice a Value.
-        reaction.record.way = Penetration(impulse.rate - impulse.ball.j0);
+        reaction.record.displacement = Penetration(impulse.rate - impulse.ball.j0);
         reaction.record.rate = Penetration(impulse.rate);
       }
       if constexpr (Seen::is_rubbed) {
@@ -200,14 +200,15 @@ struct Impulsive {
         acceleration = acceleration - bare(step.rubbing->force);
       }
       const Value pace = is_positive(travel) ? travel : rate;
-      const auto way = Format::divisor(without_sign(pace));
+      const auto divisor = Format::divisor(without_sign(pace));
       const Value half_acceleration = Format::value(half(acceleration)),
                   bend = Format::beyond_rounding(travel - rate + half_acceleration);
       Value speed = pace;
       if (is_positive(travel)) {
-        Value at_touch = rate_at_touch<Format>(way, way.share(without_sign(trial)), Penetration(travel),
+        Value at_touch = rate_at_touch<Format>(divisor, divisor.share(without_sign(trial)), Penetration(travel),
                                                Penetration(rate), Penetration(acceleration), 0);
-        if (is_positive(before)) at_touch = at_touch - Format::value(acceleration * Format::value(way.ratio(before)));
+        if (is_positive(before))
+          at_touch = at_touch - Format::value(acceleration * Format::value(divisor.ratio(before)));
         if (is_positive(at_touch)) speed = at_touch;
       }
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
@@ -218,11 +219,11 @@ struct Impulsive {
       if (!is_positive(pressed - Format::value(half(own_rate * own_rate)))) {
         // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
         const Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace))),
-                    beyond =
-                        trial - bounce.depth - Format::value(half(hastened * Format::value(way.ratio(bounce.depth))));
+                    beyond = trial - bounce.depth -
+                             Format::value(half(hastened * Format::value(divisor.ratio(bounce.depth))));
         if (!is_positive(beyond)) return {{}, {}, rate};
-        const auto chord = way.share(without_sign(beyond));
-        const auto t = Format::moved_share(chord, way.ratio(above_chord<Format>(chord, bend, half_acceleration)));
+        const auto chord = divisor.share(without_sign(beyond));
+        const auto t = Format::moved_share(chord, divisor.ratio(above_chord<Format>(chord, bend, half_acceleration)));
         const Instant at(plan, t, rate, acceleration, main_part, plan.acceleration * step.half_change, step.main_rate);
         const Value touch_rate = at.rate - hastened;
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
@@ -247,24 +248,24 @@ struct Impulsive {
       return support_impulse(plan, force, {}, inside - before);
     }
 
-    // The force that prevents the way `way`, and half of the rate after it.
+    // The force that prevents `displacement`, and half of the rate after it.
     struct Support {
       Value force, half_rate;
     };
-    [[gnu::always_inline]] static constexpr Support support(const Plan& plan, const Units& units, Value way,
+    [[gnu::always_inline]] static constexpr Support support(const Plan& plan, const Units& units, Value displacement,
                                                             Value rate) {
-      const Value force = clamped(plan, units, plan.support.by_penetration * way);
+      const Value force = clamped(plan, units, plan.support.by_penetration * displacement);
       return {force, Format::value(half(rate)) - plan.support.half_rate * force};
     }
     template <class Seen>
-    [[gnu::always_inline]] constexpr SplitImpulse rest_on_stop(const Plan& plan, Value trial, Value from, Value way,
-                                                               Value weight, const Support& support,
+    [[gnu::always_inline]] constexpr SplitImpulse rest_on_stop(const Plan& plan, Value trial, Value from,
+                                                               Value displacement, Value weight, const Support& support,
                                                                [[maybe_unused]] const Seen& step) {
       if constexpr (Seen::is_rubbed) stick(*step.rubbing);
       const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
       is_at_rest = 1;
       depth_at_rest = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
-      return support_impulse(plan, support.force, last, way);
+      return support_impulse(plan, support.force, last, displacement);
     }
     // Dry friction after an impact, t before the step's end: against the rebound, and again forward if the ball comes
     // back.
@@ -286,15 +287,15 @@ struct Impulsive {
       step.slides = 0;
       step.force = {};
     }
-    // A force over the step, against which the ball moves by `way`, and an impulse at its end. Both take the energy of
-    // one impulse at the rate J + (f way + last^2)/J.
+    // A force over the step, against which the ball moves by `displacement`, and an impulse at its end. Both take the
+    // energy of one impulse at the rate J + (f displacement + last^2)/J.
     [[gnu::always_inline]] static constexpr SplitImpulse support_impulse(const Plan& plan, Value force, Value last,
-                                                                         Value way) {
+                                                                         Value displacement) {
       const Value impulse = force + last;
       const auto share = Format::quotient(positive_part(force), positive_part(impulse));
       return {{plan.support.rate * force + last, plan.support.displacement * force},
               {impulse, Format::value(half(force))},
-              impulse + Format::value(share * way) + (last - Format::value(share * last))};
+              impulse + Format::value(share * displacement) + (last - Format::value(share * last))};
     }
     // The depth that is left of `depth` for a ball in its stop. The energy for lifting it is `impulse` times `more`,
     // which was taken from it.

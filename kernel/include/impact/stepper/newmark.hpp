@@ -75,11 +75,11 @@ struct Pointwise {
     };
     static constexpr Reach reach_of(const ContactTerms& terms) {
       constexpr double slack = 1.001;  // for rounding; a bound just below a power of two keeps its unit
-      const double h = terms.step, way = terms.largest_rate * h, changed = h * h * (terms.pressing + terms.rubbing),
-                   mobility = h * h / terms.reduced_mass(), d = terms.largest_penetration,
-                   flight = (terms.crosses() ? 2 : 1) * way;
+      const double h = terms.step, displacement = terms.largest_rate * h,
+                   changed = h * h * (terms.pressing + terms.rubbing), mobility = h * h / terms.reduced_mass(),
+                   d = terms.largest_penetration, flight = (terms.crosses() ? 2 : 1) * displacement;
       Reach reach{slack * constant::larger(constant::square_root(d * d + 1.25 * flight * flight), 3 * flight + changed),
-                  slack * (way + changed), slack * (4 * way + 2 * changed), 0};
+                  slack * (displacement + changed), slack * (4 * displacement + 2 * changed), 0};
       const double damping = terms.damping_time * reach.rate / h,
                    law = terms.stiffness *
                          (terms.is_linear ? reach.trial + damping : terms.to_the_power(reach.trial) * (1 + damping));

@@ -24,14 +24,14 @@ struct Rubbing {
   Penetration full;   // 0: none
   Penetration force;  // of the flight; then at the step's end
   GainOf<typename Format::Gain, unit::Penetration, unit::Penetration> main_share;  // of what it takes
-  int slides;        // 1 into the stop, -1 out of it, 0 if it sticks
-  bool meets_stop;   // false: all of the step was flight
-  bool has_turned;   // before the stop
-  Penetration way;   // of the flight, if it has turned
-  Penetration slid;  // the way of sliding, where sub-steps follow it
-  // With a contact that takes no time: what it prevents of the flight's way, and how friction changes rate and
+  int slides;                // 1 into the stop, -1 out of it, 0 if it sticks
+  bool meets_stop;           // false: all of the step was flight
+  bool has_turned;           // before the stop
+  Penetration displacement;  // of the flight, if it has turned
+  Penetration slid;          // the sliding distance, where sub-steps follow it
+  // With a contact that takes no time: what it prevents of the flight's displacement, and how friction changes rate and
   // penetration at the step's end. For the ledger of a ball that has turned before it comes to rest: half of what its
-  // way differs from that of a flight with the last friction alone.
+  // displacement differs from that of a flight with the last friction alone.
   Penetration prevented, taken, moved, half_late;
 };
 

@@ -16,22 +16,22 @@ template <class Format, class Share, class Value>
   return slope - Format::value(u * slope);
 }
 // The touch is earlier than the chord's by this part of a step, at most a quarter; a touch farther away hardly moves.
-// `way` is the divisor D, with u = way.share(d).
-template <class Format, class Way, class Share, class Value>
-[[gnu::always_inline]] constexpr Value earlier_than_chord(const Way& way, Share u, Penetration<Value> bend,
+// `divisor` is D, with u = divisor.share(d).
+template <class Format, class Divisor, class Share, class Value>
+[[gnu::always_inline]] constexpr Value earlier_than_chord(const Divisor& divisor, Share u, Penetration<Value> bend,
                                                           Penetration<Value> half_acceleration) {
-  return Format::within_a_quarter(Format::value(way.ratio(above_chord<Format>(u, bend, half_acceleration))));
+  return Format::within_a_quarter(Format::value(divisor.ratio(above_chord<Format>(u, bend, half_acceleration))));
 }
 
 // The acceleration counts in a unit 2^bits as fine as that of penetrations.
-template <class Format, class Way, class Share, class Value, class Unit>
-[[gnu::always_inline]] constexpr Penetration<Value> rate_at_touch(const Way& way, Share u, Penetration<Value> travel,
-                                                                  Penetration<Value> rate, In<Value, Unit> acceleration,
-                                                                  int bits) {
+template <class Format, class Divisor, class Share, class Value, class Unit>
+[[gnu::always_inline]] constexpr Penetration<Value> rate_at_touch(const Divisor& divisor, Share u,
+                                                                  Penetration<Value> travel, Penetration<Value> rate,
+                                                                  In<Value, Unit> acceleration, int bits) {
   const Penetration<Value> half_acceleration(Format::moved(Format::value(half(acceleration)), bits)),
       bend(Format::beyond_rounding(travel - rate + half_acceleration)), bent = Format::value(u * bend);
   const Value later = Format::value(Format::constant(0.5)) - Format::value(u) -
-                      earlier_than_chord<Format>(way, u, bend, half_acceleration);
+                      earlier_than_chord<Format>(divisor, u, bend, half_acceleration);
   return travel - bend + Format::value(u * (bent + bent + bent)) +
          Penetration<Value>(Format::moved(Format::value(acceleration * later), bits));
 }

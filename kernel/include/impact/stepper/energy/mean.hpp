@@ -25,9 +25,9 @@ struct MeanShape {
     const auto zz = square(z);
     return p * (square(p) + zz + zz) + zz * Format::square_over_five(z, p);
   }
-  static constexpr Factor over_part(Root root, Value depth, Value way) {
+  static constexpr Factor over_part(Root root, Value depth, Value displacement) {
     const auto d = without_sign(depth);
-    return Format::factor(afresh(root * d) * Format::short_quotient(d, without_sign(way)) *
+    return Format::factor(afresh(root * d) * Format::short_quotient(d, without_sign(displacement)) *
                           Format::short_constant(2.0 / 5));
   }
   // n as d^(3/2), and d^(3/2) as n.
@@ -47,7 +47,9 @@ struct MeanShape<Format, true> {
     const Real q = r * s, sum = before + after;
     return (sum * (sum + q) - q * q) / (r + s);
   }
-  static constexpr Real over_part(Real root, Real depth, Real way) { return root * depth * (depth / way); }
+  static constexpr Real over_part(Real root, Real depth, Real displacement) {
+    return root * depth * (depth / displacement);
+  }
   static constexpr Real shape(Real n) { return n * Format::constant(unit); }
   static constexpr Real of(Real shape) { return shape * Format::constant(1 / unit); }
 };

@@ -84,7 +84,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   }
   // In a step a force at most reverses the ball's speed and balances the pressing forces, and at most it is the law's
   // at the deepest penetration. The energy W stored there is represented by V, V^2 = G W (stiff.hpp). A penetration is
-  // at most that of an impact, or the way of a few steps.
+  // at most that of an impact, or the displacement of a few steps.
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     if (is_resolved(terms)) return ContactDefaults::room(terms, largest);
     largest.finest_penetration = finest_penetration(terms);
@@ -157,13 +157,13 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     // The law's force in the middle of the step before and of the step ahead. A contact that starts without a touch
     // gains or loses the energy that its memory implies: with y' the change in a step and y'' the change of that, y y''
     // - y'^2/2 is lost. So y'' is set to y'^2/(2 y), and to y'/2 if that would be more.
-    const auto y = [&](Penetration d, Penetration way) {
+    const auto y = [&](Penetration d, Penetration displacement) {
       const auto within = positive_part(d);
-      return pushed(plan, Mean::of(Format::root(Format::value(within)) * within), way).j1;
+      return pushed(plan, Mean::of(Format::root(Format::value(within)) * within), displacement).j1;
     };
-    const Penetration now = plan.response.travel(y(at, rate)), half_way = Format::value(half(rate));
-    taken(1) = y(at - half_way, rate + now);
-    const Value fall = taken(1) - bare(y(at + half_way, rate - now));
+    const Penetration now = plan.response.travel(y(at, rate)), half_displacement = Format::value(half(rate));
+    taken(1) = y(at - half_displacement, rate + now);
+    const Value fall = taken(1) - bare(y(at + half_displacement, rate - now));
     const Value size = mirrored(fall, is_negative(fall)), most = is_positive(size - taken(1)) ? size : taken(1);
     taken(2) = taken(1) + fall;
     taken(3) = taken(2) + fall;
@@ -204,8 +204,8 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
       n = is_positive(penetration) ? stay(before) : leave(before);
     }
     if constexpr (is_per_impact) this->limit(plan.limit, plan.damping, Mean::shape(n));
-    const Penetration way = enters ? step.travel : penetration - before;
-    Impulse<Push> push = pushed(plan, n, way);  // not const: GCC would keep it in memory
+    const Penetration displacement = enters ? step.travel : penetration - before;
+    Impulse<Push> push = pushed(plan, n, displacement);  // not const: GCC would keep it in memory
     taken(1) = push.j1;
     return reaction_of<Format>(Impulse<Push>{push.j0, predicted});
   }
@@ -221,14 +221,15 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   constexpr Value& stored_rate() { return memory[0]; }                     // V, energy/stiff.hpp
   constexpr Value stored_rate() const { return memory[0]; }
 
-  // J0, and as j1 y, of a step with the mean n in which the penetration changes by `way`, but for the correction.
-  [[gnu::always_inline]] constexpr Impulse<Push> pushed(const Plan& plan, Factor n, Penetration way) const {
+  // J0, and as j1 y, of a step with the mean n in which the penetration changes by `displacement`, but for the
+  // correction.
+  [[gnu::always_inline]] constexpr Impulse<Push> pushed(const Plan& plan, Factor n, Penetration displacement) const {
     Push correction{};
     auto factor = positive_part(Format::value(plan.stiffness));
     if constexpr (ContactLaw::is_damped) {
       correction = correction_of(plan, n);
       factor = positive_part(strength<is_per_impact, Units>(
-          Format::value(plan.stiffness), this->damping(plan) * bare(way + plan.response.travel(correction))));
+          Format::value(plan.stiffness), this->damping(plan) * bare(displacement + plan.response.travel(correction))));
     }
     const Push j0(as_signed(n * factor));
     return {j0, Format::value(half(j0)) + correction};
@@ -271,10 +272,10 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   }
 
   // n, for the penetration at the end; these take root and phase along.
-  [[gnu::always_inline]] constexpr Factor enter(Penetration way) {
+  [[gnu::always_inline]] constexpr Factor enter(Penetration displacement) {
     phase = Phase::touching;
     root = Format::root(penetration);
-    return Mean::over_part(root, penetration, way);
+    return Mean::over_part(root, penetration, displacement);
   }
   [[gnu::always_inline]] constexpr Factor stay(Penetration before) {
     const Root r = root;

@@ -40,19 +40,19 @@ struct ConstantForceGains {
     units.push(state.dx2, -ball_part);
     if (is_sudden) units.displace(state.x2, -mirrored(reaction.shift, left));
   }
-  // For features, which compute the work from the force and the contact's way.
+  // For features, which compute the work from force and displacement.
   [[gnu::always_inline]] constexpr void record(Reaction<Format, Push<Value>>& reaction, typename Format::Energy stored,
-                                               Penetration<Value> way) const {
+                                               Penetration<Value> displacement) const {
     const Force<Value> own_force = force * reaction.main.j0;
     reaction.record.force = {own_force, Format::value(half(own_force))};
     reaction.record.stored = stored;
-    reaction.record.way = way;
+    reaction.record.displacement = displacement;
   }
 };
 
 constexpr ContactTraits constant_force_traits() {
   ContactTraits traits;
-  traits.puts_back = traits.knows_way = true;
+  traits.puts_back = traits.knows_displacement = true;
   return traits;
 }
 

@@ -84,8 +84,8 @@ struct MomentLinear : ContactDefaults {
   }
   constexpr void change_rate(const Plan&, Penetration by) { rate = rate + by; }
   // Friction takes this of the penetration, of its rate, and of the change of the rate in a step.
-  constexpr void rub(const Plan&, Penetration way, Penetration by, Penetration) {
-    penetration = penetration - way;
+  constexpr void rub(const Plan&, Penetration displacement, Penetration by, Penetration) {
+    penetration = penetration - displacement;
     rate = rate - by;
   }
 

@@ -116,9 +116,9 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   }
 
   // Friction takes this of the penetration, of its rate, and of the change of the rate in a step.
-  constexpr void rub(const Plan& plan, Penetration way, Penetration, Penetration acceleration) {
-    if (phase != Phase::touching || !is_positive(penetration - way)) return;
-    stand_at(penetration - way);
+  constexpr void rub(const Plan& plan, Penetration displacement, Penetration, Penetration acceleration) {
+    if (phase != Phase::touching || !is_positive(penetration - displacement)) return;
+    stand_at(penetration - displacement);
     change = change - Recoil(Format::moved(acceleration, plan.change_bits));
   }
 
@@ -190,9 +190,9 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const auto s = end.at_point();
     auto u = Format::constant(0);
     if constexpr (ContactLaw::is_damped_per_impact) {
-      const auto way = Format::divisor(without_sign(trial - before));
-      u = way.share(d);
-      this->begin(plan.damping, rate_at_touch<Format>(way, u, trial - before, trial_rate, g, plan.travel_bits));
+      const auto divisor = Format::divisor(without_sign(trial - before));
+      u = divisor.share(d);
+      this->begin(plan.damping, rate_at_touch<Format>(divisor, u, trial - before, trial_rate, g, plan.travel_bits));
       this->limit(plan.limit, plan.damping, s * d);
     } else {
       u = Format::quotient(d, without_sign(trial - before));
@@ -216,8 +216,8 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   [[gnu::always_inline]] constexpr Impulse<Recoil> leave(const Plan& plan, Penetration trial, Recoil g,
                                                          Penetration d1) {
     const auto d = without_sign(penetration);
-    const auto way = Format::divisor(without_sign(penetration - d1));
-    const auto u = way.share(d);
+    const auto divisor = Format::divisor(without_sign(penetration - d1));
+    const auto u = divisor.share(d);
     const auto later = u * Format::short_constant(2.0 / 7);
     const auto ru = plan.part_stiffness * root * u;
     const Recoil elastic(Format::value(ru * d));
@@ -233,7 +233,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const Recoil j1 = Format::value(half(j0)) + lever - loss + loss_later;
 
     // The end moves from the predicted one, and u with it.
-    const auto more = way.ratio(trial - travel(plan, j1) - d1);
+    const auto more = divisor.ratio(trial - travel(plan, j1) - d1);
     return ended(plan, trial,
                  {j0 - loss + Format::value(elastic * more), j1 + Format::value((lever + lever + loss_later) * more)},
                  UnknownRoot{});

@@ -86,13 +86,14 @@ struct SubsteppedMoment {
     // drive's change. They satisfy v0 = along w - back v1 + across F. This combination contains neither x1 nor a
     // constant force.
     struct StartRate {
-      GainOf<Gain, unit::Displacement, unit::Penetration> by_way;
+      GainOf<Gain, unit::Displacement, unit::Penetration> by_displacement;
       Gain by_rate;
       GainOf<Gain, unit::Increment, unit::Penetration> by_change;
 
       // The rate of penetration at the step's start less that of a rate that is linear in time.
-      constexpr Penetration bend(Displacement<Value> way, Penetration rate, Increment<Value> half_change) const {
-        return by_way * way + by_rate * rate + by_change * half_change;
+      constexpr Penetration bend(Displacement<Value> displacement, Penetration rate,
+                                 Increment<Value> half_change) const {
+        return by_displacement * displacement + by_rate * rate + by_change * half_change;
       }
     };
     static constexpr StartRate start_rate_of(const LinearFlow& flow, const UnitExponents& unit) {
@@ -138,8 +139,8 @@ struct SubsteppedMoment {
     static constexpr double both_masses(const ContactTerms& terms) {
       return constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
     }
-    // The way in a sub-step has 20 bits. With a bound of penetration far above that of an impact it has fewer, and then
-    // the rounding of impulses creates energy.
+    // The displacement in a sub-step has 20 bits. With a bound of penetration far above that of an impact it has fewer,
+    // and then the rounding of impulses creates energy.
     static constexpr double finest_penetration(const ContactTerms& terms) {
       return 0x1p-20 * terms.largest_rate * in_a_part(terms).step;
     }
@@ -147,9 +148,10 @@ struct SubsteppedMoment {
       terms.step /= parts_for(resolution_of<ContactLaw>(terms), terms.step);
       return terms;
     }
-    // The penetrations and impulses of a sub-step are small beside the ways of a step and the sums of impulses. They
-    // have finer units: with room for twice the largest penetration, and for what Inner asks. Spring and drive change
-    // the rate in a sub-step by 1/n^2 of what they do in a step, which leaves n for the course of their change.
+    // The penetrations and impulses of a sub-step are small beside the displacements of a step and the sums of
+    // impulses. They have finer units: with room for twice the largest penetration, and for what Inner asks. Spring and
+    // drive change the rate in a sub-step by 1/n^2 of what they do in a step, which leaves n for the course of their
+    // change.
     static constexpr UnitExponents units(const ContactTerms& terms, UnitExponents unit) {
       const ContactTerms sub = in_a_part(terms);
       const double n = terms.step / sub.step;
@@ -270,7 +272,7 @@ struct SubsteppedMoment {
         if constexpr (Seen::is_rubbed) friction.act(plan, sums);
         const auto s = Format::parts(n - i, plan.exponent, plan.part);
         bool is_across = (crossings & 1) != 0;
-        Penetration part_trial = (i == n ? trial : free.at(s)) - sums.way(plan);
+        Penetration part_trial = (i == n ? trial : free.at(s)) - sums.displacement(plan);
         if (is_across) part_trial = across(plan, part_trial);
         const Penetration rate_now = (i == n ? free.rate : free.rate_at(s)) - sums.rate(plan);
         if (this->phase == Phase::apart) {
@@ -310,11 +312,11 @@ struct SubsteppedMoment {
             if ((((n - i) >> stride) & 1) != 0) end.advance(plan, stride);
           [[maybe_unused]] Friction last = friction;
           if constexpr (Seen::is_rubbed) last.leave(plan, end, free.rate, n - i);
-          if (is_positive(trial - end.way(plan))) continue;
+          if (is_positive(trial - end.displacement(plan))) continue;
           sums = end;
           if constexpr (Seen::is_rubbed) {
             friction = last;
-            friction.slide(trial - end.way(plan) - at);
+            friction.slide(trial - end.displacement(plan) - at);
           }
           break;
         }
@@ -427,7 +429,7 @@ struct SubsteppedMoment {
         w = w + j0;
       }
       // The share of both in the penetration and in its rate.
-      constexpr Penetration way(const Plan& plan) const {
+      constexpr Penetration displacement(const Plan& plan) const {
         return travel(plan, Recoil(x.value()) + plan.ball * Recoil(y.value()));
       }
       constexpr Penetration rate(const Plan& plan) const { return travel(plan, u + plan.ball * w); }
@@ -443,21 +445,24 @@ struct SubsteppedMoment {
       Penetration slid;
       bool acts;
 
-      // `way`: of the sub-steps that are skipped.
-      constexpr void begin(const Plan& plan, const Rubbing<Format>& step, Penetration at_rate, Penetration way) {
+      // `displacement`: of the sub-steps that are skipped.
+      constexpr void begin(const Plan& plan, const Rubbing<Format>& step, Penetration at_rate,
+                           Penetration displacement) {
         acts = is_positive(step.full);
         if (!acts) return;
         const bool back = is_negative(step.force);
         part.full = plan.part * step.full;
         part.force = assumed = mirrored(plan.part * mirrored(step.force, back), back);
         part.slides = step.slides;
-        fly(at_rate, way);
+        fly(at_rate, displacement);
       }
-      constexpr void fly(Penetration at_rate, Penetration way) {
+      constexpr void fly(Penetration at_rate, Penetration displacement) {
         rate = at_rate;
-        slide(way);
+        slide(displacement);
       }
-      constexpr void slide(Penetration way) { slid = slid + mirrored(way, is_negative(way)); }
+      constexpr void slide(Penetration displacement) {
+        slid = slid + mirrored(displacement, is_negative(displacement));
+      }
       // What it takes of the rate's change in a sub-step.
       constexpr Penetration bending(const Plan& plan) const { return rate_in_a_part(plan, part.force - assumed); }
       constexpr void act(const Plan& plan, Sums& sums) {
@@ -513,9 +518,9 @@ struct SubsteppedMoment {
     static constexpr void skip_flight(const Plan& plan, const Quartic& free, int& i, Penetration& at) {
       const Penetration travel = free.end - at;
       if (is_positive(at) || !is_positive(travel)) return;
-      const auto way = Format::divisor(without_sign(travel));
-      const auto u = way.share(without_sign(free.end));
-      const Value earlier = earlier_than_chord<Format>(way, u, free.bend, free.half_acceleration);
+      const auto divisor = Format::divisor(without_sign(travel));
+      const auto u = divisor.share(without_sign(free.end));
+      const Value earlier = earlier_than_chord<Format>(divisor, u, free.bend, free.half_acceleration);
       const int n = 1 << plan.exponent, left = Format::parts_of(Format::value(u), plan.exponent, plan.part) +
                                                Format::parts_of(earlier, plan.exponent, plan.part) + 3;
       if (left < 1 || left >= n) return;

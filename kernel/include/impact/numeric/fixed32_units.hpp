@@ -242,11 +242,11 @@ struct Fixed32Units {
     return (upper ^ upper >> 31) < limit;
   }
   // Of a speed as the displacement that it makes in a step.
-  constexpr bool is_speed(Long w) const { return w.raw < most_speed() && w.raw > -most_speed(); }
-  constexpr int64_t most_speed() const { return int64_t{limits.speed} << displacement_shift; }
+  constexpr bool is_within_speed_limit(Long w) const { return w.raw < speed_limit() && w.raw > -speed_limit(); }
+  constexpr int64_t speed_limit() const { return int64_t{limits.speed} << displacement_shift; }
   // Takes from w what `speed` is above the limit.
   constexpr void clamp_speed(Long& w, Long speed) const {
-    if (!is_speed(speed)) w.raw -= speed.raw - (speed.raw > 0 ? most_speed() - 1 : 1 - most_speed());
+    if (!is_within_speed_limit(speed)) w.raw -= speed.raw - (speed.raw > 0 ? speed_limit() - 1 : 1 - speed_limit());
   }
   // True if a displacement's limit is too few LSBs of a position to show a speed to 2 %.
   static constexpr bool is_coarse(double displacement, const UnitExponents& e) {

@@ -204,9 +204,9 @@ struct RealFormat {
       if (__builtin_is_constant_evaluated()) return size(x) <= limit;
       return magnitude_bits(x) <= magnitude_bits(limit);
     }
-    constexpr bool is_speed(Long w) const { return is_within(w, limits.speed); }
+    constexpr bool is_within_speed_limit(Long w) const { return is_within(w, limits.speed); }
     constexpr void clamp_speed(Long& w, Long speed) const {
-      if (!is_speed(speed)) w.add((speed.sum > 0 ? limits.speed : -limits.speed) - speed.value());
+      if (!is_within_speed_limit(speed)) w.add((speed.sum > 0 ? limits.speed : -limits.speed) - speed.value());
     }
     static constexpr bool is_coarse(double, const UnitExponents&) { return false; }
     constexpr bool is_too_deep(Penetration<Value> penetration) const { return !(penetration <= limits.penetration); }

@@ -157,7 +157,7 @@ struct Machine : Source {
   // the bound is only some LSBs of a position.
   [[gnu::noinline]] constexpr bool speeds_are_in_range() const {
     const Speeds now = speeds();
-    return plan.units.is_speed(now.main) && plan.units.is_speed(now.ball);
+    return plan.units.is_within_speed_limit(now.main) && plan.units.is_within_speed_limit(now.ball);
   }
   // Whether what contact changes is in range.
   [[gnu::always_inline]] constexpr bool contact_is_in_range() const {

@@ -5,6 +5,7 @@
 #include <execinfo.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -310,6 +311,34 @@ TEST(WatchedScenes, ACorrectionBeyondWhatTheBoundsAllow) {
   Stiff touching(plan);
   while (!touching.is_touching()) touching.step();
   EXPECT_EQ(fault_after(touching, -0.0036, 0), Fault::penetration);
+}
+// A correction may make a classical scheme's force pull. The pull is limited like a push, and the speed that it makes is
+// compared with its bound at once. It was 27 times that bound.
+TEST(WatchedScenes, ACorrectionThatMakesAForcePull) {
+  Scene scene = pair(0.0474726, 0.000498077, 4.68386e-05, 6369.6, 22.7745);
+  scene.tension = Tension::allow;
+  scene.x1 = 0.000478078;
+  scene.x2 = 0.000501497;
+  scene.v2 = 0.445583;
+  using Pulling = Absorber<AtRunTime, HookeNewton, CentralDifference, NoDrive, Fixed32>;
+  const auto plan = Pulling::PlanType::make(scene, {0.00117396, 0.537284, 0, 0}, 0.00163923);
+  ASSERT_EQ(plan.status, PlanStatus::ok);
+  Pulling absorber(plan);
+  int touching = 0;
+  for (int n = 0; n < 200 && absorber.fault() == Fault::none; ++n) {
+    absorber.step();
+    if (!absorber.is_touching() || absorber.fault() != Fault::none) continue;
+    ++touching;
+    for (const double dv : {-0.5, -0.3, -0.1, 0.1, 0.3, 0.5}) {
+      Pulling corrected(plan);
+      EXPECT_TRUE(corrected.restore(absorber.save()));
+      broken.count = 0;
+      corrected.correct({}, {static_cast<int32_t>(dv / plan.velocity_unit() * 0x1p31)});
+      EXPECT_TRUE(broken.count == 0 || corrected.fault() != Fault::none) << broken.condition;
+      EXPECT_LT(std::abs(corrected.reading().v2), 1.5 * 0.537284) << dv;
+    }
+  }
+  EXPECT_GT(touching, 0);
 }
 // A force that pulls, of a law that may, is compared with the largest that pushes.
 TEST(WatchedScenes, APullIsRestored) {

@@ -71,11 +71,13 @@ struct Restart {
     }
     if (units.is_too_deep(inside)) m.raise(Fault::penetration);
     if (is_positive(found.penetration - inside)) place_ball(units, state, left, inside);
-    if constexpr (Contact::traits.keeps_force)
+    if constexpr (Contact::traits.keeps_force) {
       if (!contact.valid(m.plan.contact, units)) {
         m.raise(Fault::speed);
         m.end_contact();
       }
+      m.clamp_to_range();
+    }
   }
   // Places the ball at the face of its stop if a correction has moved it inside without a contact.
   static constexpr void push_out(Model& m) {

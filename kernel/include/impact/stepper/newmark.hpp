@@ -166,10 +166,12 @@ struct Pointwise {
 
     // The remaining effect of a kept force is in the range of a displacement.
     constexpr bool valid(const Plan& plan, const Units& units) const {
-      return this->has_sound_damping() && units.is_sound(plan.dx1_share * force) &&
-             units.is_sound(plan.dx2_share * force) &&
-             !is_positive(Format::value(positive_part(force)) - bare(plan.largest.force)) &&
-             !(plan.clamped && is_negative(force));
+      const auto is_within = [&](Value x) {
+        return !is_positive(Format::value(positive_part(x)) - bare(plan.largest.force));
+      };
+      return this->has_sound_damping() && is_within(bare(force)) && is_within(-bare(force)) &&
+             !(plan.clamped && is_negative(force)) && units.is_sound(plan.dx1_share * force) &&
+             units.is_sound(plan.dx2_share * force);
     }
 
     template <class Seen>
@@ -210,6 +212,7 @@ struct Pointwise {
         force = Force(Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate)));
       }
       force = Force(Units::clamped(force, plan.largest.force));
+      force = -Force(Units::clamped(-force, plan.largest.force));
     }
 
    private:

@@ -68,7 +68,7 @@ struct SharedResponse {
   template <class Units, class State, class Reaction>
   [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction& reaction,
                                               bool left) const {
-    const auto j0 = mirrored_down(reaction.main.j0, !left), j1 = mirrored_down(reaction.main.j1, !left);
+    const auto j0 = afresh(mirrored_down(reaction.main.j0, !left)), j1 = afresh(mirrored_down(reaction.main.j1, !left));
     const auto ball_j0 = ball * j0, ball_j1 = ball * j1;
     units.recoil(state.x1, ball_j1 - j1);
     units.recoil(state.dx1, dx1 * j0 + dx1_by_moment * j1);

@@ -228,8 +228,8 @@ TEST(WatchedScenes, SubStepsOfABallAsFastAsItsBound) {
   forces_in<HuntCrossley, SubsteppedMoment<8>, Sampled>(scene, {8.57508e-07, 0.89358, 0, 3034257}, 3.91739e-07,
                                                         {2147483647});
 }
-// In a step of a ten-thousandth of the contact, the flight's change of rate is less than an LSB of the penetrations from
-// which it follows.
+// In a step of a ten-thousandth of the contact, the flight's change of rate is less than an LSB of the penetrations
+// from which it follows.
 TEST(WatchedScenes, SubStepsOfAStepThatIsShortBesideItsContact) {
   Scene scene;
   scene.x1 = -0.0375803;
@@ -254,14 +254,20 @@ TEST(WatchedScenes, AForceBeyondItsUnitIsClamped) {
   EXPECT_GT(forces[30], forces[29]);
 }
 
-// Corrects a copy of the absorber by a displacement and a velocity, and steps it until a fault.
+// A copy of the absorber, corrected by a displacement and a velocity. What has wrapped is counted from there on.
 template <class Kernel>
-Fault fault_after(const Kernel& absorber, double dx, double dv) {
+Kernel corrected_copy(const Kernel& absorber, double dx, double dv) {
   Kernel corrected(absorber.plan);
   EXPECT_TRUE(corrected.restore(absorber.save()));
   const auto raw = [](double x, double unit) { return static_cast<int32_t>(x / unit * 0x1p31); };
   broken.count = 0;
   corrected.correct({raw(dx, absorber.plan.displacement_unit())}, {raw(dv, absorber.plan.velocity_unit())});
+  return corrected;
+}
+// The fault of such a correction. The copy is then stepped until it has one.
+template <class Kernel>
+Fault fault_after(const Kernel& absorber, double dx, double dv) {
+  Kernel corrected = corrected_copy(absorber, dx, dv);
   const Fault at_once = corrected.fault();
   for (int n = 0; n < 20 && corrected.fault() == Fault::none; ++n) {
     EXPECT_EQ(broken.count, 0) << broken.condition << ": dx " << dx << ", dv " << dv;
@@ -312,8 +318,8 @@ TEST(WatchedScenes, ACorrectionBeyondWhatTheBoundsAllow) {
   while (!touching.is_touching()) touching.step();
   EXPECT_EQ(fault_after(touching, -0.0036, 0), Fault::penetration);
 }
-// A correction may make a classical scheme's force pull. The pull is limited like a push, and the speed that it makes is
-// compared with its bound at once. It was 27 times that bound.
+// A correction may make a classical scheme's force pull. The pull is limited like a push, and the speed that it makes
+// is compared with its bound at once. It was 27 times that bound.
 TEST(WatchedScenes, ACorrectionThatMakesAForcePull) {
   Scene scene = pair(0.0474726, 0.000498077, 4.68386e-05, 6369.6, 22.7745);
   scene.tension = Tension::allow;
@@ -330,10 +336,7 @@ TEST(WatchedScenes, ACorrectionThatMakesAForcePull) {
     if (!absorber.is_touching() || absorber.fault() != Fault::none) continue;
     ++touching;
     for (const double dv : {-0.5, -0.3, -0.1, 0.1, 0.3, 0.5}) {
-      Pulling corrected(plan);
-      EXPECT_TRUE(corrected.restore(absorber.save()));
-      broken.count = 0;
-      corrected.correct({}, {static_cast<int32_t>(dv / plan.velocity_unit() * 0x1p31)});
+      const Pulling corrected = corrected_copy(absorber, 0, dv);
       EXPECT_TRUE(broken.count == 0 || corrected.fault() != Fault::none) << broken.condition;
       EXPECT_LT(std::abs(corrected.reading().v2), 1.5 * 0.537284) << dv;
     }

@@ -53,8 +53,8 @@ double badness(const CoupledScene& scene) {
   const CoupledRun run = run_coupled(scene);
   if (!run.is_accepted) return -1e300;
   if (run.has_fault || !(run.gain < 1e9) || !(run.rubbed < 1e9) || !(run.rubbed_back < 1e9)) return 1e9;
-  return std::max(std::max(run.gain, run.rubbed) / largest_energy_gain(scene),
-                  run.rubbed_back / largest_supply_by_friction(scene));
+  return larger(larger(run.gain, run.rubbed) / largest_energy_gain(scene),
+                run.rubbed_back / largest_supply_by_friction(scene));
 }
 
 // Scenes that this search or a run of 20000 scenes per format found. Each is now rejected or within the limits.

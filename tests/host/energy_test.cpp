@@ -289,7 +289,7 @@ TEST(StiffContact, GainsNothingInADampedContactOfAFewSteps) {
         Kernel::PlanType::make(scene, {2.8653570087306848e-05, 0.075555806012189711, 0, 0}, 0.00012085388687798424));
     const auto energy = [&] {
       const auto now = absorber.reading();
-      const double depth = std::fmax(std::fabs(now.x2 - now.x1) - scene.clearance / 2, 0);
+      const double depth = larger(std::fabs(now.x2 - now.x1) - scene.clearance / 2, 0.0);
       return mechanical_energy(scene, now) + 0.4 * scene.contact_stiffness * depth * depth * std::sqrt(depth);
     };
     const double at_start = energy();

@@ -11,8 +11,7 @@ namespace impact::host {
 struct AnyDrive : NoDrive {  // has the PlanChange of NoDrive, since the tool changes no plan while it runs
   static constexpr bool is_sine = false, is_sampled = true;  // step() takes a sample; a sine does not look at it
 
-  template <class Format>
-  struct Plan : Sampled::Plan<Format> {
+  template <class Format> struct Plan : Sampled::Plan<Format> {
     Sine::Plan<Format> sine;
     bool is_sine;
   };
@@ -28,8 +27,7 @@ struct AnyDrive : NoDrive {  // has the PlanChange of NoDrive, since the tool ch
     return is_sine_in(scene) ? Sine::largest_at_once(scene, bounds, flow)
                              : Sampled::largest_at_once(scene, bounds, flow);
   }
-  template <class Format>
-  static constexpr double force_unit(const Scene& scene, const Bounds& bounds) {
+  template <class Format> static constexpr double force_unit(const Scene& scene, const Bounds& bounds) {
     return is_sine_in(scene) ? Sine::force_unit<Format>(scene, bounds) : Sampled::force_unit<Format>(scene, bounds);
   }
   template <class Format>
@@ -39,8 +37,7 @@ struct AnyDrive : NoDrive {  // has the PlanChange of NoDrive, since the tool ch
     return {Sampled::make_plan<Format>(scene, bounds, h, flow, unit), {}, false};
   }
 
-  template <class Format>
-  struct State : Sampled::State<Format> {
+  template <class Format> struct State : Sampled::State<Format> {
     using Value = typename Format::Value;
     using Samples = Sampled::State<Format>;
     Sine::State<Format> sine;

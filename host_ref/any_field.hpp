@@ -7,8 +7,7 @@
 namespace impact::host {
 
 struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samples have no effect
-  template <class Format>
-  struct FieldPlan : BaseAcceleration::FieldPlan<Format> {
+  template <class Format> struct FieldPlan : BaseAcceleration::FieldPlan<Format> {
     bool is_shaken;
     Gravity::FieldPlan<Format> weight;
   };
@@ -28,16 +27,13 @@ struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samp
     return is_shaken_in(bounds) ? BaseAcceleration::at_once<Units>(scene, bounds, main, ball, unit) : 0;
   }
 
-  template <class Plan, class State>
-  static constexpr auto main_rate(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto main_rate(const Plan& plan, const State& state) {
     return plan.is_shaken ? BaseAcceleration::main_rate(plan, state) : Gravity::main_rate(plan.weight, state);
   }
-  template <class Plan, class State>
-  static constexpr auto ball_rate(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto ball_rate(const Plan& plan, const State& state) {
     return plan.is_shaken ? BaseAcceleration::ball_rate(plan, state) : Gravity::ball_rate(plan.weight, state);
   }
-  template <class Plan, class State>
-  static constexpr auto rate_apart(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto rate_apart(const Plan& plan, const State& state) {
     return plan.is_shaken ? BaseAcceleration::rate_apart(plan, state) : Gravity::rate_apart(plan.weight, state);
   }
   template <class Plan, class State, class Value>
@@ -52,12 +48,10 @@ struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samp
     else
       Gravity::fly(plan.weight, state, next);
   }
-  template <class Plan, class State>
-  static constexpr auto ball_travel(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto ball_travel(const Plan& plan, const State& state) {
     return plan.is_shaken ? BaseAcceleration::ball_travel(plan, state) : Gravity::ball_travel(plan.weight, state);
   }
-  template <class Plan, class State>
-  static constexpr auto ball_increment(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto ball_increment(const Plan& plan, const State& state) {
     return plan.is_shaken ? BaseAcceleration::ball_increment(plan, state) : Gravity::ball_increment(plan.weight, state);
   }
 };

@@ -14,8 +14,7 @@ bool in_range(const Impact& impact) {
 }
 
 // The argument at which a function changes sign that is negative at `low` and not at `high`.
-template <typename Function>
-double sign_change(Function function, double low, double high) {
+template <typename Function> double sign_change(Function function, double low, double high) {
   for (;;) {
     const double middle = low + (high - low) / 2;
     if (middle <= low || middle >= high) return middle;
@@ -67,8 +66,7 @@ double penetration(const Impact& impact, double fall) {
 
 // The integral over [0, length] of a function of the distances to both ends, where it may be singular (tanh-sinh
 // method, Takahasi & Mori 1974).
-template <typename Function>
-double integral(Function function, double length) {
+template <typename Function> double integral(Function function, double length) {
   constexpr double step = 1.0 / 64;
   double sum = 0;
   for (int i = -320; i <= 320; ++i) {

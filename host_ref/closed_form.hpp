@@ -55,7 +55,7 @@ std::optional<double> paper_contact_damping(const Impact& impact, double e);
 
 std::optional<double> peak_penetration(const Impact& impact);  // m
 std::optional<double> peak_force(const Impact& impact);        // N
-std::optional<double> contact_time(const Impact& impact);  // s; by quadrature for Hunt-Crossley
+std::optional<double> contact_time(const Impact& impact);      // s; by quadrature for Hunt-Crossley
 
 // Kinetic energy before minus after, J. The damper dissipates it, and a spring that ends at zero force stores some.
 std::optional<double> energy_lost(const Impact& impact);

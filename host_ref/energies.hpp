@@ -5,20 +5,17 @@
 
 namespace impact::host {
 
-template <class Motion>
-constexpr double kinetic_energy(const Scene& scene, const Motion& at) {
+template <class Motion> constexpr double kinetic_energy(const Scene& scene, const Motion& at) {
   return (scene.main_mass * at.v1 * at.v1 + scene.ball_mass * at.v2 * at.v2) / 2;
 }
 
 // Of both masses and the main spring.
-template <class Motion>
-constexpr double mechanical_energy(const Scene& scene, const Motion& at) {
+template <class Motion> constexpr double mechanical_energy(const Scene& scene, const Motion& at) {
   return kinetic_energy(scene, at) + scene.main_stiffness * at.x1 * at.x1 / 2;
 }
 
 // That, with the weight of both masses.
-template <class Motion>
-constexpr double energy_with_weight(const Scene& scene, const Motion& at) {
+template <class Motion> constexpr double energy_with_weight(const Scene& scene, const Motion& at) {
   return mechanical_energy(scene, at) - scene.gravity * (scene.main_mass * at.x1 + scene.ball_mass * at.x2);
 }
 

@@ -4,13 +4,7 @@
 
 namespace impact::host {
 
-template <class Number>
-constexpr Number larger(Number a, Number b) {
-  return a >= b || a != a ? a : b;
-}
-template <class Number>
-constexpr Number smaller(Number a, Number b) {
-  return a <= b || a != a ? a : b;
-}
+template <class Number> constexpr Number larger(Number a, Number b) { return a >= b || a != a ? a : b; }
+template <class Number> constexpr Number smaller(Number a, Number b) { return a <= b || a != a ? a : b; }
 
 }  // namespace impact::host

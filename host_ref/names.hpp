@@ -5,8 +5,7 @@
 
 namespace impact::host {
 
-template <class Enumerator>
-struct Named {
+template <class Enumerator> struct Named {
   Enumerator value;
   std::string_view name;
   const char* type;  // in namespace impact

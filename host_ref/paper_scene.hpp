@@ -1,6 +1,6 @@
 #pragma once
-// The paper's scene under each contact law: what a Scene holds by itself, and c1 of table 1 for Hooke-Newton, of table 2
-// for the others.
+// The paper's scene under each contact law: what a Scene holds by itself, and c1 of table 1 for Hooke-Newton, of table
+// 2 for the others.
 
 #include <impact/scene.hpp>
 

@@ -25,8 +25,7 @@ Planned plan_with_law(const Request& request, const Bounds& bounds);
 struct AnyField;  // any_field.hpp
 
 // The force of the law in double, from a penetration and its rate. The tool prints it with the state.
-template <class ContactLaw>
-double law_force(const Scene& scene, double damping, double penetration, double rate) {
+template <class ContactLaw> double law_force(const Scene& scene, double damping, double penetration, double rate) {
   const double shape = ContactLaw::is_linear ? 1 : penetration * std::sqrt(penetration);
   const double elastic = scene.contact_stiffness * (ContactLaw::is_linear ? penetration : shape);
   return elastic + damping * shape * rate;
@@ -34,12 +33,8 @@ double law_force(const Scene& scene, double damping, double penetration, double 
 
 // The kernel's ledger, with the work of the drive if it is requested.
 struct Ledger : EnergyLedger {
-  template <class Format>
-  struct State : EnergyLedger::State<Format> {
-    bool counts_drive_work;
-  };
-  template <class Plan, class State>
-  static constexpr void after_step(const Plan& plan, State& state) {
+  template <class Format> struct State : EnergyLedger::State<Format> { bool counts_drive_work; };
+  template <class Plan, class State> static constexpr void after_step(const Plan& plan, State& state) {
     if (state.counts_drive_work) EnergyLedger::after_step(plan, state);
   }
 };
@@ -216,8 +211,7 @@ Planned plan_with_drive(Request request, Bounds bounds) {
 
 // The result of `found` for the kernel's type of the request's law. `Exact` serves all laws that set the damping at
 // each impact, because make_simulation first computes the restitution that the law leads to.
-template <class Found>
-auto by_law(const Request& request, const Found& found) {
+template <class Found> auto by_law(const Request& request, const Found& found) {
   if (request.law == Law::hunt_crossley && request.damping != Damping::constant) return found(Exact{});
   switch (request.law) {
 #define IMPACT_FOUND(value, name, Type) \
@@ -229,8 +223,7 @@ auto by_law(const Request& request, const Found& found) {
   std::abort();
 }
 
-template <class Format>
-Planned plan_simulation(const Request& request, const Bounds& bounds) {
+template <class Format> Planned plan_simulation(const Request& request, const Bounds& bounds) {
   return by_law(request, [&](auto law) {
     using ContactLaw = decltype(law);
     return has_parts(request) ? plan_with_law<Format, ContactLaw, AnyField, DryFriction>(request, bounds)

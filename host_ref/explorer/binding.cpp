@@ -1,5 +1,5 @@
-// The functions that the page calls. Text passes through one buffer. Numbers are arrays of doubles that the page reads in
-// this module's memory. A run has a slot. So has a line, which is a run that records only the displacement.
+// The functions that the page calls. Text passes through one buffer. Numbers are arrays of doubles that the page reads
+// in this module's memory. A run has a slot. So has a line, which is a run that records only the displacement.
 
 #include <algorithm>
 #include <cstring>
@@ -61,8 +61,8 @@ EXPORT(room) char* room(size_t size) {
 }
 EXPORT(write_file) void write_file() { files.write(text, long_text); }
 
-// Plans the scene in the buffer. The answer in the buffer is "planned", the stepper, the reason, and the contact damping
-// that a restitution led to. Or it is "refused", the option, its value, and what is allowed.
+// Plans the scene in the buffer. The answer in the buffer is "planned", the stepper, the reason, and the contact
+// damping that a restitution led to. Or it is "refused", the option, its value, and what is allowed.
 EXPORT(plan) bool plan(int slot) {
   auto& run = runs[slot];
   run.reset();

@@ -1,6 +1,6 @@
 #pragma once
-// A simulation that records only the main mass's displacement, for the machine without absorber and the points of a sweep.
-// It is several times as fast as a recorded run.
+// A simulation that records only the main mass's displacement, for the machine without absorber and the points of a
+// sweep. It is several times as fast as a recorded run.
 
 #include <host_ref/simulation.hpp>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// A simulation with the data that the page draws: its motion in rows, its contacts as force over penetration, its impacts
-// as restitution over speed. All values are in SI units.
+// A simulation with the data that the page draws: its motion in rows, its contacts as force over penetration, its
+// impacts as restitution over speed. All values are in SI units.
 
 #include <host_ref/simulation.hpp>
 #include <vector>
@@ -19,8 +19,8 @@ struct Row {
 struct ContactPoint {
   double t, penetration, force;
 };
-// The restitution of an impact from its energy loss in the ledger: e^2 = 1 - loss / (mu V^2/2). This holds for any other
-// forces on the main mass. It is above 1 if the contact has created energy.
+// The restitution of an impact from its energy loss in the ledger: e^2 = 1 - loss / (mu V^2/2). This holds for any
+// other forces on the main mass. It is above 1 if the contact has created energy.
 struct ImpactPoint {
   double t, speed, restitution;
 };

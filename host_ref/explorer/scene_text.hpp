@@ -9,8 +9,7 @@
 
 namespace impact::host {
 
-template <class Line>
-void for_each_line(std::string_view text, Line with_option_and_value) {
+template <class Line> void for_each_line(std::string_view text, Line with_option_and_value) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(line.size() < text.size() ? line.size() + 1 : text.size());

@@ -51,8 +51,7 @@ struct Run {
 };
 
 // `make()` returns a new model. `go(model, x1)` makes all steps and stores x1 at the end of each interval.
-template <class Make, class Go>
-Run timed_run(double start, int steps_per_interval, Make make, Go go) {
+template <class Make, class Go> Run timed_run(double start, int steps_per_interval, Make make, Go go) {
   Run run;
   run.nanoseconds_per_step = std::numeric_limits<double>::infinity();
   std::vector<double> x1(intervals);
@@ -131,8 +130,7 @@ class StepLength {
         });
     return is_sound ? run : Run{};
   }
-  template <class Model>
-  Run baseline_run() const {
+  template <class Model> Run baseline_run() const {
     return timed_run(
         request_.scene.x1, steps_per_interval_, [] { return Model{}; },
         [this](Model& model, std::vector<double>& x1) {
@@ -149,8 +147,7 @@ class StepLength {
   Request request_;
 };
 
-template <Law law, int steps_per_interval>
-struct BaselineRig {
+template <Law law, int steps_per_interval> struct BaselineRig {
   static constexpr Scene scene = paper_scene(law);
   static constexpr double step = interval / steps_per_interval;
 };

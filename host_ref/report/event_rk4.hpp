@@ -12,8 +12,7 @@ namespace impact::report {
 inline float power(float x, float exponent) { return __builtin_powf(x, exponent); }
 inline double power(double x, double exponent) { return __builtin_pow(x, exponent); }
 
-template <class Real>
-class EventRk4 {
+template <class Real> class EventRk4 {
   static constexpr Real real(double x) { return static_cast<Real>(x); }
 
  public:
@@ -64,8 +63,7 @@ class EventRk4 {
 
   static Real signed_by(int stop, Real x) { return stop < 0 ? -x : x; }
   Real beyond(const State& s, int stop) const { return signed_by(stop, s.x2 - s.x1) - gap_; }
-  template <int side>
-  State rate(const State& s, Real t) const {
+  template <int side> State rate(const State& s, Real t) const {
     Real force = 0;
     if (const Real depth = side == 0 ? 0 : beyond(s, side); depth > 0) {
       const Real size =
@@ -75,8 +73,7 @@ class EventRk4 {
     return {s.v1, (amplitude_ * sine(pulsation_ * t) - damping_ * s.v1 - stiffness_ * s.x1 + force) * by_main_mass_,
             s.v2, -force * by_ball_mass_};
   }
-  template <int side>
-  State advanced(Real h) const {
+  template <int side> State advanced(Real h) const {
     const State a = rate<side>(now_, t_), b = rate<side>(now_.plus(a, h / 2), t_ + h / 2),
                 c = rate<side>(now_.plus(b, h / 2), t_ + h / 2), d = rate<side>(now_.plus(c, h), t_ + h);
     const Real sixth = h / 6;

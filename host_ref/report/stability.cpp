@@ -29,12 +29,10 @@ namespace {
 using namespace host;
 
 // A stepper without its limit on the number of steps per contact.
-template <class Stepper>
-struct Unranged : Stepper {
+template <class Stepper> struct Unranged : Stepper {
   static constexpr Range steps(const Resolution&) { return any_step; }
 };
-template <class ContactLaw>
-std::unique_ptr<Simulation> beyond_range(const Request& request) {
+template <class ContactLaw> std::unique_ptr<Simulation> beyond_range(const Request& request) {
   switch (request.stepper) {
     case Stepper::moment:
       return plan_for<Float64, ContactLaw, Unranged<Moment>, NoDrive>(request, *request.bounds).simulation;

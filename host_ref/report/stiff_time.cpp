@@ -13,8 +13,7 @@
 namespace impact::report {
 namespace {
 
-template <class Kernel>
-auto displacement(const Kernel& kernel) -> decltype(kernel.reading().x1) {
+template <class Kernel> auto displacement(const Kernel& kernel) -> decltype(kernel.reading().x1) {
   return kernel.reading().x1;
 }
 double displacement(const EventRk4<float>& model) { return model.displacement(); }

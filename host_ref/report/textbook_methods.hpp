@@ -35,8 +35,7 @@ struct KernelLookup {
 };
 
 // A Rig has a scene and a step, like the kernel's. The scene has a constant c1, both stops, and a clamped force.
-template <class Real, class Rig, Law law, class Power>
-class TextbookModel {
+template <class Real, class Rig, Law law, class Power> class TextbookModel {
  public:
   bool is_touching() const { return touching_; }
   double displacement() const { return static_cast<double>(x1_); }
@@ -118,8 +117,7 @@ class TextbookNewmark : public TextbookModel<Real, Rig, law, Power> {
   Real a1_ = -(c * v1_ + k * x1_) / main_mass, a2_ = 0;
 };
 
-template <class Real, class Rig, Law law, class Power>
-class RungeKutta : public TextbookModel<Real, Rig, law, Power> {
+template <class Real, class Rig, Law law, class Power> class RungeKutta : public TextbookModel<Real, Rig, law, Power> {
   using Model = TextbookModel<Real, Rig, law, Power>;
   using Model::c, Model::gap, Model::k, Model::main_mass, Model::ball_mass;
   using Model::touching_, Model::v1_, Model::v2_, Model::x1_, Model::x2_;
@@ -161,8 +159,7 @@ class RungeKutta : public TextbookModel<Real, Rig, law, Power> {
   }
 };
 
-template <class Real, class Rig, Law law, class Power>
-class TextbookRk4 : public RungeKutta<Real, Rig, law, Power> {
+template <class Real, class Rig, Law law, class Power> class TextbookRk4 : public RungeKutta<Real, Rig, law, Power> {
   using Model = TextbookModel<Real, Rig, law, Power>;
   using Model::h, Model::steps_;
 
@@ -173,8 +170,7 @@ class TextbookRk4 : public RungeKutta<Real, Rig, law, Power> {
   }
 };
 
-template <class Real, class Rig, Law law, class Power>
-class TunedRk4 : public RungeKutta<Real, Rig, law, Power> {
+template <class Real, class Rig, Law law, class Power> class TunedRk4 : public RungeKutta<Real, Rig, law, Power> {
   using Model = TextbookModel<Real, Rig, law, Power>;
 
  public:

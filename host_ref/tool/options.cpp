@@ -29,24 +29,19 @@ struct Option {
   }
 };
 
-template <class Value>
-using Field = std::function<Value&(Settings&)>;
+template <class Value> using Field = std::function<Value&(Settings&)>;
 
-template <class Value>
-Field<Value> field(Value Scene::*member) {
+template <class Value> Field<Value> field(Value Scene::*member) {
   return [member](Settings& settings) -> Value& { return settings.request.scene.*member; };
 }
-template <class Value>
-Field<Value> field(Value Request::*member) {
+template <class Value> Field<Value> field(Value Request::*member) {
   return [member](Settings& settings) -> Value& { return settings.request.*member; };
 }
-template <class Value>
-Field<Value> field(Value Settings::*member) {
+template <class Value> Field<Value> field(Value Settings::*member) {
   return [member](Settings& settings) -> Value& { return settings.*member; };
 }
 
-template <class Value>
-Value initial_value(const Field<Value>& field) {
+template <class Value> Value initial_value(const Field<Value>& field) {
   Settings settings;
   return field(settings);
 }

@@ -15,8 +15,7 @@ inline Outcome outcome_of(const Request& request) {
 
 // The result of attempt(simulation). After an attempt that passes a bound that was found, it tries again with wider
 // bounds.
-template <class Attempt>
-Outcome attempted(const Request& request, Attempt attempt) {
+template <class Attempt> Outcome attempted(const Request& request, Attempt attempt) {
   Outcome outcome = outcome_of(request);
   attempt(*outcome.simulation);
   for (auto wider = widened(request, outcome); wider; wider = widened(request, outcome)) {
@@ -31,8 +30,7 @@ Outcome attempted(const Request& request, Attempt attempt) {
 // Calls observe(n, x1, count) for the initial state, and then after at most `every` steps. n is the number of steps so
 // far, and x1 has the displacements after the last `count` steps. Stops at a fault and returns it, else returns
 // nullptr.
-template <class Observe>
-const char* run(Simulation& simulation, const Request& request, long every, Observe observe) {
+template <class Observe> const char* run(Simulation& simulation, const Request& request, long every, Observe observe) {
   std::array<double, 1024> x1{simulation.sample().x1};
   observe(0L, x1.data(), 1L);
   const long steps = step_count(request);

@@ -17,8 +17,7 @@ std::vector<std::string> columns_of(const std::string& row) {
   for (std::string column; std::getline(input, column, ',');) columns.push_back(column);
   return columns;
 }
-template <class See>
-void for_each_budget(See see) {
+template <class See> void for_each_budget(See see) {
   std::ifstream budgets(IMPACT_BUDGETS);
   std::string row;
   std::getline(budgets, row);

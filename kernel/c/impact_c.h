@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The absorber of one scene for C. impact_c_library() in c/impact_c.cmake makes the library of a rig header. So does any
-   build that compiles c/impact_c.cpp with the header's name in IMPACT_C_RIG. The header has `#include
+/* The absorber of one scene for C. impact_c_library() in c/impact_c.cmake makes the library of a rig header. So does
+   any build that compiles c/impact_c.cpp with the header's name in IMPACT_C_RIG. The header has `#include
    <impact/absorber.hpp>`, a Rig and `using Absorber = impact::Absorber<Rig, ...>;`, as impact-sim --rig writes it.
 
        impact_absorber absorber;

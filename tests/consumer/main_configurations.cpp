@@ -25,13 +25,10 @@ struct RigOfStiffStops {
   static constexpr double step = 1e-3;
 };
 
-template <class Stepper>
-struct RigOf : Rig {};
-template <>
-struct RigOf<impact::Impulsive> : RigOfStiffStops {};
+template <class Stepper> struct RigOf : Rig {};
+template <> struct RigOf<impact::Impulsive> : RigOfStiffStops {};
 
-template <class ContactLaw, class Stepper, class Drive, class Format, class... Features>
-bool runs() {
+template <class ContactLaw, class Stepper, class Drive, class Format, class... Features> bool runs() {
   impact::Absorber<RigOf<Stepper>, ContactLaw, Stepper, Drive, Format, Features...> absorber;
   for (int i = 0; i < 100; ++i) {
     if constexpr (Drive::is_sampled)

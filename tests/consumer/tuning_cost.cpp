@@ -23,8 +23,7 @@ void print(const char* format, const char* quantity, uint32_t mean, uint32_t lar
   print(mean), print(","), print(largest), print("\n");
 }
 
-template <class Format>
-void measure(const char* format) {
+template <class Format> void measure(const char* format) {
   using Kernel = Tunable<Format>;
   using PlanType = typename Kernel::PlanType;
   static constexpr PlanType plans[] = {PlanType::make(at_pulsation(40), impact::Bounds{}, 1e-4),

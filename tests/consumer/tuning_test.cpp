@@ -29,25 +29,19 @@ constexpr Scene second_scene() {
   return scene;
 }
 
-template <class Kernel>
-typename Kernel::PlanType plan_of(const Scene& scene) {
+template <class Kernel> typename Kernel::PlanType plan_of(const Scene& scene) {
   return Kernel::PlanType::make(scene, Bounds{}, h);
 }
 
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
+template <class T> bool same_bits(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-template <class Format>
-class Tuning : public testing::Test {};
+template <class Format> class Tuning : public testing::Test {};
 using Formats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(Tuning, Formats);
 
 // The rounding of a velocity, m/s. It is that of the reading's 32-bit terms, and in floating point also of dx1 and of
 // the increment.
-template <class Kernel>
-double velocity_lsb(const Kernel& kernel) {
+template <class Kernel> double velocity_lsb(const Kernel& kernel) {
   using Format = typename Kernel::Format;
   const Bounds bounds;
   if constexpr (std::is_same_v<Format, Fixed32>) return std::ldexp(kernel.plan.units.si_penetration_unit(), -31) / h;
@@ -109,8 +103,7 @@ TYPED_TEST(Tuning, KeepsTheDrivesPhase) {
 // The stop becomes harder or softer at any step of an elastic impact. The ball then leaves with the energy that both
 // masses had and the stop stored. The error is 3.2e-4, that of a ledger at 8 steps (README.md), and 1e-4 more in 32
 // bits. EnergyConsistent may lose some energy, since its prediction restarts.
-template <class Kernel>
-void expect_energy_kept(double softer, double harder) {
+template <class Kernel> void expect_energy_kept(double softer, double harder) {
   const auto scene_of = [](double stiffness) {
     Scene scene;
     scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.contact_damping = 0;

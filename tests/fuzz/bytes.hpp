@@ -22,8 +22,7 @@ class Bytes {
     return *data_++;
   }
   // A value of any bits. Bits beyond the end are zero.
-  template <class Plain>
-  Plain bits() {
+  template <class Plain> Plain bits() {
     Plain value{};
     const size_t count = size_ < sizeof value ? size_ : sizeof value;
     if (count > 0) std::memcpy(reinterpret_cast<char*>(&value), data_, count);

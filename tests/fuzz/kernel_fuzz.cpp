@@ -25,8 +25,7 @@ void expect(bool condition, const char* what) {
 }
 
 // The last number decides most about a scene, so that a change of one byte changes one property.
-template <class Kernel>
-Scene scene_from(Bytes& bytes) {
+template <class Kernel> Scene scene_from(Bytes& bytes) {
   Scene scene;
   const uint16_t changed = bytes.bits<uint16_t>();
   int bit = 0;
@@ -43,8 +42,7 @@ Scene scene_from(Bytes& bytes) {
   return scene;
 }
 
-template <class Kernel>
-Bounds bounds_from(Bytes& bytes) {
+template <class Kernel> Bounds bounds_from(Bytes& bytes) {
   Bounds bounds;
   const uint8_t changed = bytes.byte();
   if (changed & 1) bounds.displacement = bytes.number(bound_range);
@@ -64,8 +62,7 @@ bool is_within_steps(const Scene& scene, const Bounds& bounds, double h) {
   return h * (largest_acceleration(scene, bounds, drive) + field) <= 2 * bounds.speed;
 }
 
-template <class Absorber>
-void check(const Absorber& absorber) {
+template <class Absorber> void check(const Absorber& absorber) {
   const auto now = absorber.reading();
   expect(std::isfinite(now.x1) && std::isfinite(now.v1) && std::isfinite(now.x2) && std::isfinite(now.v2),
          "the state is finite");
@@ -84,16 +81,14 @@ void check(const Absorber& absorber) {
 }
 
 // Checks the steps since the last call.
-template <class Absorber>
-void check_wraps(const Absorber& absorber) {
+template <class Absorber> void check_wraps(const Absorber& absorber) {
   if (absorber.fault() == Fault::none) expect(host::broken.count == 0, host::broken.condition);
   host::broken.count = 0;
 }
 
 using Value = typename Numeric::Value;
 
-template <class Absorber>
-void step(Absorber& absorber, Value force, Value base) {
+template <class Absorber> void step(Absorber& absorber, Value force, Value base) {
   if constexpr (Absorber::Drive::is_sampled && Absorber::Field::is_sampled)
     absorber.step(force, base);
   else if constexpr (Absorber::Drive::is_sampled)
@@ -104,8 +99,7 @@ void step(Absorber& absorber, Value force, Value base) {
     absorber.step();
 }
 
-template <class Absorber>
-void run(Absorber& absorber, Bytes& bytes, int steps, bool is_own) {
+template <class Absorber> void run(Absorber& absorber, Bytes& bytes, int steps, bool is_own) {
   Fault first = absorber.fault();
   Value sample{}, base{};
   for (int n = 0; n < steps; ++n) {
@@ -126,8 +120,7 @@ void run(Absorber& absorber, Bytes& bytes, int steps, bool is_own) {
   }
 }
 
-template <class Law, class Stepper, class Drive, class... Features>
-void kernel(Bytes& bytes) {
+template <class Law, class Stepper, class Drive, class... Features> void kernel(Bytes& bytes) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, Drive, Numeric, Features...>;
   using Plan = typename Kernel::PlanType;
   Scene scene = scene_from<Kernel>(bytes);
@@ -171,8 +164,7 @@ void kernel(Bytes& bytes) {
 }
 
 // Weight, a base that shakes, friction.
-template <class Law>
-void with_parts(Bytes& bytes, int kind) {
+template <class Law> void with_parts(Bytes& bytes, int kind) {
   switch (kind) {
     case 0:
       return kernel<Law, Moment, Sampled, BaseAcceleration, DryFriction>(bytes);
@@ -187,8 +179,7 @@ void with_parts(Bytes& bytes, int kind) {
   }
 }
 
-template <class Law>
-void with_law(Bytes& bytes) {
+template <class Law> void with_law(Bytes& bytes) {
   const uint8_t kind = bytes.byte();
   // The highest kinds, so that the kept inputs mean what they did.
   if (kind >= 240) return kernel<Law, SubsteppedMoment<8>, Sampled, Gravity, DryFriction>(bytes);

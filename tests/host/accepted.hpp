@@ -7,8 +7,7 @@
 
 namespace impact {
 
-template <class Kernel>
-Kernel accepted(const Scene& scene, const Bounds& bounds, double step) {
+template <class Kernel> Kernel accepted(const Scene& scene, const Bounds& bounds, double step) {
   const auto plan = Kernel::PlanType::make(scene, bounds, step);
   if (plan.status != PlanStatus::ok)
     throw std::runtime_error("the plan at a step of " + std::to_string(step) + " s is rejected with PlanStatus " +

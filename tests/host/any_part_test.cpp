@@ -20,8 +20,7 @@ using Kernel = Absorber<AtRunTime, HuntCrossley, Stepper, Drive, Format, EnergyL
 double sample_at(int n) { return 11 * std::sin(0.037 * n) * std::cos(0.011 * n); }
 
 // A sine ignores samples of the drive, and weight ignores samples of the base.
-template <class Kernel>
-void advance(Kernel& kernel, double force, double base) {
+template <class Kernel> void advance(Kernel& kernel, double force, double base) {
   using Plan = typename Kernel::PlanType;
   if constexpr (Plan::DriveType::is_sampled && Plan::FieldType::is_sampled)
     kernel.step(kernel.sample_of(force), kernel.base_sample_of(base));
@@ -33,8 +32,7 @@ void advance(Kernel& kernel, double force, double base) {
     kernel.step();
 }
 
-template <class Format, class Stepper, class Drive, class Field>
-void expect_same_bits(double stiffness, double step) {
+template <class Format, class Stepper, class Drive, class Field> void expect_same_bits(double stiffness, double step) {
   Scene scene;
   scene.gravity = -9.81;
   scene.ball_friction = 0.4;
@@ -64,8 +62,7 @@ void expect_same_bits(double stiffness, double step) {
   EXPECT_EQ(any.fault(), Fault::none);
 }
 
-template <class Format>
-class AnyPartIn : public testing::Test {};
+template <class Format> class AnyPartIn : public testing::Test {};
 using Formats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(AnyPartIn, Formats, );
 

@@ -17,8 +17,7 @@ constexpr Bounds bounds{0.05, 1.5};
 constexpr double rates[] = {1e3, 5e3, 10e3, 25e3};  // Hz
 
 // A rig of 12 kg at 17 Hz, whose ball of 0.9 kg reaches its stop within 10 ms.
-template <class ContactLaw>
-host::Case rig(double stiffness, double damping) {
+template <class ContactLaw> host::Case rig(double stiffness, double damping) {
   host::Case run;
   run.law = ContactLaw::law;
   Scene& scene = run.scene;
@@ -97,8 +96,7 @@ void expect_forces(const host::Case& run, double fewest_steps) {
   EXPECT_GE(compared, 2);
 }
 
-template <class Format>
-class ContactForces : public testing::Test {};
+template <class Format> class ContactForces : public testing::Test {};
 using Formats = testing::Types<Fixed32, Float32, Float32Plain>;
 TYPED_TEST_SUITE(ContactForces, Formats);
 
@@ -122,8 +120,7 @@ TYPED_TEST(ContactForces, OfAResolvedContactAreTheLawsOwnAtEveryRate) {
 }
 
 // Impacts from the largest speed of the bounds down to 1 % of it, with restitutions from 1 down to 0.05.
-template <class Format, class ContactLaw>
-void expect_closed_form(double stiffness, double damping) {
+template <class Format, class ContactLaw> void expect_closed_form(double stiffness, double damping) {
   using Model = Absorber<AtRunTime, ContactLaw, Impulsive, NoDrive, Format, ContactForce>;
   for (double speed = 0.02; speed <= 1.5; speed *= 1.4) {
     const host::Impact impact{ContactLaw::law, stiffness, damping, 0.3 / 1.3, speed};

@@ -17,8 +17,7 @@
 namespace impact {
 namespace {
 
-template <class Format>
-typename Format::Value native(double x, double unit) {
+template <class Format> typename Format::Value native(double x, double unit) {
   if constexpr (std::is_same_v<Format, Fixed32>)
     return {static_cast<int32_t>(std::lround(std::fmin(0.49, std::fmax(-0.49, x / unit)) * 0x1p31))};
   else
@@ -60,8 +59,7 @@ double energy_of(const Scene& scene, double x1, double v1, double x2, double v2,
   return (scene.main_mass * v1 * v1 + scene.ball_mass * v2 * v2 + scene.main_stiffness * x1 * x1) / 2 + stored;
 }
 
-template <class Format_, class ContactLaw_, class Stepper_>
-struct Case {
+template <class Format_, class ContactLaw_, class Stepper_> struct Case {
   using Format = Format_;
   using ContactLaw = ContactLaw_;
   using Kernel = Absorber<AtRunTime, ContactLaw_, Stepper_, NoDrive, Format_>;
@@ -69,8 +67,7 @@ struct Case {
 // The energy that rounding in Fixed32 may add in a step in contact, J. The products of an impulse round down, by two
 // LSBs per sub-step, at the relative rate of the masses. With a stiff main spring and a wide bound of its displacement,
 // an LSB of an impulse is larger than that of a penetration (travel_bits).
-template <class Kernel>
-double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step) {
+template <class Kernel> double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step) {
   if constexpr (std::is_same_v<typename Kernel::Format, Fixed32> &&
                 !std::is_same_v<typename Kernel::Stepper, EnergyConsistent>) {
     constexpr int sub_steps = std::is_same_v<typename Kernel::Stepper, Moment> ? 1 : 4;
@@ -83,8 +80,7 @@ double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step)
   }
 }
 
-template <class Case>
-class Corrections : public testing::Test {};
+template <class Case> class Corrections : public testing::Test {};
 TYPED_TEST_SUITE_P(Corrections);
 
 TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
@@ -176,8 +172,7 @@ TEST(Corrections, PutABallInAStopOntoIt) {
 
 // A correction moves the ball out of a contact, across the cavity and into the other stop. It is placed on that stop
 // and gains no energy.
-template <class Kernel>
-void expect_placement_at_the_other_stop(double depth) {
+template <class Kernel> void expect_placement_at_the_other_stop(double depth) {
   using Format = typename Kernel::Format;
   Scene scene;
   scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = 0;
@@ -214,8 +209,7 @@ TEST(Corrections, PutABallInContactOntoTheOtherStop) {
 
 // A Hooke-Newton stop may have released a ball that is still inside it and leaving. If a correction put that ball
 // deeper, the spring would push it out with energy that no motion has stored.
-template <class Stepper, class Format>
-void expect_ball_not_deeper() {
+template <class Stepper, class Format> void expect_ball_not_deeper() {
   using Kernel = Absorber<AtRunTime, HookeNewton, Stepper, NoDrive, Format>;
   Scene scene;
   scene.drive_amplitude = scene.main_stiffness = scene.main_damping = 0;
@@ -248,8 +242,7 @@ TEST(Corrections, PutAReleasedBallNoDeeper) {
 // A correction by 0 in every step restarts the contact each time, at its penetration and rate. Returns the largest
 // change of x1 over the first impacts of the paper's scene, m. With Moment it is 0. With EnergyConsistent it is at most
 // the stepper's own error: 1.8e-5 m at 1 ms, and 7.1e-5 m with Exact.
-template <class ContactLaw, class Stepper>
-double change_by_zero_corrections(double step) {
+template <class ContactLaw, class Stepper> double change_by_zero_corrections(double step) {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Float64>;
   Scene scene;
   if (ContactLaw::is_linear) scene.contact_damping = 5;
@@ -283,8 +276,7 @@ TEST(Corrections, OfZeroLeaveTheMotion) {
   expect_second_order(change_by_zero_corrections<Exact, E>(1e-3), change_by_zero_corrections<Exact, E>(1e-4), 7.1e-5);
 }
 
-template <class Format>
-struct CorrectionsInEveryFormat : testing::Test {};
+template <class Format> struct CorrectionsInEveryFormat : testing::Test {};
 using AllFormats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(CorrectionsInEveryFormat, AllFormats);
 

@@ -32,8 +32,7 @@ constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::sam
 // Three further coordinates select the edge, the drive, and whether the scene has parts. The tool has no parts in
 // Float32Plain.
 using Everywhere = std::array<double, coordinates + 3>;
-template <class Value, size_t n>
-Value one_of(const Value (&values)[n], double u) {
+template <class Value, size_t n> Value one_of(const Value (&values)[n], double u) {
   return values[std::min(n - 1, static_cast<size_t>(u * n))];
 }
 CoupledScene scene_at(const Kind& kind, const Everywhere& at) {
@@ -136,10 +135,7 @@ struct KeptPoint {
   Damping damping = Damping::constant;
 };
 void PrintTo(const KeptPoint& kept, std::ostream* out) { *out << kept.what; }
-template <class... Numbers>
-constexpr Everywhere at(Numbers... numbers) {
-  return {static_cast<double>(numbers)...};
-}
+template <class... Numbers> constexpr Everywhere at(Numbers... numbers) { return {static_cast<double>(numbers)...}; }
 constexpr KeptPoint kept_points[] = {
 #include "coupled_finds.inc"
 };

@@ -53,8 +53,7 @@ TEST_P(DeepestPenetration, BoundsEveryMotionWithinItsBounds) {
   std::printf("  %d scenes with a contact, the deepest at %.2f of its bound\n", contacts, closest);
 }
 // A ball that starts inside a stop has stored energy, and no impact has set its damping.
-template <class ContactLaw>
-void expect_start_inside_to_hold() {
+template <class ContactLaw> void expect_start_inside_to_hold() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Moment, NoDrive, Fixed32>;
   Random random;
   int started = 0;

@@ -43,8 +43,7 @@ struct Ran {
 };
 
 // The means over many starts of run_from(start).
-template <class Run>
-Means means_over(int starts, Run run_from) {
+template <class Run> Means means_over(int starts, Run run_from) {
   double sum[3] = {}, squares[3] = {};
   for (int start = 0; start < starts; ++start) {
     const Ran run = run_from(start);

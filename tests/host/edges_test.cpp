@@ -106,8 +106,7 @@ struct LinearRig : Rig {
   static constexpr Scene scene = paper_scene(Law::hooke_newton);
 };
 
-template <class Kernel>
-struct States : testing::Test {};
+template <class Kernel> struct States : testing::Test {};
 using Kernels = testing::Types<
     Absorber<Rig, HuntCrossley, Moment, Sine, Fixed32>, Absorber<Rig, HuntCrossley, Moment, Sine, Float32>,
     Absorber<LinearRig, HookeNewton, Moment, Sine, Fixed32>, Absorber<Rig, Hertz, AverageAcceleration, Sine, Fixed32>,
@@ -115,8 +114,7 @@ using Kernels = testing::Types<
     Absorber<Rig, HuntCrossleyPerImpact, Moment, Sine, Fixed32, EnergyLedger, ImpactLog>>;
 TYPED_TEST_SUITE(States, Kernels);
 
-template <class Kernel>
-bool same(const Kernel& a, const Kernel& b) {
+template <class Kernel> bool same(const Kernel& a, const Kernel& b) {
   const auto x = a.reading(), y = b.reading();
   return x.x1 == y.x1 && x.v1 == y.v1 && x.x2 == y.x2 && x.v2 == y.v2;
 }
@@ -146,8 +144,7 @@ TYPED_TEST(States, RestoreAndResetReproduceTheMotion) {
 }
 
 // An impact at twice the bound of the speed raises a fault, which remains. No number overflows.
-template <class Law, class Stepper>
-void expect_fault_of_a_hard_hit() {
+template <class Law, class Stepper> void expect_fault_of_a_hard_hit() {
   Scene scene;
   scene.x2 = 0;
   scene.v2 = 8;
@@ -278,16 +275,11 @@ TEST(Edges, ASampleThatIsNoNumberIsRefused) {
 }
 
 // Two features of a user have members with the same names as each other, the library's features and the state.
-template <uint32_t number>
-struct Counter : SilentFeature {
+template <uint32_t number> struct Counter : SilentFeature {
   static constexpr uint32_t kind = 1000 + number;
   static constexpr bool is_bound = false;
-  template <class Format>
-  struct State {
-    uint32_t steps, impacts, stored, contact_force, drive;
-  };
-  template <class Plan, class State>
-  static constexpr void after_step(const Plan&, State& state) {
+  template <class Format> struct State { uint32_t steps, impacts, stored, contact_force, drive; };
+  template <class Plan, class State> static constexpr void after_step(const Plan&, State& state) {
     auto& own = record_in<Counter, Plan>(state);
     own.steps += number;
     own.drive = own.steps;

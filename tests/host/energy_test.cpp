@@ -194,8 +194,7 @@ TEST(EnergyConsistent, AContactThatBeginsInsideItsStopGainsNothing) {
 // A single step of a stiff contact, over all proportions of G, C, d0, D and a. Half of the cases have a = 0. The work
 // of the force is never less than the stored energy. Up to x = 0.98 the loss has the error of k, 0.36 % of the loss.
 // For a = 0 Hunt-Crossley's first integral is conserved.
-template <class Format, class ContactLaw>
-void expect_passive(uint32_t seed, double rounding, double lsb = 0) {
+template <class Format, class ContactLaw> void expect_passive(uint32_t seed, double rounding, double lsb = 0) {
   using Contact = StiffContact<Format, ContactLaw>;
   using Units = typename Format::Units;
   std::mt19937 random(seed);

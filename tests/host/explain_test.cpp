@@ -12,14 +12,12 @@ namespace {
 using Fixed = Plan<Fixed32, HuntCrossley, Moment, Sine>;
 
 // The explanation for the paper's scene and its bounds, with one value changed.
-template <class PlanType>
-constexpr Explanation changed(Parameter parameter, double value, double step = 1e-3) {
+template <class PlanType> constexpr Explanation changed(Parameter parameter, double value, double step = 1e-3) {
   Values values{Scene{}, Bounds{}, step};
   *values.find(parameter) = value;
   return explain<PlanType>(values.scene, values.bounds, values.step);
 }
-template <class PlanType>
-constexpr bool accepts(Parameter parameter, double value, double step = 1e-3) {
+template <class PlanType> constexpr bool accepts(Parameter parameter, double value, double step = 1e-3) {
   Values values{Scene{}, Bounds{}, step};
   *values.find(parameter) = value;
   return PlanType::make(values.scene, values.bounds, values.step).status == PlanStatus::ok;
@@ -39,8 +37,7 @@ static_assert(negative.parameter == Parameter::main_mass && negative.value == -1
 static_assert(negative.allowed.least == main_mass_range.least && negative.allowed.most == main_mass_range.most);
 
 // An unstated damping is the paper's c1, and valid only with the paper's law and stiffness.
-template <class Law>
-constexpr PlanStatus unstated_at(double stiffness) {
+template <class Law> constexpr PlanStatus unstated_at(double stiffness) {
   Scene scene;
   scene.contact_stiffness = stiffness;
   return Plan<Fixed32, Law, Moment, Sine>::make(scene, Bounds{}, 1e-4).status;
@@ -76,8 +73,7 @@ static_assert(!accepts<Plan<Float64, HuntCrossley, Moment, Sine>>(Parameter::x2,
 static_assert(changed<Fixed>(Parameter::x1, 0.09).parameter == Parameter::x1);
 
 // If a field's effect in a step is too large for the bounds, the field is named.
-template <class Part>
-using InField = Plan<Fixed32, HuntCrossley, Moment, Sine, Part>;
+template <class Part> using InField = Plan<Fixed32, HuntCrossley, Moment, Sine, Part>;
 constexpr Scene in_gravity(double gravity) {
   Scene scene;
   scene.gravity = gravity;

@@ -20,8 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity(),
                  no_number = std::numeric_limits<double>::quiet_NaN();
 
 // True if the state is within its limits, which are less than 1 % above the bounds.
-template <class Kernel>
-bool is_clamped(const Kernel& absorber) {
+template <class Kernel> bool is_clamped(const Kernel& absorber) {
   const auto now = absorber.reading();
   const auto& units = absorber.plan.units;
   const auto& state = absorber.state();
@@ -30,16 +29,14 @@ bool is_clamped(const Kernel& absorber) {
          units.is_within(state.dx1, units.limits.displacement) && units.is_within(state.dx2, units.limits.displacement);
 }
 
-template <class Kernel>
-Kernel made(const Scene& scene, const Bounds& bounds, double step) {
+template <class Kernel> Kernel made(const Scene& scene, const Bounds& bounds, double step) {
   const auto plan = Kernel::PlanType::make(scene, bounds, step);
   EXPECT_EQ(plan.status, PlanStatus::ok);
   return Kernel(plan);
 }
 
 // Makes a step, with a sample if the drive is sampled.
-template <class Kernel>
-void advance(Kernel& absorber, typename Kernel::Value sample) {
+template <class Kernel> void advance(Kernel& absorber, typename Kernel::Value sample) {
   if constexpr (Kernel::PlanType::DriveType::is_sampled)
     absorber.step(sample);
   else
@@ -47,8 +44,7 @@ void advance(Kernel& absorber, typename Kernel::Value sample) {
 }
 
 // Steps until the fault and beyond it. The state stays clamped, and the fault remains.
-template <class Kernel>
-void expect_fault(Kernel absorber, Fault expected, typename Kernel::Value sample = {}) {
+template <class Kernel> void expect_fault(Kernel absorber, Fault expected, typename Kernel::Value sample = {}) {
   for (int n = 0; n < 100000 && absorber.fault() == Fault::none; ++n) {
     advance(absorber, sample);
     ASSERT_TRUE(is_clamped(absorber)) << n;
@@ -67,8 +63,7 @@ void expect_fault(Kernel absorber, Fault expected, typename Kernel::Value sample
   EXPECT_EQ(absorber.fault(), Fault::none);
 }
 
-template <class Format>
-struct Faults : testing::Test {};
+template <class Format> struct Faults : testing::Test {};
 using Formats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(Faults, Formats);
 
@@ -169,8 +164,7 @@ TYPED_TEST(Faults, ABallBeyondItsBounds) {
 // If a force adds too much speed in a step, the fault is raised in that step, even if the bounds of the forces allow
 // far more. A step's displacement is at most 1.5 times that at the bound of speed. The speed is the average
 // displacement of two steps, apart from the force's change within a step, and has the same limit.
-template <class Kernel, class Force>
-void expect_no_speed_beyond(const Scene& scene, double largest, Force force) {
+template <class Kernel, class Force> void expect_no_speed_beyond(const Scene& scene, double largest, Force force) {
   const Bounds bounds{10, 2, 0, largest};
   const auto plan = Kernel::PlanType::make(scene, bounds, 1e-3);
   if (plan.status == PlanStatus::speed_bound) return;  // the first step would exceed the bound
@@ -303,8 +297,7 @@ TYPED_TEST(Faults, NoStopIsMet) {
 
 // An impact of two free masses. Its peak penetration is a closed form. Its penetration in each step is that of the same
 // absorber with a bound that it does not reach.
-template <class Law, class Stepper, class Format>
-void expect_fault_at_depth() {
+template <class Law, class Stepper, class Format> void expect_fault_at_depth() {
   using Kernel = Absorber<AtRunTime, Law, Stepper, NoDrive, Format>;
   SCOPED_TRACE(testing::Message() << "linear " << Law::is_linear << ", stepper " << Stepper::kind);
   const double speed = 1.4, mu = 0.3 / 1.3, k1 = 32600,
@@ -493,8 +486,7 @@ TYPED_TEST(Faults, ASampleOutOfRange) {
   }
 }
 
-template <class Format, class Change>
-bool restores(Change change) {
+template <class Format, class Change> bool restores(Change change) {
   using Kernel = Absorber<AtRunTime, HuntCrossleyPerImpact, Moment, Sine, Format, EnergyLedger, ImpactLog>;
   Scene scene;
   scene.restitution = 0.7;

@@ -82,8 +82,7 @@ TEST(Field, BallBouncesInTheReferenceAsInClosedForm) {
   }
 }
 
-template <class Format>
-class FieldIn : public testing::Test {};
+template <class Format> class FieldIn : public testing::Test {};
 using Formats = testing::Types<Float64, Float32, Fixed32>;
 TYPED_TEST_SUITE(FieldIn, Formats);
 
@@ -132,8 +131,7 @@ constexpr Bounds bounds_at_rest{0.05, 0.3};
 
 // The penetration stays at (m g/k1)^(2/3), or m g/k1, for 10 s. The error is the rounding of a penetration of 2 mm and
 // of its rate.
-template <class Law, class Stepper, class Format>
-void expect_rest(double tolerance, int lead) {
+template <class Law, class Stepper, class Format> void expect_rest(double tolerance, int lead) {
   Scene scene = narrow_and_damped();
   if (Law::is_linear) scene.contact_damping = 5;
   const double ratio = scene.ball_mass * weight / scene.contact_stiffness;
@@ -151,8 +149,7 @@ void expect_rest(double tolerance, int lead) {
   }
   EXPECT_EQ(absorber.fault(), Fault::none);
 }
-template <class Law, class Stepper>
-void expect_rest_in_every_format(int lead = 0, double in_fixed32 = 2e-8) {
+template <class Law, class Stepper> void expect_rest_in_every_format(int lead = 0, double in_fixed32 = 2e-8) {
   expect_rest<Law, Stepper, Float64>(1e-9, lead);
   expect_rest<Law, Stepper, Fixed32>(in_fixed32, lead);
   expect_rest<Law, Stepper, Float32>(2e-8, lead);
@@ -175,8 +172,7 @@ TEST(Field, BallRestsAtItsStaticPenetration) {
 // A contact that begins inside the stop starts with its load, so nothing oscillates. Corrections of 0 in every step do
 // not change the equilibrium. Damping changes the load by h c/(3 M) = 7e-5 in a step, which is its error. With h omega
 // = 0.08 and 0.16 the contact moves by (h omega)^2 of that, 2e-6.
-template <class Stepper, class Format>
-void expect_rest_under_corrections() {
+template <class Stepper, class Format> void expect_rest_under_corrections() {
   for (const double stiffness : {1e7, 8e7})
     for (const bool is_corrected : {false, true}) {
       Scene scene = narrow_and_damped();
@@ -286,8 +282,7 @@ TEST(Field, AStiffContactUnderWeightGainsNothingInWideBounds) {
 
 // EnergyConsistent solves a contact in closed form if the step does not resolve it, here with h omega from 0.3 to 3.
 // Its penetration is a power 4/5 with an error of 4.4e-5, plus that of a position correction.
-template <class Law, class Format>
-void expect_rest_in_stiff_contact() {
+template <class Law, class Format> void expect_rest_in_stiff_contact() {
   for (const double stiffness : {1e9, 1e10, 1e11, 1e12}) {
     Scene scene = narrow_and_damped();
     scene.contact_stiffness = stiffness;
@@ -554,8 +549,7 @@ struct Fields {
 };
 
 // The largest difference of a displacement from the reference over 0.4 s.
-template <class Law, class Stepper, class Format>
-double error(const Fields& fields, double step) {
+template <class Law, class Stepper, class Format> double error(const Fields& fields, double step) {
   constexpr double duration = 0.4;
   host::Case run;
   run.law = Law::law;

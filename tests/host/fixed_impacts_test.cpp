@@ -83,8 +83,7 @@ std::optional<double> energy_left(const Pair& pair, int longest) {
   return restitution * restitution;
 }
 
-template <class Stepper>
-void expect_within(double bound, const Kind& kind, int least) {
+template <class Stepper> void expect_within(double bound, const Kind& kind, int least) {
   double largest = 0;
   int compared = 0;
   for (unsigned seed = 0; seed < scenes; ++seed) {
@@ -111,8 +110,7 @@ TEST(FreeImpacts, Fixed32LosesWhatDoubleDoes) {
 
 // In the coupled machine the spring's force is rounded to LSBs of a position, which depend on the bounds. The law is
 // elastic: rounding may decide in which light impact a damped contact of many oscillations ends.
-template <class Stepper>
-void expect_energy_within(double bound) {
+template <class Stepper> void expect_energy_within(double bound) {
   double largest = 0;
   int compared = 0;
   for (unsigned seed = 0; seed < scenes; ++seed) {
@@ -159,8 +157,7 @@ TEST(FreeImpacts, Fixed32CountsInWideBoundsOrRefusesThem) {
 TEST(FreeImpacts, Fixed32TakesTheFastestInFewSteps) { expect_within<Moment>(5e-6, {2.5, 5, 0.5}, scenes / 50); }
 
 // Dampings from less than one LSB to the largest that the step tolerates.
-template <class Law, class Stepper>
-void expect_every_damping(double step) {
+template <class Law, class Stepper> void expect_every_damping(double step) {
   Pair pair{};
   Scene& scene = pair.scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;

@@ -32,8 +32,7 @@ double floor_of(Numeric numeric) {
 }
 
 // Compares x1 with a function of time.
-template <class Exact>
-void expect_motion(Request request, Exact exact) {
+template <class Exact> void expect_motion(Request request, Exact exact) {
   for (const Numeric numeric : {Numeric::float64, Numeric::fixed32, Numeric::float32}) {
     request.numeric = numeric;
     double error = 0, amplitude = 0;

@@ -53,13 +53,11 @@ TEST(Friction, BallStopsInTheReferenceAsInClosedForm) {
   EXPECT_NEAR(now.friction_dissipated, slide.scene.ball_friction * slide.distance, 1e-15);
 }
 
-template <class Format>
-class FrictionIn : public testing::Test {};
+template <class Format> class FrictionIn : public testing::Test {};
 using Formats = testing::Types<Float64, Float32, Fixed32>;
 TYPED_TEST_SUITE(FrictionIn, Formats);
 
-template <class Format>
-constexpr double floor_of = sizeof(typename Format::Value) == sizeof(double) ? 1e-15 : 1e-8;
+template <class Format> constexpr double floor_of = sizeof(typename Format::Value) == sizeof(double) ? 1e-15 : 1e-8;
 
 // The motion is exact while the ball slides. It stops within a step and then remains at rest.
 TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
@@ -91,8 +89,7 @@ TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
 }
 
 // A contact with friction locates the instant at which the sliding ends. Under a constant force it is exact.
-template <class Stepper, class Format>
-void expect_exact_stop() {
+template <class Stepper, class Format> void expect_exact_stop() {
   const Slide slide;
   const double rounded = 8 * floor_of<Format>;
   for (const double step : {1e-3, 1e-4}) {
@@ -132,8 +129,7 @@ Scene half_way_up() {
 }
 
 // On an oscillating main mass the ball neither creeps nor chatters in 10^6 steps.
-template <class Stepper, class Format>
-void expect_no_creep() {
+template <class Stepper, class Format> void expect_no_creep() {
   Scene scene = half_way_up();
   scene.main_damping = 1;
   scene.drive_amplitude = 3;
@@ -218,8 +214,7 @@ TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
 }
 
 // The largest difference of a displacement from the reference over 0.4 s of the paper's scene, upright or level.
-template <class Law, class Stepper, class Format>
-double error(double gravity, double friction, double step) {
+template <class Law, class Stepper, class Format> double error(double gravity, double friction, double step) {
   host::Case run;
   run.law = Law::law;
   run.scene.gravity = gravity;
@@ -255,8 +250,7 @@ TEST(Friction, IsOfSecondOrder) {
 
 // In random scenes without drive and damping, the energy of both masses, spring, weight and contact only falls. The law
 // is Hertz, which loses nothing. The tolerance is the 1e-5 that a contact without friction may gain.
-template <class Stepper>
-double largest_gain(int least_planned = 40) {
+template <class Stepper> double largest_gain(int least_planned = 40) {
   Random random(7);
   double worst = 0;
   int planned = 0;
@@ -307,8 +301,7 @@ TEST(Friction, CreatesNoEnergy) {
   EXPECT_LT(largest_gain<Impulsive>(25), 1e-6);
 }
 
-template <class Stepper, class Format>
-void expect_own_line(double friction_off, double contact_off) {
+template <class Stepper, class Format> void expect_own_line(double friction_off, double contact_off) {
   host::Case run;
   run.scene.gravity = -9.81;
   run.scene.ball_friction = 2;
@@ -385,8 +378,7 @@ using Undriven = Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Float64, Dr
 // entry is the exact work on the state, so a step misses only the rounding of some hundred products, each at most the
 // scene's energy. An impulse J at an instant takes up to J^2/(2 M) u^4/12 of the main mass's energy that no entry has
 // (impulsive.md). J is at most 2 mu V, and mu V^2/2 at most the energy, so that this is at most u^4/3 mu/M of it.
-template <class Stepper>
-void expect_ledger_has_all(double longest_turn, bool meets_stops) {
+template <class Stepper> void expect_ledger_has_all(double longest_turn, bool meets_stops) {
   Random random(1);
   int planned = 0, turns = 0;
   double rubbed = 0, hit = 0;
@@ -428,8 +420,7 @@ TEST(Friction, AllThatIsLostInFlightIsInTheLedger) {
 }
 
 // A scene and its mirror image have the same ledger. At times the ball turns and meets a stop in the same step.
-template <class Stepper>
-void expect_ledger_of_mirror_image() {
+template <class Stepper> void expect_ledger_of_mirror_image() {
   Random random(2);
   int planned = 0;
   for (int scenes = 0; scenes < 300; ++scenes) {

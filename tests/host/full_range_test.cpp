@@ -15,8 +15,7 @@
 namespace impact::host {
 namespace {
 
-template <class Law, class Stepper>
-void expect_double_up_to_the_bounds() {
+template <class Law, class Stepper> void expect_double_up_to_the_bounds() {
   constexpr double pi = 3.14159265358979323846;
   using Narrow = Absorber<AtRunTime, Law, Stepper, NoDrive, Fixed32>;
   using Wide = Absorber<AtRunTime, Law, Stepper, NoDrive, Float64>;
@@ -81,8 +80,7 @@ void expect_double_up_to_the_bounds() {
   EXPECT_GE(accepted, 300);
 }
 
-template <class Stepper>
-void expect_double_under_each_law() {
+template <class Stepper> void expect_double_under_each_law() {
   expect_double_up_to_the_bounds<HookeNewton, Stepper>();
   expect_double_up_to_the_bounds<Hertz, Stepper>();
   expect_double_up_to_the_bounds<HuntCrossley, Stepper>();
@@ -96,8 +94,7 @@ TEST(FullRange, ImpulsiveFollowsDouble) { expect_double_under_each_law<Impulsive
 
 // With a wide bound of displacement, the impact's numbers are small in their units. The speed after the impact is
 // within 1e-3 of double's, at every phase of the main mass.
-template <class Law>
-void expect_double_under_wide_bounds(double speed, double stiffness, double restitution) {
+template <class Law> void expect_double_under_wide_bounds(double speed, double stiffness, double restitution) {
   using Narrow = Absorber<AtRunTime, Law, Impulsive, NoDrive, Fixed32>;
   using Wide = Absorber<AtRunTime, Law, Impulsive, NoDrive, Float64>;
   const double h = 1e-3;
@@ -132,8 +129,7 @@ TEST(FullRange, ImpulsiveFollowsDoubleUnderWideBounds) {
 }
 
 // Masses are multiplied by 2^a, lengths by 4^b (whose roots are powers of two) and times by 2^c. Only the units change.
-template <class Law, class Stepper, class Drive>
-void expect_same_bits_in_other_units(double stiffer) {
+template <class Law, class Stepper, class Drive> void expect_same_bits_in_other_units(double stiffer) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, Drive, Fixed32>;
   Scene scene;
   scene.contact_stiffness = Law::is_linear ? 3260 * stiffer : 32600 * stiffer;
@@ -205,8 +201,7 @@ TEST(FullRange, ThePapersSceneAtItsBounds) {
 
 // The main mass oscillates by 0.1 rad per step, and the clearance is up to 10^4 times the spring's deflection. LSBs of
 // increments and impulses are up to some 10^3 times those of penetrations.
-template <class Stepper>
-void expect_double_with_wide_displacements(double step, double most_off) {
+template <class Stepper> void expect_double_with_wide_displacements(double step, double most_off) {
   Scene scene;
   scene.main_mass = 10;
   scene.ball_mass = 1.5;

@@ -19,11 +19,9 @@ namespace {
 template <class Format, class ContactLaw, class Drive = NoDrive>
 using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, Drive, Format, EnergyLedger, ImpactLog>;
 
-template <class Format>
-constexpr bool is_double = sizeof(typename Format::Value) == 8;
+template <class Format> constexpr bool is_double = sizeof(typename Format::Value) == 8;
 
-template <class Format>
-class ImpulsiveStep : public testing::Test {};
+template <class Format> class ImpulsiveStep : public testing::Test {};
 using Formats = testing::Types<Float64, Float32, Float32Plain, Fixed32>;
 TYPED_TEST_SUITE(ImpulsiveStep, Formats);
 
@@ -33,26 +31,22 @@ Scene free_scene() {
   return scene;
 }
 
-template <class ContactLaw>
-Impact impact_of(const Scene& scene, double speed) {
+template <class ContactLaw> Impact impact_of(const Scene& scene, double speed) {
   const double reduced_mass = scene.ball_mass * scene.main_mass / (scene.ball_mass + scene.main_mass);
   return {ContactLaw::law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed};
 }
 
-template <class Simulated>
-double energy_of(const Scene& scene, const Simulated& simulated) {
+template <class Simulated> double energy_of(const Scene& scene, const Simulated& simulated) {
   return host::mechanical_energy(scene, simulated.reading());
 }
-template <class Simulated>
-double dissipated_by(const Simulated& simulated) {
+template <class Simulated> double dissipated_by(const Simulated& simulated) {
   const auto& plan = simulated.plan;
   return simulated.state().dissipated.total() * plan.force_scale * plan.units.si_penetration_unit();
 }
 
 // Contacts of up to 8 steps, at 64 phases each. An LSB of a rate is 2^-31 of up to 2^5 times the approach in Fixed32,
 // or 2^-24 of the rate in a float. The tolerance is 16 roundings. Hunt-Crossley adds 6e-5 for its table.
-template <class Format, class ContactLaw>
-void expect_restitution_of_the_law() {
+template <class Format, class ContactLaw> void expect_restitution_of_the_law() {
   Random random;
   const double rounding = is_double<Format> ? 1e-13 : 16 * 0x1p-24;
   const double tolerance = ContactLaw::law == Law::hunt_crossley ? 6e-5 + rounding : rounding;
@@ -116,8 +110,7 @@ TYPED_TEST(ImpulsiveStep, DampingPerImpactHasOneRestitution) {
 
 // Except for the rounding of some twenty numbers, impulsive.hpp is exact. A rounding is 2^-53 or 2^-24 of the largest
 // energy that a mass's bound allows, which is nine times the total.
-template <class Format, class ContactLaw>
-void expect_no_energy_from_impacts() {
+template <class Format, class ContactLaw> void expect_no_energy_from_impacts() {
   Random random;
   const double h = 1e-3, tolerance = is_double<Format> ? 20 * 0x1p-53 * 9 : 20 * 0x1p-24 * 9;
   int springs = 0;
@@ -165,8 +158,7 @@ TYPED_TEST(ImpulsiveStep, CreatesNoEnergyOnASpringAndBetweenBothStops) {
 
 // A constant force on the main mass presses the ball onto the left stop, where its bounces decay. Then both masses have
 // the same acceleration A: x1 = A t^2/2 and v1 = A t.
-template <class Format, class ContactLaw>
-void expect_common_motion(double contact_stiffness) {
+template <class Format, class ContactLaw> void expect_common_motion(double contact_stiffness) {
   Scene scene = free_scene();
   scene.contact_stiffness = contact_stiffness;
   scene.contact_damping =

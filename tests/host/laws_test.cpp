@@ -126,8 +126,7 @@ constexpr Bounds bounds{0.1, 2, 5e-4, 1};
 template <class ContactLaw, class Stepper, class Format>
 using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, NoDrive, Format>;
 
-template <class ContactLaw, class Stepper, class Format>
-double rebound(const Scene& scene, double step) {
+template <class ContactLaw, class Stepper, class Format> double rebound(const Scene& scene, double step) {
   using Tested = Kernel<ContactLaw, Stepper, Format>;
   auto absorber = accepted<Tested>(scene, bounds, step);
   bool has_touched = false;
@@ -141,8 +140,7 @@ double rebound(const Scene& scene, double step) {
   return (absorber.reading().v1 - absorber.reading().v2) / scene.v2;
 }
 
-template <class ContactLaw, class Stepper, class Format>
-void expect_one_restitution(double step, double tolerance) {
+template <class ContactLaw, class Stepper, class Format> void expect_one_restitution(double step, double tolerance) {
   for (const double e : {0.05, 0.5, 0.9})
     for (const double speed : {1.9, 0.3, 0.05}) {
       Scene scene = free_scene(e);
@@ -154,8 +152,7 @@ void expect_one_restitution(double step, double tolerance) {
     }
 }
 
-template <class ContactLaw>
-struct NamedLaw : testing::Test {};
+template <class ContactLaw> struct NamedLaw : testing::Test {};
 using NamedLaws =
     testing::Types<HuntCrossleyPerImpact, HerbertMcWhannell, LeeWang, LankaraniNikravesh, Flores, HuGuo, Exact>;
 TYPED_TEST_SUITE(NamedLaw, NamedLaws);
@@ -172,8 +169,7 @@ TYPED_TEST(NamedLaw, HasOneRestitutionAtAnySpeed) {
 
 // A light impact without other forces keeps its own damping at 14 steps per contact, although the bounds let the main
 // spring press 30 times as hard. It rebounds as at a hundredth of the step.
-template <class Stepper>
-void expect_light_impacts_damped(double tolerance) {
+template <class Stepper> void expect_light_impacts_damped(double tolerance) {
   for (const double speed : {0.1, 0.02, 0.004}) {
     Scene scene;
     scene.drive_amplitude = 0;
@@ -237,8 +233,7 @@ struct Renamed : HuntCrossley {};
 struct Linear : HookeNewton {};
 
 // A law that derives from another is that law, with every stepper.
-template <class Own, class Known, class Stepper>
-void expect_the_same(double step) {
+template <class Own, class Known, class Stepper> void expect_the_same(double step) {
   for (const double speed : {1.9, 0.05}) {
     Scene scene = free_scene(0.5);
     scene.contact_damping = Own::is_linear ? 4000 : 1e9;

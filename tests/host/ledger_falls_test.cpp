@@ -42,8 +42,7 @@ struct Allowance : SilentFeature {
   static constexpr uint32_t kind = 99;
   static constexpr bool is_bound = true;
 
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     double allowed, stored_before, depth_before;
     double left_over, most_left_over;
   };
@@ -80,8 +79,7 @@ struct Allowance : SilentFeature {
 constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr unsigned scenes_an_edge = 300;
 
-template <class Kernel, class Use>
-int each_scene(const Use& use, Tension tension = Tension::clamp) {
+template <class Kernel, class Use> int each_scene(const Use& use, Tension tension = Tension::clamp) {
   int accepted = 0;
   for (const Edge edge : edges)
     for (unsigned index = 0; index < scenes_an_edge; ++index) {
@@ -97,13 +95,11 @@ int each_scene(const Use& use, Tension tension = Tension::clamp) {
   return accepted;
 }
 
-template <class Format>
-class EnergyLedgerIn : public testing::Test {};
+template <class Format> class EnergyLedgerIn : public testing::Test {};
 using AllFormats = testing::Types<Float64, Float32, Float32Plain, Fixed32>;
 TYPED_TEST_SUITE(EnergyLedgerIn, AllFormats);
 
-template <class Format, class ContactLaw>
-void expect_no_fall_with_energy_consistent(Tension tension = Tension::clamp) {
+template <class Format, class ContactLaw> void expect_no_fall_with_energy_consistent(Tension tension = Tension::clamp) {
   using Kernel = Absorber<AtRunTime, ContactLaw, EnergyConsistent, Sine, Format, EnergyLedger, Allowance>;
   double worst = 0, worst_of_bounds = 0;
   const int accepted = each_scene<Kernel>(
@@ -142,8 +138,7 @@ TYPED_TEST(EnergyLedgerIn, EnergyConsistentNeverFalls) {
 }
 
 // The sum is one number and never falls, since no term is negative.
-template <class Format, class ContactLaw>
-void expect_no_fall_with_impulsive() {
+template <class Format, class ContactLaw> void expect_no_fall_with_impulsive() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, Sine, Format, EnergyLedger>;
   const int accepted = each_scene<Kernel>([](const CoupledScene& found, const auto& plan) {
     Kernel kernel(plan);
@@ -169,10 +164,7 @@ struct InDouble : SilentFeature {
   static constexpr uint32_t kind = 98;
   static constexpr bool is_bound = true;
 
-  template <class Format>
-  struct State {
-    double sum, size, rate_before, stored_before;
-  };
+  template <class Format> struct State { double sum, size, rate_before, stored_before; };
 
   template <class Plan, class State, class Step>
   static void after_contact(const Plan& plan, State& state, const Step& step) {
@@ -188,8 +180,7 @@ struct InDouble : SilentFeature {
     state.stored_before = stored;
   }
 };
-template <class Stepper, class ContactLaw>
-void expect_nothing_rounded() {
+template <class Stepper, class ContactLaw> void expect_nothing_rounded() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Fixed32, EnergyLedger, InDouble>;
   const int accepted = each_scene<Kernel>([](const CoupledScene& found, const auto& plan) {
     Kernel kernel(plan);
@@ -212,8 +203,7 @@ TEST(EnergyLedger, RoundsNothingInFixed32) {
 
 // A ball starts inside its stop, and the law loses nothing. The energy stored at the start is released. The ledger is
 // of second order, over 300 steps of contact.
-template <class Stepper, class Format>
-void expect_stored_start_counted(double tolerance) {
+template <class Stepper, class Format> void expect_stored_start_counted(double tolerance) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
   scene.x2 = scene.clearance / 2 + 0.005;
@@ -235,8 +225,7 @@ TEST(EnergyLedger, CountsAStartInsideAStopAsStored) {
 }
 
 // Energy that a correction removes from a stop counts as dissipated.
-template <class Stepper, class Format>
-void expect_correction_counted() {
+template <class Stepper, class Format> void expect_correction_counted() {
   Scene scene;
   scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.contact_damping = 0;
   scene.x2 = scene.clearance / 2 + 0.005;

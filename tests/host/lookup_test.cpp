@@ -65,8 +65,7 @@ TEST(Lookup, ProductsAreExactInBothForms) {
   }
 }
 
-template <int step>
-void expect_normalised(uint32_t x) {
+template <int step> void expect_normalised(uint32_t x) {
   uint32_t by_instruction = x, by_composition = x;
   const int steps = instruction::normalise<step>(by_instruction);
   EXPECT_EQ(composed::normalise<step>(by_composition), steps) << x;

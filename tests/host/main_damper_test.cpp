@@ -54,8 +54,7 @@ double largest_error(double damping, double steps_per_contact) {
   return worst;
 }
 
-template <class ContactLaw, class Stepper, class Format>
-void expect_third_order(double bound) {
+template <class ContactLaw, class Stepper, class Format> void expect_third_order(double bound) {
   for (const double damping : {0.0, 0.1, 0.3, 0.6, 0.95}) {
     const double coarse = largest_error<ContactLaw, Stepper, Format>(damping, 12),
                  fine = largest_error<ContactLaw, Stepper, Format>(damping, 24);

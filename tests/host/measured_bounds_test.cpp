@@ -23,10 +23,7 @@ class Random {
     return least + (most - least) * static_cast<double>(engine_()) / 4294967296.0;
   }
   double wide(double least, double most) { return least * std::pow(most / least, between(0, 1)); }
-  template <class Value, size_t size>
-  Value one_of(const Value (&values)[size]) {
-    return values[engine_() % size];
-  }
+  template <class Value, size_t size> Value one_of(const Value (&values)[size]) { return values[engine_() % size]; }
 
  private:
   std::mt19937 engine_;

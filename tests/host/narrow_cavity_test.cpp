@@ -23,8 +23,7 @@ struct Cavity {
   Bounds bounds;
 };
 
-template <class Law>
-Cavity random_cavity(unsigned seed, double phase) {
+template <class Law> Cavity random_cavity(unsigned seed, double phase) {
   Random random(seed);
   Cavity cavity{};
   Scene& scene = cavity.scene;
@@ -49,16 +48,14 @@ Cavity random_cavity(unsigned seed, double phase) {
   return cavity;
 }
 
-template <class Law, class Reading>
-double energy(const Scene& scene, const Reading& at) {
+template <class Law, class Reading> double energy(const Scene& scene, const Reading& at) {
   const double inside = larger(std::abs(at.x2 - at.x1) - scene.clearance / 2, 0.0), k = scene.contact_stiffness;
   const double stored = Law::is_linear ? k * inside * inside / 2 : 0.4 * k * std::pow(inside, 2.5);
   return mechanical_energy(scene, at) + stored;
 }
 
 // The average relative gain of energy over the last steps, or NaN if the plan is rejected.
-template <class Law, class Format>
-double gained(const Cavity& cavity) {
+template <class Law, class Format> double gained(const Cavity& cavity) {
   using Kernel = Absorber<AtRunTime, Law, Moment, NoDrive, Format>;
   const auto plan = Kernel::PlanType::make(cavity.scene, cavity.bounds, step);
   if (plan.status != PlanStatus::ok) return std::nan("");
@@ -73,8 +70,7 @@ double gained(const Cavity& cavity) {
   return sum / last_steps / first - 1;
 }
 
-template <class Law, class Format>
-void expect_gain_within(double bound, double phase) {
+template <class Law, class Format> void expect_gain_within(double bound, double phase) {
   double largest = -1;
   int run = 0;
   for (unsigned seed = 0; seed < scenes; ++seed) {

@@ -28,8 +28,7 @@ struct PulledScene {
   Bounds bounds;
   double force, base, force_pulsation, base_pulsation;
 };
-template <class Law, bool is_impulsive>
-PulledScene pulled_scene(unsigned seed, bool has_parts) {
+template <class Law, bool is_impulsive> PulledScene pulled_scene(unsigned seed, bool has_parts) {
   Random random(seed);
   PulledScene result{};
   Scene& scene = result.scene;
@@ -77,15 +76,12 @@ PulledScene pulled_scene(unsigned seed, bool has_parts) {
   return result;
 }
 
-template <class Law, class Stepper, class Format>
-struct Kind {
+template <class Law, class Stepper, class Format> struct Kind {
   static constexpr bool is_impulsive = detail::is_one_of<Stepper, Impulsive>;
-  template <class... Parts>
-  using Absorber = impact::Absorber<AtRunTime, Law, Stepper, Sampled, Format, Parts...>;
+  template <class... Parts> using Absorber = impact::Absorber<AtRunTime, Law, Stepper, Sampled, Format, Parts...>;
 
   // The rounding of a speed that is read.
-  template <class Kernel>
-  static double rounding(const Kernel& absorber, const Bounds& bounds) {
+  template <class Kernel> static double rounding(const Kernel& absorber, const Bounds& bounds) {
     typename Kernel::Long displacement{};
     absorber.plan.units.displace(displacement, in<unit::Penetration>(Format::lsb()));
     const bool is_single = Format::is_real && sizeof(typename Kernel::Value) == sizeof(float);
@@ -145,8 +141,7 @@ struct Kind {
   }
 };
 
-template <class KindUnderTest>
-class NoPull : public testing::Test {};
+template <class KindUnderTest> class NoPull : public testing::Test {};
 using Kinds = testing::Types<
     Kind<HuntCrossley, Moment, Float64>, Kind<HuntCrossley, Moment, Float32>, Kind<HuntCrossley, Moment, Float32Plain>,
     Kind<HuntCrossley, Moment, Fixed32>, Kind<HuntCrossley, FourParts, Float64>,
@@ -161,8 +156,7 @@ TYPED_TEST_SUITE(NoPull, Kinds, );
 TYPED_TEST(NoPull, InAnyStep) { TypeParam::expect_no_rise(); }
 TYPED_TEST(NoPull, WithWeightShakenBaseAndFriction) { TypeParam::expect_no_pull(); }
 
-template <class KindUnderTest>
-class NoPullAlone : public testing::Test {};
+template <class KindUnderTest> class NoPullAlone : public testing::Test {};
 using OtherKinds =
     testing::Types<Kind<HuntCrossley, EnergyConsistent, Float64>, Kind<Exact, EnergyConsistent, Fixed32>,
                    Kind<HookeNewton, EnergyConsistent, Float64>, Kind<HookeNewton, EnergyConsistent, Fixed32>,
@@ -174,8 +168,7 @@ TYPED_TEST(NoPullAlone, InAnyStep) { TypeParam::expect_no_rise(); }
 // The main mass retreats so fast that the law has no force until the ball is out or pressed in again. A constant drive
 // accelerates it, or a shaken base under an upright rig. Returns the largest difference from the reference within
 // `duration`.
-template <class Kernel>
-double largest_error(const Case& run, const Bounds& bounds, double h, double duration) {
+template <class Kernel> double largest_error(const Case& run, const Bounds& bounds, double h, double duration) {
   auto absorber = accepted<Kernel>(run.scene, bounds, h);
   return largest_difference(run, absorber, h, static_cast<int>(0.005 / h + 0.5), duration, [&](int n) {
     if constexpr (Kernel::Field::is_sampled)
@@ -184,8 +177,7 @@ double largest_error(const Case& run, const Bounds& bounds, double h, double dur
       absorber.step(absorber.sample_of(run.samples[static_cast<size_t>(n)]));
   });
 }
-template <class Stepper, class Format>
-double error_with_a_pulling_drive(double damping, double depth, double h) {
+template <class Stepper, class Format> double error_with_a_pulling_drive(double damping, double depth, double h) {
   Case run;
   run.drive = DriveKind::sampled;
   run.scene.drive_amplitude = run.scene.drive_pulsation = 0;
@@ -201,8 +193,7 @@ double error_with_a_pulling_drive(double damping, double depth, double h) {
   bounds.force = 1.1;
   return largest_error<Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>>(run, bounds, h, 0.06);
 }
-template <class Stepper, class Format>
-double error_upright_on_a_shaken_base(double speed_of_restitution, double h) {
+template <class Stepper, class Format> double error_upright_on_a_shaken_base(double speed_of_restitution, double h) {
   Case run;
   run.drive = DriveKind::none;
   run.scene.drive_amplitude = run.scene.drive_pulsation = 0;
@@ -240,8 +231,7 @@ TEST(NoImpulse, PullsNoBall) {
 
 // The last damping is the largest that a plan accepts, h c/mu = 2.5 at the deepest penetration. A Float32's
 // displacement has a resolution of 1e-8 m.
-template <class Stepper, class Format>
-void expect_within(double bound) {
+template <class Stepper, class Format> void expect_within(double bound) {
   for (const double damping : {1e5, 1e6, 1e7, 5e7})
     EXPECT_LE((error_with_a_pulling_drive<Stepper, Format>(damping, 1.5e-3, step)), bound) << damping;
   for (const double speed : {0.3, 1.0})

@@ -16,23 +16,20 @@ namespace {
 
 constexpr double h = 1e-4;
 
-template <class Value>
-double si(Value x, double unit) {
+template <class Value> double si(Value x, double unit) {
   if constexpr (std::is_convertible_v<Value, double>)
     return static_cast<double>(x) * unit;
   else
     return x.raw * 0x1p-31 * unit;
 }
-template <class Format>
-typename Format::Value native(double x, double unit) {
+template <class Format> typename Format::Value native(double x, double unit) {
   if constexpr (std::is_floating_point_v<typename Format::Value>)
     return static_cast<typename Format::Value>(x / unit);
   else
     return {static_cast<int32_t>(std::lround(x / unit * 0x1p31))};
 }
 // An LSB of a number of this size. In Fixed32 it depends only on the unit.
-template <class Format>
-double lsb_of(double size, double unit) {
+template <class Format> double lsb_of(double size, double unit) {
   if constexpr (std::is_same_v<Format, Fixed32>)
     return unit * 0x1p-31;
   else
@@ -40,8 +37,7 @@ double lsb_of(double size, double unit) {
 }
 
 // A scene for any law, with a stiff stop for Impulsive.
-template <class ContactLaw, class Stepper>
-constexpr Scene scene_of() {
+template <class ContactLaw, class Stepper> constexpr Scene scene_of() {
   Scene scene;
   if (std::is_same_v<Stepper, Impulsive>) scene.contact_stiffness = 1e9;
   scene.contact_damping = 19560;
@@ -50,8 +46,7 @@ constexpr Scene scene_of() {
   return scene;
 }
 
-template <class Format_, class ContactLaw_, class Stepper_, class Drive_>
-struct Case {
+template <class Format_, class ContactLaw_, class Stepper_, class Drive_> struct Case {
   using Format = Format_;
   using Law = ContactLaw_;
   using Stepper = Stepper_;
@@ -74,8 +69,7 @@ using CasesOf =
                    Case<Format, HookeNewton, EnergyConsistent, NoDrive>,
                    Case<Format, HuntCrossley, AverageAcceleration, Sine>,
                    Case<Format, HuntCrossleyPerImpact, Moment, Sine>, Case<Format, HuntCrossley, Impulsive, Sine>>;
-template <class Case>
-struct Outputs : testing::Test {};
+template <class Case> struct Outputs : testing::Test {};
 TYPED_TEST_SUITE_P(Outputs);
 
 // reading() converts the whole state to double. A native number is within some LSBs of it.
@@ -143,8 +137,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Outputs, CasesOf<Float32>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Outputs, CasesOf<Float32Plain>);
 INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Outputs, CasesOf<Float64>);
 
-template <class Format>
-struct Formats : testing::Test {};
+template <class Format> struct Formats : testing::Test {};
 using EveryFormat = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
 TYPED_TEST_SUITE(Formats, EveryFormat);
 
@@ -246,8 +239,7 @@ TYPED_TEST(Formats, ACorrectionInContactLeavesAContact) {
 
 // The plan is a constant, so the compiler computes the first snapshot. The ball leaves so fast that the stop would have
 // to pull, and the contact ends at once.
-template <class Law_>
-struct SentAway {
+template <class Law_> struct SentAway {
   static constexpr Scene scene = [] {
     Scene made;
     made.contact_damping = Law_::is_linear ? 20.81 : Scene{}.contact_damping;
@@ -258,8 +250,7 @@ struct SentAway {
   static constexpr Bounds bounds{};
   static constexpr double step = 1e-4;
 };
-template <class ContactLaw, class Format, class... Steppers>
-void expect_first_snapshots() {
+template <class ContactLaw, class Format, class... Steppers> void expect_first_snapshots() {
   const auto one = [](auto absorber) {
     const auto first = absorber.snapshot();
     EXPECT_TRUE(first.is_whole);
@@ -360,15 +351,13 @@ TYPED_TEST(Formats, SamplesFromNewtons) {
   }
 }
 
-template <class From, class To>
-bool takes_over(const From& from, To to) {
+template <class From, class To> bool takes_over(const From& from, To to) {
   const auto sent = from.save();
   typename To::Saved received{};
   std::memcpy(&received, &sent, std::min(sizeof sent, sizeof received));
   return to.restore(received);
 }
-template <class Kernel>
-Kernel run(double stiffness = 32600) {
+template <class Kernel> Kernel run(double stiffness = 32600) {
   Scene scene;
   scene.contact_stiffness = stiffness;
   scene.contact_damping = 19560;
@@ -401,8 +390,7 @@ TEST(Restoring, RefusesAnotherBeta) {
 }
 
 // Every state of a run with corrections is restored. A contact whose numbers contradict each other is rejected.
-template <class Kernel>
-void restore_at_every_step() {
+template <class Kernel> void restore_at_every_step() {
   Scene scene;
   scene.ball_friction = 0.2;
   const auto plan = Kernel::PlanType::make(scene, Bounds{}, h);

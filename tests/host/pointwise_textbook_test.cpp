@@ -56,8 +56,7 @@ TEST(Pointwise, IsTheTextbooksNewmarkForHookeNewton) {
 // Below two steps per contact the ratio of the law's slope and the force exceeds 1. A free pair runs until a scheme
 // that multiplies the energy leaves the bounds. In Fixed32 the unit of penetrations has room for nine steps'
 // displacement (newmark.hpp), four bits more than for one.
-template <class ContactLaw, class Scheme>
-void follows_double_in_a_stiff_contact() {
+template <class ContactLaw, class Scheme> void follows_double_in_a_stiff_contact() {
   constexpr double h = 1e-4, speed = 1;
   for (const double steps : {3.0, 1.6, 1.2, 1.0, 0.6, 0.4})
     for (int phase = 0; phase < 16; ++phase) {

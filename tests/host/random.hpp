@@ -14,10 +14,7 @@ class Random {
   double between(double least, double most) { return least + (most - least) * share(); }
   double wide(double least, double most) { return least * std::pow(most / least, share()); }  // log-uniform
   bool is(double chance) { return share() < chance; }
-  template <class Value, size_t size>
-  Value one_of(const Value (&values)[size]) {
-    return values[bits_() % size];
-  }
+  template <class Value, size_t size> Value one_of(const Value (&values)[size]) { return values[bits_() % size]; }
 
  private:
   std::mt19937_64 bits_;

@@ -17,14 +17,12 @@
 namespace impact::report {
 namespace {
 
-template <Law law>
-struct Rig {
+template <Law law> struct Rig {
   static constexpr Scene scene = paper_scene(law);
   static constexpr double step = 1e-4;
 };
 
-template <Law law>
-host::Case case_under() {
+template <Law law> host::Case case_under() {
   host::Case run;
   run.law = law;
   run.scene = Rig<law>::scene;
@@ -32,8 +30,7 @@ host::Case case_under() {
 }
 
 // The largest difference of x1 over 0.5 s, which has impacts at both stops.
-template <class Model, class Matrix>
-double largest_difference(Model model, Matrix matrix) {
+template <class Model, class Matrix> double largest_difference(Model model, Matrix matrix) {
   double largest = 0;
   for (int n = 0; n < 5000; ++n) {
     model.step();
@@ -43,12 +40,8 @@ double largest_difference(Model model, Matrix matrix) {
   return largest;
 }
 
-template <class Constant>
-class TextbookMethods : public testing::Test {};
-template <Law law_>
-struct Under {
-  static constexpr Law law = law_;
-};
+template <class Constant> class TextbookMethods : public testing::Test {};
+template <Law law_> struct Under { static constexpr Law law = law_; };
 using Laws = testing::Types<Under<Law::hooke_newton>, Under<Law::hertz>, Under<Law::hunt_crossley>>;
 TYPED_TEST_SUITE(TextbookMethods, Laws);
 

@@ -9,15 +9,13 @@
 
 namespace impact::host {
 
-template <size_t n>
-struct Found {
+template <size_t n> struct Found {
   std::array<double, n> at{};
   double value = -1e300;
 };
 
 // `value` returns -1e300 if it is undefined.
-template <size_t n, class Value>
-Found<n> search(unsigned seed, int evaluations, const Value& value) {
+template <size_t n, class Value> Found<n> search(unsigned seed, int evaluations, const Value& value) {
   constexpr int places_at_random = 12;
   constexpr double first_step = 0.2, smallest_step = 1e-3;
   std::mt19937_64 engine(seed);

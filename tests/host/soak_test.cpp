@@ -28,8 +28,7 @@ struct Rig {
   static constexpr double step = 1e-3;
 };
 
-template <class Format>
-struct Soak : testing::Test {};
+template <class Format> struct Soak : testing::Test {};
 using Formats = testing::Types<Fixed32, Float32>;
 TYPED_TEST_SUITE(Soak, Formats);
 
@@ -42,8 +41,7 @@ long steps_of_a_run() {
 // additions. In Float32 they are at most 10 N times the displacement at 2 m/s. A contact has two more products and the
 // stored energy, in its own unit. Rounding to nearest grows with the square root of the steps, and stays within 8 times
 // that. Rounding down would drift by half an LSB per step.
-template <class Format, class Plan>
-double rounding_of(const Plan& plan, double steps, double h) {
+template <class Format, class Plan> double rounding_of(const Plan& plan, double steps, double h) {
   const bool is_fixed = std::is_same_v<Format, Fixed32>;
   const double unit = plan.units.si_penetration_unit();
   const double drive_lsb = is_fixed ? plan.drive_scale * unit * 0x1p-31 : 2 * 10 * 2 * h * 0x1p-24;
@@ -86,8 +84,7 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
 }
 
 // Each entry is far below an LSB of the sum. A plain float would not grow beyond 2.
-template <class Format>
-struct Tallies : testing::Test {};
+template <class Format> struct Tallies : testing::Test {};
 using FloatFormats = testing::Types<Float32, Float32Plain>;
 TYPED_TEST_SUITE(Tallies, FloatFormats);
 TYPED_TEST(Tallies, GrowByTermsBelowTheirLsb) {

@@ -49,8 +49,7 @@ Bounds bounds_of(const Scene& scene) {
 }
 
 // The damping for e = 0.68 at 0.8 m/s, for a damping ratio of 0.12, and e = 0.7.
-template <class ContactLaw>
-host::Case with_stop(const Scene& scene, double stiffness) {
+template <class ContactLaw> host::Case with_stop(const Scene& scene, double stiffness) {
   host::Case run;
   run.law = ContactLaw::is_linear ? Law::hooke_newton : ContactLaw::is_damped ? Law::hunt_crossley : Law::hertz;
   run.scene = scene;
@@ -84,8 +83,7 @@ double error(const host::Case& run, double h, double duration) {
 }
 // Fixed32 has at most 4096 sub-steps, with Hooke-Newton 1024. A contact that requires more is so short that Impulsive
 // is as exact.
-template <class Format, class ContactLaw>
-double error_by_rule(const host::Case& run, double h, double duration) {
+template <class Format, class ContactLaw> double error_by_rule(const host::Case& run, double h, double duration) {
   const Resolution contact = resolution_of<ContactLaw>(run.scene, bounds_of(run.scene));
   constexpr bool is_fixed = std::is_same_v<Format, Fixed32>;
   const Choice choice = choice_for(contact, h,
@@ -101,8 +99,7 @@ double error_by_rule(const host::Case& run, double h, double duration) {
 constexpr double stiffnesses[] = {3e4, 3e5, 3e6, 1e8, 3e9, 1e11, 1e12}, of_springs[] = {1e3, 1e5, 3e6, 1e8, 3e10, 1e12};
 
 // The tolerance is `share` times the limits plus `more` for the format's LSBs.
-template <class Format, class ContactLaw>
-void expect_one_bound(const Scene& scene, double share = 1, double more = 0) {
+template <class Format, class ContactLaw> void expect_one_bound(const Scene& scene, double share = 1, double more = 0) {
   const auto expect = [&](double stiffness) {
     const host::Case run = with_stop<ContactLaw>(scene, stiffness);
     EXPECT_LT((error_by_rule<Format, ContactLaw>(run, 1e-3, 0.4)), share * 1e-6 + more) << stiffness;
@@ -143,12 +140,10 @@ Scene rubbing(Scene scene, double friction) {
   scene.ball_friction = friction;
   return scene;
 }
-template <class Format, class ContactLaw>
-double error_with_friction(const Scene& scene, double stiffness, double h) {
+template <class Format, class ContactLaw> double error_with_friction(const Scene& scene, double stiffness, double h) {
   return error<Format, ContactLaw, SubsteppedMoment<>, DryFriction>(with_stop<ContactLaw>(scene, stiffness), h, 0.4);
 }
-template <class Format, class ContactLaw>
-void expect_one_bound_with_friction(double more = 0) {
+template <class Format, class ContactLaw> void expect_one_bound_with_friction(double more = 0) {
   for (const Scene& scene : {rubbing(driven(), 0.5), rubbing(driven(), 2), rubbing(heavy(), 3), rubbing(hanging(), 1)})
     for (const double stiffness : {3e4, 3e6, 3e7, 1e9, 1e12}) {
       if (more > 0 && stiffness > 1e9) continue;

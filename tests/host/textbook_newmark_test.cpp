@@ -144,8 +144,7 @@ double order_of(const double (&errors)[5]) {
 }
 
 // The largest error of the restitution of two free masses, over the phases of the impact within a step.
-template <typename Textbook>
-double restitution_error(Textbook make, Law law, int steps_per_contact) {
+template <typename Textbook> double restitution_error(Textbook make, Law law, int steps_per_contact) {
   Impact impact;
   impact.law = law;
   Case run = paper_case(law, impact.tension = Tension::clamp);

@@ -13,14 +13,12 @@
 namespace impact {
 namespace {
 
-template <class Format, class ContactLaw>
-using Driven = Absorber<AtRunTime, ContactLaw, Moment, Sine, Format>;
+template <class Format, class ContactLaw> using Driven = Absorber<AtRunTime, ContactLaw, Moment, Sine, Format>;
 
 constexpr Bounds bounds{0.05, 1.5};
 
 // The largest error of x1 and x2 over half a second of the paper's scene.
-template <class Format, class ContactLaw>
-double error(double restitution, double h) {
+template <class Format, class ContactLaw> double error(double restitution, double h) {
   host::Case run;
   run.scene.restitution = restitution;
   run.scene.contact_damping = 0;
@@ -30,8 +28,7 @@ double error(double restitution, double h) {
 }
 
 // If the error of the speed at the touch were g h, 4.9e-5 m would remain at 1 ms and 3.9e-6 m at 0.1 ms.
-template <class ContactLaw>
-void expect_fourth_order(double restitution) {
+template <class ContactLaw> void expect_fourth_order(double restitution) {
   EXPECT_LT((error<Float64, ContactLaw>(restitution, 1e-3)), 1e-7) << restitution;
   // The phase of a touch within its step changes the error tenfold: between h = 0.09 and 0.1 ms it is 7e-12 to 1.5e-10.
   EXPECT_LT((error<Float64, ContactLaw>(restitution, 1e-4)), 2e-10) << restitution;
@@ -46,8 +43,7 @@ TEST(Touch, DampingPerImpactIsOfFourthOrder) {
 }
 
 // The main mass oscillates without drive and damping, x1 = A sin(w0 t), towards a ball of constant speed.
-template <class Format, class ContactLaw, class Stepper>
-void expect_rate_at_touch(double h, double stiffness) {
+template <class Format, class ContactLaw, class Stepper> void expect_rate_at_touch(double h, double stiffness) {
   constexpr double amplitude = 0.01, pulsation = 40, speed = 0.3;
   for (int phase = 0; phase < 64; ++phase) {
     Scene scene;

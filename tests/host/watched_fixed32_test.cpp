@@ -255,8 +255,7 @@ TEST(WatchedScenes, AForceBeyondItsUnitIsClamped) {
 }
 
 // A copy of the absorber, corrected by a displacement and a velocity. What has wrapped is counted from there on.
-template <class Kernel>
-Kernel corrected_copy(const Kernel& absorber, double dx, double dv) {
+template <class Kernel> Kernel corrected_copy(const Kernel& absorber, double dx, double dv) {
   Kernel corrected(absorber.plan);
   EXPECT_TRUE(corrected.restore(absorber.save()));
   const auto raw = [](double x, double unit) { return static_cast<int32_t>(x / unit * 0x1p31); };
@@ -265,8 +264,7 @@ Kernel corrected_copy(const Kernel& absorber, double dx, double dv) {
   return corrected;
 }
 // The fault of such a correction. The copy is then stepped until it has one.
-template <class Kernel>
-Fault fault_after(const Kernel& absorber, double dx, double dv) {
+template <class Kernel> Fault fault_after(const Kernel& absorber, double dx, double dv) {
   Kernel corrected = corrected_copy(absorber, dx, dv);
   const Fault at_once = corrected.fault();
   for (int n = 0; n < 20 && corrected.fault() == Fault::none; ++n) {

@@ -42,8 +42,7 @@ uint32_t wrong_products() {
 }
 
 // Products with numbers that the compiler knows.
-template <uint32_t index = 0>
-uint32_t wrong_products_with_constants() {
+template <uint32_t index = 0> uint32_t wrong_products_with_constants() {
   constexpr uint32_t b = known_number(index);
   constexpr auto y = static_cast<int32_t>(b), rough = static_cast<int32_t>(b & 0xffff0000);
   uint32_t wrong = 0;
@@ -61,8 +60,7 @@ uint32_t wrong_products_with_constants() {
 }
 
 // Only sums and terms that do not overflow.
-template <int bits>
-uint32_t wrong_sums() {
+template <int bits> uint32_t wrong_sums() {
   uint32_t wrong = 0;
   for (uint32_t i = 0; i < numbers; ++i)
     for (uint32_t j = 0; j < numbers; ++j) {

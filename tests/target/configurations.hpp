@@ -11,68 +11,39 @@
 
 namespace impact::target {
 
-template <class Part>
-constexpr const char* name = nullptr;
-template <>
-constexpr const char* name<HookeNewton> = "hooke-newton";
-template <>
-constexpr const char* name<Hertz> = "hertz";
-template <>
-constexpr const char* name<HuntCrossley> = "hunt-crossley";
-template <>
-constexpr const char* name<Exact> = "exact";
-template <>
-constexpr const char* name<Moment> = "moment";
-template <>
-constexpr const char* name<SubsteppedMoment<4>> = "moment-4";
-template <>
-constexpr const char* name<EnergyConsistent> = "energy";
+template <class Part> constexpr const char* name = nullptr;
+template <> constexpr const char* name<HookeNewton> = "hooke-newton";
+template <> constexpr const char* name<Hertz> = "hertz";
+template <> constexpr const char* name<HuntCrossley> = "hunt-crossley";
+template <> constexpr const char* name<Exact> = "exact";
+template <> constexpr const char* name<Moment> = "moment";
+template <> constexpr const char* name<SubsteppedMoment<4>> = "moment-4";
+template <> constexpr const char* name<EnergyConsistent> = "energy";
 // EnergyConsistent with stops 10^4 times as stiff (stepper/energy/stiff.hpp).
 struct StiffEnergyConsistent : EnergyConsistent {};
-template <>
-constexpr const char* name<StiffEnergyConsistent> = "energy-stiff";
+template <> constexpr const char* name<StiffEnergyConsistent> = "energy-stiff";
 // The same stops with 32 sub-steps at 1 ms.
-template <>
-constexpr const char* name<SubsteppedMoment<>> = "moment-n";
-template <>
-constexpr const char* name<Impulsive> = "impulsive";
-template <>
-constexpr const char* name<AverageAcceleration> = "average";
-template <>
-constexpr const char* name<LinearAcceleration> = "linear";
-template <>
-constexpr const char* name<FoxGoodwin> = "fox-goodwin";
-template <>
-constexpr const char* name<CentralDifference> = "central";
-template <>
-constexpr const char* name<Fixed32> = "fixed32";
-template <>
-constexpr const char* name<Float32> = "float32";
-template <>
-constexpr const char* name<Float32Plain> = "float32-plain";
-template <>
-constexpr const char* name<NoDrive> = "none";
-template <>
-constexpr const char* name<Sine> = "sine";
-template <>
-constexpr const char* name<Sampled> = "sampled";
-template <>
-constexpr const char* name<Gravity> = "gravity";
-template <>
-constexpr const char* name<BaseAcceleration> = "base";
-template <>
-constexpr const char* name<DryFriction> = "friction";
+template <> constexpr const char* name<SubsteppedMoment<>> = "moment-n";
+template <> constexpr const char* name<Impulsive> = "impulsive";
+template <> constexpr const char* name<AverageAcceleration> = "average";
+template <> constexpr const char* name<LinearAcceleration> = "linear";
+template <> constexpr const char* name<FoxGoodwin> = "fox-goodwin";
+template <> constexpr const char* name<CentralDifference> = "central";
+template <> constexpr const char* name<Fixed32> = "fixed32";
+template <> constexpr const char* name<Float32> = "float32";
+template <> constexpr const char* name<Float32Plain> = "float32-plain";
+template <> constexpr const char* name<NoDrive> = "none";
+template <> constexpr const char* name<Sine> = "sine";
+template <> constexpr const char* name<Sampled> = "sampled";
+template <> constexpr const char* name<Gravity> = "gravity";
+template <> constexpr const char* name<BaseAcceleration> = "base";
+template <> constexpr const char* name<DryFriction> = "friction";
 
-template <class Newmark>
-constexpr bool is_impulsive = false;
-template <>
-constexpr bool is_impulsive<Impulsive> = true;
-template <class Newmark>
-constexpr bool is_stiff = false;
-template <>
-constexpr bool is_stiff<StiffEnergyConsistent> = true;
-template <>
-constexpr bool is_stiff<SubsteppedMoment<>> = true;
+template <class Newmark> constexpr bool is_impulsive = false;
+template <> constexpr bool is_impulsive<Impulsive> = true;
+template <class Newmark> constexpr bool is_stiff = false;
+template <> constexpr bool is_stiff<StiffEnergyConsistent> = true;
+template <> constexpr bool is_stiff<SubsteppedMoment<>> = true;
 
 // The columns law,newmark,numeric,drive as one string. The last is drive+part+part.
 struct Label {
@@ -84,8 +55,7 @@ struct Label {
     return *own == *other;
   }
 };
-template <class Law, class Newmark, class Numeric, class Drive, class... Parts>
-constexpr Label make_label() {
+template <class Law, class Newmark, class Numeric, class Drive, class... Parts> constexpr Label make_label() {
   const char* const words[] = {name<Law>, ",", name<Newmark>, ",", name<Numeric>, ",", name<Drive>};
   Label label;
   char* end = label.text;
@@ -100,8 +70,7 @@ constexpr Label make_label() {
 // The paper's tables 1 and 2, at rest under the paper's sine. With another drive the ball starts beyond the first
 // impact. Impulsive has stops of a million times the stiffness, and as much damping as keeps the restitution. With
 // weight the rig stands upright. With friction its base also shakes, so all three parts are present.
-template <class Law, class Newmark, class Drive, class... Parts>
-constexpr Scene scene_of() {
+template <class Law, class Newmark, class Drive, class... Parts> constexpr Scene scene_of() {
   Scene scene = paper_scene(Law::law);
   constexpr bool is_linear = Law::is_linear;
   if (is_impulsive<Newmark>) {
@@ -129,18 +98,13 @@ constexpr int32_t triangle(uint32_t index) {
 constexpr void set(float& sample, int32_t fraction) {
   sample = static_cast<float>(fraction) * (static_cast<float>(Bounds{}.force) / 2147483648.0f);
 }
-template <int bits>
-constexpr void set(Signed<bits>& sample, int32_t fraction) {
-  sample = {fraction};
-}
+template <int bits> constexpr void set(Signed<bits>& sample, int32_t fraction) { sample = {fraction}; }
 
-template <class Law, class Newmark, class Numeric, class Drive, class... Parts>
-struct Configuration {
+template <class Law, class Newmark, class Numeric, class Drive, class... Parts> struct Configuration {
   static constexpr Label label = make_label<Law, Newmark, Numeric, Drive, Parts...>();
   static constexpr bool is_linear = Law::is_linear;
   static constexpr bool is_fixed = sizeof(typename Numeric::Gain) > sizeof(typename Numeric::Value);
-  template <int microseconds>
-  struct Rig {
+  template <int microseconds> struct Rig {
     static constexpr Scene scene = scene_of<Law, Newmark, Drive, Parts...>();
     // The default bounds, with a stated penetration.
     static constexpr Bounds bounds{0.1, 2, 0.03, 10, impact::detail::is_one_of<BaseAcceleration, Parts...> ? 10.0 : 0};
@@ -156,8 +120,7 @@ struct Configuration {
     if constexpr (Drive::is_sampled) set(force, triangle(index));
     if constexpr (is_shaken) set(base, triangle(index + 48));
   }
-  template <class Absorber>
-  static void advance(Absorber& absorber) {
+  template <class Absorber> static void advance(Absorber& absorber) {
     if constexpr (Drive::is_sampled && is_shaken)
       absorber.step(force, base);
     else if constexpr (Drive::is_sampled)
@@ -169,62 +132,49 @@ struct Configuration {
   }
 };
 
-template <class... Configurations>
-struct List {};
-template <class Function, class... Configurations>
-void for_each(List<Configurations...>, Function function) {
+template <class... Configurations> struct List {};
+template <class Function, class... Configurations> void for_each(List<Configurations...>, Function function) {
   (function(Configurations{}), ...);
 }
-template <class... A, class... B>
-constexpr List<A..., B...> operator+(List<A...>, List<B...>) {
-  return {};
-}
+template <class... A, class... B> constexpr List<A..., B...> operator+(List<A...>, List<B...>) { return {}; }
 
 // Every law, stepper and drive in the given number formats.
-template <class Law, class Newmark, class Numeric, class... Drives>
-constexpr auto with_drives(List<Drives...>) {
+template <class Law, class Newmark, class Numeric, class... Drives> constexpr auto with_drives(List<Drives...>) {
   return List<Configuration<Law, Newmark, Numeric, Drives>...>{};
 }
-template <class Law, class Numeric, class... Newmarks>
-constexpr auto with_newmarks(List<Newmarks...>) {
+template <class Law, class Numeric, class... Newmarks> constexpr auto with_newmarks(List<Newmarks...>) {
   return (with_drives<Law, Newmarks, Numeric>(List<NoDrive, Sine, Sampled>{}) + ...);
 }
-template <class Numeric, class... Laws>
-constexpr auto with_laws(List<Laws...>) {
+template <class Numeric, class... Laws> constexpr auto with_laws(List<Laws...>) {
   using Newmarks = List<Moment, SubsteppedMoment<4>, EnergyConsistent, Impulsive, AverageAcceleration,
                         LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
 // The steppers with one drive each, of three drives in turn.
-template <class Numeric, class Law, class A, class B, class C>
-constexpr auto with_pairs() {
+template <class Numeric, class Law, class A, class B, class C> constexpr auto with_pairs() {
   return List<Configuration<Law, Moment, Numeric, A>, Configuration<Law, SubsteppedMoment<4>, Numeric, B>,
               Configuration<Law, EnergyConsistent, Numeric, C>, Configuration<Law, Impulsive, Numeric, A>,
               Configuration<Law, AverageAcceleration, Numeric, B>, Configuration<Law, LinearAcceleration, Numeric, C>,
               Configuration<Law, FoxGoodwin, Numeric, A>, Configuration<Law, CentralDifference, Numeric, B>>{};
 }
 // A damping that is set at each impact, by every stepper that computes it in its own way.
-template <class Numeric>
-constexpr auto with_damping_per_impact() {
+template <class Numeric> constexpr auto with_damping_per_impact() {
   return List<Configuration<Exact, Moment, Numeric, Sine>, Configuration<Exact, SubsteppedMoment<4>, Numeric, Sine>,
               Configuration<Exact, EnergyConsistent, Numeric, Sine>, Configuration<Exact, Impulsive, Numeric, Sine>,
               Configuration<Exact, AverageAcceleration, Numeric, Sine>>{};
 }
-template <class Numeric>
-constexpr auto with_stiff_stops() {
+template <class Numeric> constexpr auto with_stiff_stops() {
   return List<Configuration<Hertz, StiffEnergyConsistent, Numeric, Sine>,
               Configuration<HuntCrossley, StiffEnergyConsistent, Numeric, Sine>,
               Configuration<Exact, StiffEnergyConsistent, Numeric, Sine>>{};
 }
-template <class Numeric>
-constexpr auto beside_the_laws() {
+template <class Numeric> constexpr auto beside_the_laws() {
   return with_damping_per_impact<Numeric>() + with_stiff_stops<Numeric>();
 }
 // Each part of a scene alone, and all three with steppers that solve the contact differently.
 template <class Numeric, class Law, class Newmark, class Drive>
 using WithAllParts = Configuration<Law, Newmark, Numeric, Drive, BaseAcceleration, DryFriction>;
-template <class Numeric>
-constexpr auto with_parts() {
+template <class Numeric> constexpr auto with_parts() {
   return List<
       WithAllParts<Numeric, HookeNewton, Moment, Sampled>, Configuration<HuntCrossley, Moment, Numeric, Sine, Gravity>,
       Configuration<HuntCrossley, Moment, Numeric, Sine, BaseAcceleration>,
@@ -233,13 +183,11 @@ constexpr auto with_parts() {
       WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>,
       WithAllParts<Numeric, HuntCrossley, AverageAcceleration, Sine>>{};
 }
-template <class... Numerics>
-constexpr auto all_configurations() {
+template <class... Numerics> constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
 }
 // A third of them: each law with each stepper, each law with each drive and each stepper with each drive.
-template <class Numeric>
-constexpr auto pairwise() {
+template <class Numeric> constexpr auto pairwise() {
   return with_pairs<Numeric, HookeNewton, NoDrive, Sine, Sampled>() +
          with_pairs<Numeric, Hertz, Sine, Sampled, NoDrive>() +
          with_pairs<Numeric, HuntCrossley, Sampled, NoDrive, Sine>();
@@ -249,8 +197,7 @@ constexpr auto pairwise() {
 #if !defined(IMPACT_GOLDEN_PART)
 #define IMPACT_GOLDEN_PART 0
 #endif
-template <class... Numerics>
-constexpr auto golden_configurations() {
+template <class... Numerics> constexpr auto golden_configurations() {
   if constexpr (IMPACT_GOLDEN_PART == 1)
     return (with_laws<Numerics>(List<HookeNewton>{}) + ...) + (beside_the_laws<Numerics>() + ...) +
            (with_parts<Numerics>() + ...);

@@ -8,8 +8,7 @@
 namespace impact::target {
 
 // The budgeted configuration with this label.
-template <class First, class... Others>
-constexpr auto labelled(List<First, Others...>) {
+template <class First, class... Others> constexpr auto labelled(List<First, Others...>) {
   if constexpr (First::label == IMPACT_LABEL)
     return First{};
   else

@@ -7,16 +7,14 @@
 namespace impact::target {
 namespace {
 
-template <class Numeric>
-struct Iterating : Configuration<HuntCrossley, EnergyConsistent, Numeric, Sine> {
+template <class Numeric> struct Iterating : Configuration<HuntCrossley, EnergyConsistent, Numeric, Sine> {
   static constexpr Scene stiffened() {
     Scene scene;
     scene.contact_stiffness *= 1e4;
     scene.contact_damping *= 1e4;
     return scene;
   }
-  template <int microseconds>
-  struct Rig {
+  template <int microseconds> struct Rig {
     static constexpr Scene scene = stiffened();
     static constexpr Bounds bounds{};
     static constexpr double step = microseconds * 1e-6;
@@ -25,8 +23,7 @@ struct Iterating : Configuration<HuntCrossley, EnergyConsistent, Numeric, Sine> 
   using Absorber = impact::Absorber<Rig<microseconds>, HuntCrossley, EnergyConsistent, Sine, Numeric>;
 };
 
-template <class Numeric>
-void print_iterating() {
+template <class Numeric> void print_iterating() {
   Cost free, contact;
   measure<Iterating<Numeric>, 100>(free, contact, 10000);
   print(Iterating<Numeric>::label.text, "iterating", contact);

@@ -14,16 +14,14 @@ template <class Format, class... Features>
 Absorber<detail::SelfTestRig, HuntCrossley, Moment, Sine, Format, Features...> absorber;
 volatile uint32_t sink;
 
-template <class Value>
-void keep(Value value) {
+template <class Value> void keep(Value value) {
   uint32_t bits;
   static_assert(sizeof value == sizeof bits);
   __builtin_memcpy(&bits, &value, sizeof bits);
   sink = bits;
 }
 
-template <class Act>
-uint32_t instructions(Act act) {
+template <class Act> uint32_t instructions(Act act) {
   return instructions_of([](void* argument) { (*static_cast<Act*>(argument))(); }, &act);
 }
 void print_row(const char* format, const char* quantity, uint32_t largest) {
@@ -36,8 +34,7 @@ void print_row(const char* format, const char* quantity, uint32_t largest) {
   board::print(largest);
   board::print("\n");
 }
-template <class Act>
-void print_largest(const char* format, const char* quantity, Act act) {
+template <class Act> void print_largest(const char* format, const char* quantity, Act act) {
   uint32_t largest = 0;
   for (int n = 0; n < 2000; ++n) {
     const uint32_t count = instructions(act);
@@ -46,8 +43,7 @@ void print_largest(const char* format, const char* quantity, Act act) {
   print_row(format, quantity, largest);
 }
 
-template <class Format>
-void print_costs(const char* format) {
+template <class Format> void print_costs(const char* format) {
   static constexpr ToCounts<decltype(absorber<Format>), Quantity::displacement> to_dac({2048, 2047 / 0.05, 0, 4095});
   print_largest(format, "step", [] { absorber<Format>.step(); });
   print_largest(format, "with_contact_force", [] { absorber<Format, ContactForce>.step(); });

@@ -65,8 +65,7 @@ void wait() {
 }
 
 // The timer interrupts `act` after some `ticks`, one tick later each time.
-template <class Act>
-Counts at_every_tick(uint32_t last_tick, uint32_t stride, void (*interrupt)(), Act act) {
+template <class Act> Counts at_every_tick(uint32_t last_tick, uint32_t stride, void (*interrupt)(), Act act) {
   counts = {};
   for (uint32_t ticks = 8; ticks < last_tick; ticks += stride) {
     if (kernel.snapshot().steps + 8 > length) kernel.reset();

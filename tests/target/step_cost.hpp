@@ -26,8 +26,7 @@ struct Cost {
 };
 
 // The cost over `steps` steps of a Configuration of this length (configurations.hpp).
-template <class Configuration, int microseconds>
-static void measure(Cost& free, Cost& contact, uint32_t steps) {
+template <class Configuration, int microseconds> static void measure(Cost& free, Cost& contact, uint32_t steps) {
   struct Run {
     typename Configuration::template Absorber<microseconds> absorber{};
     uint32_t index = 0;
@@ -56,8 +55,7 @@ static void print(const char* label, const char* phase, const Cost& cost) {
 }
 
 // Over one second at h = 1 ms and at 0.1 ms.
-template <class Configuration>
-static void print_costs(const char* label) {
+template <class Configuration> static void print_costs(const char* label) {
   Cost free, contact;
   measure<Configuration, 1000>(free, contact, 1000);
   measure<Configuration, 100>(free, contact, 10000);

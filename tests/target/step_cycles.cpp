@@ -5,8 +5,7 @@
 
 namespace impact::target {
 
-template <class Configuration>
-static void print_cycles() {
+template <class Configuration> static void print_cycles() {
   Cost free, contact;
   measure<Configuration, 1000>(free, contact, 1000);
   measure<Configuration, 100>(free, contact, 10000);

@@ -37,8 +37,7 @@ const Golden* golden_for(const char* label) {
   return nullptr;
 }
 
-template <class Configuration>
-struct TrajectoryOf {
+template <class Configuration> struct TrajectoryOf {
   using Absorber = typename Configuration::template Absorber<1000>;
 
   inline static Absorber absorber;
@@ -59,10 +58,8 @@ struct TrajectoryOf {
   static constexpr Trajectory trajectory{Configuration::label.text, restart, advance, values};
 };
 
-template <class List>
-struct All;
-template <class... Configurations>
-struct All<List<Configurations...>> {
+template <class List> struct All;
+template <class... Configurations> struct All<List<Configurations...>> {
   static constexpr Trajectory trajectories[] = {TrajectoryOf<Configurations>::trajectory...};
 };
 constexpr auto& trajectories = All<decltype(golden_configurations<IMPACT_NUMERICS>())>::trajectories;
@@ -102,10 +99,7 @@ bool passes(const Trajectory& trajectory) {
 }
 
 // The power-on test agrees with the golden bits in each format.
-template <class... Formats>
-bool self_tests() {
-  return (self_test<Formats>() && ...);
-}
+template <class... Formats> bool self_tests() { return (self_test<Formats>() && ...); }
 
 }  // namespace
 }  // namespace impact::target

@@ -90,8 +90,7 @@ bool place(Absorber& absorber, const Scene& scene, const Bounds& bounds, bool ca
   return absorber.restore(saved);
 }
 
-template <class Configuration, class Rig, class Absorber>
-void search(Found& found) {
+template <class Configuration, class Rig, class Absorber> void search(Found& found) {
   struct Run {
     Absorber absorber{};
     uint32_t index = 0;
@@ -170,8 +169,7 @@ constexpr double spread(uint32_t& seed, double least, double most) {  // logarit
   const double value = least * constant::power_of_two(whole) * (1 + octaves - whole);
   return value < most ? value : most;
 }
-template <uint32_t number>
-struct GeneratedRig {
+template <uint32_t number> struct GeneratedRig {
   static constexpr Scene make_scene() {
     uint32_t seed = number * 2654435761u;
     Scene scene;
@@ -195,8 +193,7 @@ struct GeneratedRig {
 };
 
 // An upright scene on a base that shakes, with friction.
-template <uint32_t number>
-struct GeneratedRigWithParts : GeneratedRig<number> {
+template <uint32_t number> struct GeneratedRigWithParts : GeneratedRig<number> {
   static constexpr Scene make_scene() {
     uint32_t seed = number * 69069u + 7;
     Scene scene = GeneratedRig<number>::scene;
@@ -210,20 +207,16 @@ struct GeneratedRigWithParts : GeneratedRig<number> {
 
 #if defined(IMPACT_WITH_PARTS)
 using Searched = WithAllParts<Fixed32, HuntCrossley, Moment, Sine>;
-template <uint32_t number>
-using SearchedRig = GeneratedRigWithParts<number>;
+template <uint32_t number> using SearchedRig = GeneratedRigWithParts<number>;
 template <uint32_t number>
 using SearchedAbsorber =
     Absorber<SearchedRig<number>, HuntCrossley, Moment, Sine, Fixed32, BaseAcceleration, DryFriction>;
 #else
 using Searched = Configuration<HuntCrossley, Moment, Fixed32, Sine>;
-template <uint32_t number>
-using SearchedRig = GeneratedRig<number>;
-template <uint32_t number>
-using SearchedAbsorber = Absorber<SearchedRig<number>, HuntCrossley, Moment, Sine, Fixed32>;
+template <uint32_t number> using SearchedRig = GeneratedRig<number>;
+template <uint32_t number> using SearchedAbsorber = Absorber<SearchedRig<number>, HuntCrossley, Moment, Sine, Fixed32>;
 #endif
-template <uint32_t... numbers>
-void search_scenes(Found& found) {
+template <uint32_t... numbers> void search_scenes(Found& found) {
   (search<Searched, SearchedRig<numbers>, SearchedAbsorber<numbers>>(found), ...);
 }
 

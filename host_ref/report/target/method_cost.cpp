@@ -8,19 +8,15 @@
 namespace impact::target {
 namespace {
 
-template <class Configuration, class... Listed>
-constexpr bool is_among(List<Listed...>) {
+template <class Configuration, class... Listed> constexpr bool is_among(List<Listed...>) {
   return ((Configuration::label == Listed::label.text) || ...);
 }
 
 #ifdef IMPACT_NEWMARK
-template <class Newmark>
-constexpr bool is_wanted = false;
-template <>
-constexpr bool is_wanted<IMPACT_NEWMARK> = true;
+template <class Newmark> constexpr bool is_wanted = false;
+template <> constexpr bool is_wanted<IMPACT_NEWMARK> = true;
 #else
-template <class Newmark>
-constexpr bool is_wanted = true;
+template <class Newmark> constexpr bool is_wanted = true;
 #endif
 
 template <class Law, class Newmark, class... Parts>
@@ -28,8 +24,7 @@ void print_unless_budgeted(Configuration<Law, Newmark, IMPACT_NUMERIC, Sine, Par
   using Measured = decltype(configuration);
   if constexpr (is_wanted<Newmark> && !is_among<Measured>(Counted{})) print_costs<Measured>(Measured::label.text);
 }
-template <class OtherDrive>
-void print_unless_budgeted(OtherDrive) {}
+template <class OtherDrive> void print_unless_budgeted(OtherDrive) {}
 
 #ifdef IMPACT_WITH_PARTS
 template <class... Parts>

@@ -33,8 +33,7 @@ void print_row(int run, int step, double x1, double peak, double dissipated) {
   board::print("\n");
 }
 
-template <class ContactLaw>
-bool trace(int index) {
+template <class ContactLaw> bool trace(int index) {
   using Kernel = Absorber<AtRunTime, ContactLaw, Moment, Sine, Fixed32, EnergyLedger>;
   constexpr int steps = static_cast<int>(paper_duration / paper_step + 0.5), check_interval = 5, printed_every = 25;
   const auto plan = Kernel::PlanType::make(paper_run(index).scene, Bounds{}, paper_step);

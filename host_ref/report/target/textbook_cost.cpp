@@ -13,16 +13,12 @@ extern "C" int* __errno() {
 namespace impact::report {
 namespace {
 
-template <template <class, class, Law, class> class Method, class ContactLaw, class Power>
-struct Baseline {
+template <template <class, class, Law, class> class Method, class ContactLaw, class Power> struct Baseline {
   using Kernel = target::Configuration<ContactLaw, AverageAcceleration, Float32Plain, Sine>;
   template <int microseconds>
   using Absorber = Method<float, typename Kernel::template Rig<microseconds>, ContactLaw::law, Power>;
   static void sample(uint32_t) {}
-  template <class Model>
-  static void advance(Model& model) {
-    model.step();
-  }
+  template <class Model> static void advance(Model& model) { model.step(); }
 };
 template <template <class, class, Law, class> class Method, class ContactLaw, class Power>
 void print_method(const char* label) {

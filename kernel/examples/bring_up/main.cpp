@@ -138,8 +138,7 @@ struct Longest {
 };
 
 // A second of the paper's scene; a step is in contact when the ball touches a stop before or after it.
-template <class Format, int steps>
-struct Run {
+template <class Format, int steps> struct Run {
   struct Rig {
     static constexpr impact::Scene scene{};
     static constexpr impact::Bounds bounds{};
@@ -158,8 +157,7 @@ struct Run {
   }
 };
 
-template <class Format>
-int bring_up_in(const char* name, uint32_t budget, uint32_t call) {
+template <class Format> int bring_up_in(const char* name, uint32_t budget, uint32_t call) {
   const bool is_right = impact::self_test<Format>();
   Longest longest;
   Run<Format, 1000>::measure(call, longest);

@@ -61,17 +61,12 @@ namespace impact {
 
 namespace detail {
 // The parts of the scene among the features. If two of them are fields, it is the sampled one, which has weight, too.
-template <class... Features>
-struct FieldAmong {
-  using Type = NoField;
-};
-template <class First, class... Others>
-struct FieldAmong<First, Others...> {
+template <class... Features> struct FieldAmong { using Type = NoField; };
+template <class First, class... Others> struct FieldAmong<First, Others...> {
   using Other = typename FieldAmong<Others...>::Type;
   using Type = typename Either<contract::is_field<First> && !Other::is_sampled, First, Other>::Type;
 };
-template <class... Features>
-using FieldOf = typename FieldAmong<Features...>::Type;
+template <class... Features> using FieldOf = typename FieldAmong<Features...>::Type;
 template <class... Features>
 using FrictionOf = typename Either<is_one_of<DryFriction, Features...>, DryFriction, NoFriction>::Type;
 
@@ -84,8 +79,7 @@ using CheckedSource =
                     contract::KeptDrive<Drive>, FieldOf<Features...>, FrictionOf<Features...>>,
                identity>;
 
-template <class Rig>
-constexpr uint32_t identity_of() {
+template <class Rig> constexpr uint32_t identity_of() {
   if constexpr (is_one_of<Rig, AtRunTime>)
     return 0;
   else
@@ -180,8 +174,7 @@ class AbsorberOf
   }
 
   // Advances by one step. It is for the drives NoDrive and Sine, without BaseAcceleration.
-  template <class... Nothing>
-  constexpr void step() {
+  template <class... Nothing> constexpr void step() {
     static_assert(!Drive::is_sampled || sizeof...(Nothing) > 0,
                   "step() without a sample, but the drive is Sampled: pass the force at the step's end, as "
                   "step(absorber.sample_of(newtons)) or through FromCounts");
@@ -194,8 +187,7 @@ class AbsorberOf
   // Advances by one step with a Sampled drive or with BaseAcceleration. The sample is the value at the step's end. In
   // floating point it is in N or m/s^2. Beyond its bound it is clamped, with Fault::sample. In Fixed32 it is a fraction
   // of Bounds::force or Bounds::base_acceleration in Q1.31. Before the first step the sample is 0.
-  template <class Sample = detail::InBraces>
-  constexpr void step(Sample sample) {
+  template <class Sample = detail::InBraces> constexpr void step(Sample sample) {
     constexpr Quantity quantity = Drive::is_sampled ? Quantity::force : Quantity::base_acceleration;
     constexpr bool takes_one = Drive::is_sampled != Field::is_sampled,
                    is_sample = detail::is_sample<Sample, Value, quantity>;
@@ -451,14 +443,12 @@ class AbsorberOf
   constexpr const Machine& machine() const { return *this; }
 
   // Raises the fault of a sample that sample_of() has clamped.
-  template <class Sample>
-  constexpr void note_clamped(const Sample& sample) {
+  template <class Sample> constexpr void note_clamped(const Sample& sample) {
     if constexpr (detail::is_native<Sample>)
       if (sample.is_clamped && !Source::is_refused()) Machine::raise(Fault::sample);
   }
   // One message for one mistake.
-  template <class Sample, Quantity quantity, bool is_excused>
-  static constexpr void check_sample() {
+  template <class Sample, Quantity quantity, bool is_excused> static constexpr void check_sample() {
     constexpr bool is_sample = is_excused || detail::is_sample<Sample, Value, quantity>,
                    is_in_braces = detail::is_one_of<Sample, detail::InBraces>,
                    is_of_another = detail::is_native<Sample>;
@@ -475,8 +465,7 @@ class AbsorberOf
   }
 
   // Restarts a feature whose records depend on the plan.
-  template <class Feature>
-  constexpr void restart() {
+  template <class Feature> constexpr void restart() {
     if constexpr (!__is_base_of(ScenePart, Feature) && Feature::is_bound) {
       static_cast<typename Feature::template State<Format>&>(Machine::state) = {};
       Feature::start(plan, Machine::state);
@@ -497,8 +486,7 @@ class AbsorberOf
   }
 
   // How much a force that the contact keeps adds to the displacement of the coming step, along x.
-  template <class Share>
-  constexpr auto carried(Share share) const {
+  template <class Share> constexpr auto carried(Share share) const {
     return plan.units.as_displacement(mirrored(share * Machine::state.contact.force, Machine::contact_is_left()));
   }
 

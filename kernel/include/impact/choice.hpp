@@ -97,8 +97,7 @@ constexpr Choice choice_for(const Resolution& contact, double step, int most_sub
 }
 
 namespace detail {
-template <Choice choice>
-constexpr auto stepper_of() {
+template <Choice choice> constexpr auto stepper_of() {
   if constexpr (choice == Choice::moment) return Moment{};
   if constexpr (choice == Choice::sub_steps) return SubsteppedMoment<>{};
   if constexpr (choice == Choice::impulsive) return Impulsive{};
@@ -106,8 +105,7 @@ constexpr auto stepper_of() {
 }
 
 // Moment if a value is out of its own range: then the rule has no input, and the absorber's message names the value.
-template <class Rig, class ContactLaw>
-constexpr Choice choice_of() {
+template <class Rig, class ContactLaw> constexpr Choice choice_of() {
   static_assert(
       !is_one_of<Rig, AtRunTime>,
       "Chosen<> requires a rig: with AtRunTime name Chosen<Rig, Law>, with a rig whose scene is the stiffest that you "
@@ -120,25 +118,19 @@ constexpr Choice choice_of() {
   else
     return Choice::moment;
 }
-template <class Rig, class ContactLaw>
-using ChosenFor = decltype(stepper_of<choice_of<Rig, ContactLaw>()>());
+template <class Rig, class ContactLaw> using ChosenFor = decltype(stepper_of<choice_of<Rig, ContactLaw>()>());
 }  // namespace detail
 
 // Chosen<> is the rule's stepper for the rig and the law of the absorber that names it. For an absorber AtRunTime name
 // Chosen<Rig, Law> of a rig.
-template <class Rig = void, class ContactLaw = void>
-struct Chosen : detail::ChosenFor<Rig, ContactLaw> {
+template <class Rig = void, class ContactLaw = void> struct Chosen : detail::ChosenFor<Rig, ContactLaw> {
   using Type = detail::ChosenFor<Rig, ContactLaw>;
 };
-template <>
-struct Chosen<void, void> {};
+template <> struct Chosen<void, void> {};
 
 namespace detail {
 // The stepper for an absorber's third argument.
-template <class Stepper, class Rig, class ContactLaw>
-struct StepperFor {
-  using Type = Stepper;
-};
+template <class Stepper, class Rig, class ContactLaw> struct StepperFor { using Type = Stepper; };
 template <class OfRig, class OfLaw, class Rig, class ContactLaw>
 struct StepperFor<Chosen<OfRig, OfLaw>, Rig, ContactLaw> {
   static_assert(
@@ -146,8 +138,7 @@ struct StepperFor<Chosen<OfRig, OfLaw>, Rig, ContactLaw> {
       "Chosen<Rig, Law> has another rig or law than the absorber: name Chosen<>, which takes both from the absorber");
   using Type = ChosenFor<typename Either<is_one_of<Rig, AtRunTime>, OfRig, Rig>::Type, ContactLaw>;
 };
-template <class Rig, class ContactLaw>
-struct StepperFor<Chosen<>, Rig, ContactLaw> {
+template <class Rig, class ContactLaw> struct StepperFor<Chosen<>, Rig, ContactLaw> {
   using Type = ChosenFor<Rig, ContactLaw>;
 };
 }  // namespace detail

@@ -10,8 +10,8 @@
 //                       instead of 1651 instructions. So is a law's stored(), or it is called where nobody reads it.
 //     kept penetration  is compared with its limit where the contact keeps it, not in a register until then: Cortex-M0.
 //     not const         an impulse that several branches make is not a `const` local: GCC keeps such a one in memory.
-//     afresh impulse    the response to an impulse is one piece of code behind the branches that lead to it. Otherwise it
-//                       is copied to each: 370 bytes with one stop on RISC-V, by `ctest -R leaving_out`.
+//     afresh impulse    the response to an impulse is one piece of code behind the branches that lead to it. Otherwise
+//                       it is copied to each: 370 bytes with one stop on RISC-V, by `ctest -R leaving_out`.
 //     small approach    StopApproach<Model> has only the members that a contact reads; Phase::apart is assigned where a
 //                       contact could be cleared as a whole. Otherwise each contact calls memset: Cortex-M0.
 //     lasting           of a friction is made from the plan's number. A copy of the plan's struct keeps the whole plan
@@ -24,8 +24,7 @@
 
 namespace impact {
 
-template <class Model>
-[[gnu::always_inline]] constexpr void reload_state(typename Model::State& state) {
+template <class Model> [[gnu::always_inline]] constexpr void reload_state(typename Model::State& state) {
   if constexpr (!Model::Format::has_spare_registers) reload(state);
 }
 

@@ -94,23 +94,17 @@
 
 namespace impact::contract {
 
-template <class...>
-using Void = void;
-template <class One, class Other>
-inline constexpr bool is_same = detail::is_one_of<One, Other>;
-template <class Type>
-const Type& value_of();
+template <class...> using Void = void;
+template <class One, class Other> inline constexpr bool is_same = detail::is_one_of<One, Other>;
+template <class Type> const Type& value_of();
 
-template <class Type, class = void>
-inline constexpr bool has_scene = false;
+template <class Type, class = void> inline constexpr bool has_scene = false;
 template <class Type>
 inline constexpr bool has_scene<Type, Void<decltype(&Type::scene)>> = is_same<const Scene*, decltype(&Type::scene)>;
-template <class Type, class = void>
-inline constexpr bool has_bounds = false;
+template <class Type, class = void> inline constexpr bool has_bounds = false;
 template <class Type>
 inline constexpr bool has_bounds<Type, Void<decltype(&Type::bounds)>> = is_same<const Bounds*, decltype(&Type::bounds)>;
-template <class Type, class = void>
-inline constexpr bool has_step = false;
+template <class Type, class = void> inline constexpr bool has_step = false;
 template <class Type>
 inline constexpr bool has_step<Type, Void<decltype(&Type::step)>> = is_same<const double*, decltype(&Type::step)>;
 
@@ -122,30 +116,25 @@ struct PaperRig {
 
 template <class Type>
 inline constexpr bool is_rig = is_same<Type, AtRunTime> || (has_scene<Type> && has_bounds<Type> && has_step<Type>);
-template <class Type>
-using KeptRig = typename detail::Either<is_rig<Type>, Type, PaperRig>::Type;
+template <class Type> using KeptRig = typename detail::Either<is_rig<Type>, Type, PaperRig>::Type;
 
-template <class Type, class = void>
-inline constexpr bool is_law = false;
+template <class Type, class = void> inline constexpr bool is_law = false;
 template <class Type>
 inline constexpr bool is_law<
     Type, Void<decltype(Type::law), decltype(Type::is_linear), decltype(Type::is_damped),
                decltype(Type::is_damped_per_impact),
                decltype(Type::template stored<Fixed32>(value_of<Fixed32::Units>(), value_of<Fixed32::Value>()))>> =
     is_same<const Law, decltype(Type::law)>;
-template <class Type>
-using KeptLaw = typename detail::Either<is_law<Type>, Type, HuntCrossley>::Type;
+template <class Type> using KeptLaw = typename detail::Either<is_law<Type>, Type, HuntCrossley>::Type;
 
-template <class Type, class = void>
-inline constexpr bool is_stepper = false;
+template <class Type, class = void> inline constexpr bool is_stepper = false;
 template <class Type>
 inline constexpr bool is_stepper<
     Type, Void<decltype(Type::kind), decltype(Type::longest_phase), decltype(Type::flow(value_of<Scene>(), 1.0)),
                decltype(Type::steps(value_of<Resolution>())), typename Type::template Contact<Fixed32, HuntCrossley>>> =
     is_same<LinearFlow, decltype(Type::flow(value_of<Scene>(), 1.0))>;
 
-template <class Stepper, class Format, class ContactLaw, class = void>
-inline constexpr bool has_contact = false;
+template <class Stepper, class Format, class ContactLaw, class = void> inline constexpr bool has_contact = false;
 template <class Stepper, class Format, class ContactLaw>
 inline constexpr bool
     has_contact<Stepper, Format, ContactLaw,
@@ -155,18 +144,15 @@ inline constexpr bool
                      decltype(Stepper::template Contact<Format, ContactLaw>::make_plan(
                          value_of<ContactTerms>(), value_of<LinearFlow>(), value_of<UnitExponents>()))>> = true;
 
-template <class Type, class = void>
-inline constexpr bool is_drive = false;
+template <class Type, class = void> inline constexpr bool is_drive = false;
 template <class Type>
 inline constexpr bool
     is_drive<Type, Void<decltype(Type::is_sine), decltype(Type::is_sampled), typename Type::template Plan<Fixed32>,
                         typename Type::template State<Fixed32>, typename Type::template PlanChange<Fixed32>>> =
         !(Type::is_sine && Type::is_sampled);
-template <class Type>
-using KeptDrive = typename detail::Either<is_drive<Type>, Type, NoDrive>::Type;
+template <class Type> using KeptDrive = typename detail::Either<is_drive<Type>, Type, NoDrive>::Type;
 
-template <class Type, class = void>
-inline constexpr bool is_format = false;
+template <class Type, class = void> inline constexpr bool is_format = false;
 template <class Type>
 inline constexpr bool is_format<
     Type,
@@ -174,38 +160,30 @@ inline constexpr bool is_format<
          typename Type::Weight, typename Type::Root, typename Type::Energy, typename Type::Tally,
          typename Type::Oscillator, typename Type::Units, decltype(Type::kind), decltype(Type::gain(1.0, 0, 0))>> =
     true;
-template <class Type>
-using KeptFormat = typename detail::Either<is_format<Type>, Type, Fixed32>::Type;
+template <class Type> using KeptFormat = typename detail::Either<is_format<Type>, Type, Fixed32>::Type;
 
-template <class Type, class = void>
-inline constexpr bool is_feature = false;
+template <class Type, class = void> inline constexpr bool is_feature = false;
 template <class Type>
 inline constexpr bool
     is_feature<Type, Void<decltype(Type::kind), decltype(Type::is_bound), typename Type::template State<Fixed32>>> =
         true;
 
 // Records nothing: one for each type, since two bases must not be the same.
-template <class Type>
-struct InPlaceOf : SilentFeature {
+template <class Type> struct InPlaceOf : SilentFeature {
   static constexpr uint32_t kind = 0;
   static constexpr bool is_bound = false;
-  template <class Format>
-  struct State {};
+  template <class Format> struct State {};
 };
-template <class Type>
-using KeptFeature = typename detail::Either<is_feature<Type>, Type, InPlaceOf<Type>>::Type;
+template <class Type> using KeptFeature = typename detail::Either<is_feature<Type>, Type, InPlaceOf<Type>>::Type;
 
 // True if no two features are of one kind.
-template <class... Features>
-inline constexpr bool kinds_differ = true;
+template <class... Features> inline constexpr bool kinds_differ = true;
 template <class First, class... Others>
 inline constexpr bool kinds_differ<First, Others...> =
     ((First::kind != Others::kind) && ...) && kinds_differ<Others...>;
 
-template <class Type, class = void>
-inline constexpr bool is_field = false;
-template <class Type>
-inline constexpr bool is_field<Type, Void<decltype(Type::is_field)>> = Type::is_field;
+template <class Type, class = void> inline constexpr bool is_field = false;
+template <class Type> inline constexpr bool is_field<Type, Void<decltype(Type::is_field)>> = Type::is_field;
 
 template <class Stepper, class Format, class ContactLaw>
 inline constexpr bool is_stepper_for = is_stepper<Stepper>&& has_contact<Stepper, Format, ContactLaw>;

@@ -51,8 +51,7 @@ constexpr int32_t clamped_to_32_bits(double x) {
   return static_cast<int32_t>(constant::larger(-2147483647.0, constant::smaller(x, 2147483647.0)));
 }
 
-template <class Format>
-class CountsOut {
+template <class Format> class CountsOut {
  public:
   using Value = typename Format::Value;
 
@@ -72,8 +71,7 @@ class CountsOut {
   int32_t zero_, least_, most_;  // the ends count from zero
 };
 
-template <class Format>
-class CountsIn {
+template <class Format> class CountsIn {
  public:
   using Value = typename Format::Value;
 
@@ -105,8 +103,7 @@ class CountsIn {
 };
 
 // The SI value of a native 1.0.
-template <Quantity quantity, class Plan>
-constexpr double unit_of(const Plan& plan) {
+template <Quantity quantity, class Plan> constexpr double unit_of(const Plan& plan) {
   if constexpr (quantity == Quantity::displacement || quantity == Quantity::ball_displacement)
     return plan.displacement_unit();
   else if constexpr (quantity == Quantity::velocity || quantity == Quantity::ball_velocity)
@@ -119,8 +116,7 @@ constexpr double unit_of(const Plan& plan) {
     return plan.base_sample_unit();
 }
 // The largest value that may come in, SI.
-template <Quantity quantity, class Plan>
-constexpr double largest_of(const Plan& plan) {
+template <Quantity quantity, class Plan> constexpr double largest_of(const Plan& plan) {
   using Units = typename Plan::FormatType::Units;
   if constexpr (quantity == Quantity::force)
     return Units::fraction(plan.drive.largest) * plan.sample_unit();
@@ -130,8 +126,7 @@ constexpr double largest_of(const Plan& plan) {
     return Plan::FormatType::is_real ? 0x1p20 : unit_of<quantity>(plan);
 }
 // The quantity, from a getter of the absorber or a member of its snapshot.
-template <Quantity quantity, class Absorber>
-constexpr auto read(const Absorber& absorber) {
+template <Quantity quantity, class Absorber> constexpr auto read(const Absorber& absorber) {
   if constexpr (quantity == Quantity::displacement)
     return absorber.displacement();
   else if constexpr (quantity == Quantity::velocity)
@@ -143,8 +138,7 @@ constexpr auto read(const Absorber& absorber) {
   else
     return absorber.contact_force();
 }
-template <Quantity quantity, class Value>
-constexpr Value read(const Snapshot<Value>& snapshot) {
+template <Quantity quantity, class Value> constexpr Value read(const Snapshot<Value>& snapshot) {
   if constexpr (quantity == Quantity::displacement)
     return snapshot.displacement;
   else if constexpr (quantity == Quantity::velocity)
@@ -159,8 +153,7 @@ constexpr Value read(const Snapshot<Value>& snapshot) {
 }  // namespace detail
 
 // Counts that go out, for a displacement, a velocity or the contact force.
-template <class Absorber, Quantity quantity>
-class ToCounts : public detail::CountsOut<typename Absorber::Format> {
+template <class Absorber, Quantity quantity> class ToCounts : public detail::CountsOut<typename Absorber::Format> {
   static_assert(quantity != Quantity::force && quantity != Quantity::base_acceleration,
                 "ToCounts cannot convert a sample, because samples go in: use FromCounts. The contact force is "
                 "Quantity::contact_force");
@@ -174,8 +167,7 @@ class ToCounts : public detail::CountsOut<typename Absorber::Format> {
   constexpr ToCounts(const Converter& converter, const typename Absorber::PlanType& plan)
       : Base(converter, detail::unit_of<quantity>(plan)) {}
 
-  template <class Source>
-  constexpr int32_t operator()(const Source& source) const {
+  template <class Source> constexpr int32_t operator()(const Source& source) const {
     constexpr bool is_source = detail::is_one_of<Source, Absorber, Snapshot<Value>>;
     static_assert(is_source,
                   "ToCounts reads its quantity itself: pass the absorber or its snapshot(), as in to_dac(absorber). "

@@ -144,8 +144,7 @@ constexpr bool is_tried_before_step(Parameter parameter) {
 }
 
 // The last accepted value between an accepted and a refused one, both positive. The relative error is at most 2^-20.
-template <class Accepts>
-constexpr double last_accepted(double accepted, double refused, const Accepts& accepts) {
+template <class Accepts> constexpr double last_accepted(double accepted, double refused, const Accepts& accepts) {
   for (int pass = 0; pass < 60; ++pass) {
     const double ratio = refused / accepted;
     if (ratio < 1 + 0x1p-20 && ratio > 1 - 0x1p-20) break;
@@ -159,8 +158,7 @@ constexpr double last_accepted(double accepted, double refused, const Accepts& a
 
 // The first accepted value on the way from a refused one to `end`, by halves or doubles, or 0 if there is none. Between
 // two values that are refused for different reasons, an accepted one is looked for by bisection.
-template <class StatusAt>
-constexpr double first_accepted(double refused, double end, const StatusAt& status_at) {
+template <class StatusAt> constexpr double first_accepted(double refused, double end, const StatusAt& status_at) {
   constexpr int most_bisections = 20;
   PlanStatus reason = status_at(refused);
   for (double x = refused; end < refused ? x > end : x < end;) {
@@ -198,8 +196,7 @@ constexpr Range accepted_near(double refused, const Range& within, const StatusA
 }  // namespace detail
 
 // `status_with(values)` returns the status of a plan of these values. For `refused` it must not be ok.
-template <class StatusWith>
-constexpr Explanation explain(const Values& refused, const StatusWith& status_with) {
+template <class StatusWith> constexpr Explanation explain(const Values& refused, const StatusWith& status_with) {
   const Explanation first = explain(status_with(refused), refused);
   const Range own = range_of(first.parameter);
   if (first.parameter != Parameter::step && !own.holds(first.value)) return first;
@@ -243,8 +240,7 @@ constexpr Explanation explain(const Values& refused, const StatusWith& status_wi
 }
 
 // Explains, in a constant expression, why PlanType rejects these values.
-template <class PlanType>
-constexpr Explanation explain(const Scene& scene, const Bounds& bounds, double step) {
+template <class PlanType> constexpr Explanation explain(const Scene& scene, const Bounds& bounds, double step) {
   return explain(Values{scene, bounds, step},
                  [](const Values& values) { return PlanType::make(values.scene, values.bounds, values.step).status; });
 }

@@ -43,8 +43,7 @@ struct EnergyLedger {
   static constexpr uint32_t kind = 1;     // identifies the feature in a saved state
   static constexpr bool is_bound = true;  // during a contact the record is valid with that contact's plan only
 
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     typename Format::Tally dissipated, drive_work;
     typename Format::Energy stored;                    // at the end of the last step in contact
     Penetration<typename Format::Value> contact_rate;  // at the end of that step
@@ -52,8 +51,7 @@ struct EnergyLedger {
     typename Format::Long x1_before;
   };
 
-  template <class Plan, class State>
-  static constexpr void start(const Plan& plan, State& state) {
+  template <class Plan, class State> static constexpr void start(const Plan& plan, State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
     own.x1_before = Plan::FieldType::position(plan, state, state.x1);
     own.drive_force = state.drive.force(plan.drive);
@@ -71,8 +69,7 @@ struct EnergyLedger {
     own.stored = step.stored;
     own.contact_rate = step.rate;
   }
-  template <class Plan, class State>
-  static constexpr void after_step(const Plan& plan, State& state) {
+  template <class Plan, class State> static constexpr void after_step(const Plan& plan, State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
     const auto force = state.drive.force(plan.drive);
     const auto x1 = Plan::FieldType::position(plan, state, state.x1);
@@ -81,8 +78,7 @@ struct EnergyLedger {
     own.drive_force = force;
     own.x1_before = x1;
   }
-  template <class Plan, class State>
-  static constexpr void after_correction(const Plan& plan, State& state) {
+  template <class Plan, class State> static constexpr void after_correction(const Plan& plan, State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
     own.x1_before = Plan::FieldType::position(plan, state, state.x1);
     const auto before = own.stored;
@@ -90,8 +86,7 @@ struct EnergyLedger {
     own.dissipated.add(before - own.stored);
   }
   // The energy that the ball's stop stores.
-  template <class Plan, class State>
-  static constexpr auto stored_now(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto stored_now(const Plan& plan, const State& state) {
     using Format = typename Plan::FormatType;
     if (Plan::ContactType::traits.is_instantaneous || state.contact.phase != Phase::touching)
       return typename Format::Energy{};
@@ -99,8 +94,7 @@ struct EnergyLedger {
                                                   plan.units.penetration(mirrored(state.x2 - state.x1, state.at_left)));
   }
   // True if a restored state is valid.
-  template <class Plan, class State>
-  static constexpr bool is_sound(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr bool is_sound(const Plan& plan, const State& state) {
     auto& own = record_in<EnergyLedger, Plan>(state);
     using Format = typename Plan::FormatType;
     const auto moved = Plan::FieldType::position(plan, state, state.x1) - own.x1_before;
@@ -111,8 +105,7 @@ struct EnergyLedger {
 };
 
 // The rate of an impact that takes no time. It is 0 in a step in which the ball rests on its stop or flies inside it.
-template <class Contact, class Step>
-constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
+template <class Contact, class Step> constexpr auto impact_rate_of(const Contact& contact, const Step& step) {
   using Rate = decltype(step.rate);
   if constexpr (Contact::traits.is_instantaneous)
     return contact.is_at_rest || !is_positive(step.force.j0) ? Rate{} : step.rate;
@@ -127,8 +120,7 @@ struct ImpactLog : SilentFeature {
   static constexpr uint32_t kind = 2;
   static constexpr bool is_bound = true;
 
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     uint32_t impacts;
     Penetration<typename Format::Value> impact_rate;
     typename Format::Value peak;
@@ -147,8 +139,7 @@ struct ImpactLog : SilentFeature {
     if constexpr (Contact::traits.starts_from_rate) size = mirrored(size, is_negative(size));
     if (is_positive(size - own.peak)) own.peak = size;
   }
-  template <class Plan, class State>
-  static constexpr bool is_sound(const Plan&, const State& state) {
+  template <class Plan, class State> static constexpr bool is_sound(const Plan&, const State& state) {
     auto& own = record_in<ImpactLog, Plan>(state);
     using Format = typename Plan::FormatType;
     return Format::is_sound(own.impact_rate) && Format::is_sound(own.peak);
@@ -161,8 +152,7 @@ struct ContactForce : SilentFeature {
   static constexpr uint32_t kind = 3;
   static constexpr bool is_bound = true;
 
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     Force<typename Format::Value> force, force_of_step;
     Penetration<typename Format::Value> impact_rate;
   };
@@ -173,14 +163,12 @@ struct ContactForce : SilentFeature {
     own.force_of_step = own.force_of_step + mirrored(step.force.j0, state.is_left());
     if constexpr (Plan::ContactType::traits.is_instantaneous) own.impact_rate = impact_rate_of(state.contact, step);
   }
-  template <class Plan, class State>
-  static constexpr void after_step(const Plan&, State& state) {
+  template <class Plan, class State> static constexpr void after_step(const Plan&, State& state) {
     auto& own = record_in<ContactForce, Plan>(state);
     own.force = own.force_of_step;
     own.force_of_step = {};
   }
-  template <class Plan, class State>
-  static constexpr bool is_sound(const Plan&, const State& state) {
+  template <class Plan, class State> static constexpr bool is_sound(const Plan&, const State& state) {
     auto& own = record_in<ContactForce, Plan>(state);
     using Format = typename Plan::FormatType;
     return Format::is_sound(own.force) && Format::is_sound(own.force_of_step) && Format::is_sound(own.impact_rate);
@@ -192,13 +180,9 @@ struct Snapshots : SilentFeature {
   static constexpr uint32_t kind = 4;
   static constexpr bool is_bound = false;
 
-  template <class Format>
-  struct State {
-    uint32_t steps;
-  };
+  template <class Format> struct State { uint32_t steps; };
 
-  template <class Plan, class State>
-  static constexpr void after_step(const Plan&, State& state) {
+  template <class Plan, class State> static constexpr void after_step(const Plan&, State& state) {
     auto& own = record_in<Snapshots, Plan>(state);
     ++own.steps;
   }

@@ -18,29 +18,21 @@ enum class Quantity {
 
 // A native number with its quantity, and whether it was clamped to its bound. Only step() makes a difference between it
 // and a plain number.
-template <Quantity, class Value, bool is_class = __is_class(Value)>
-struct Native {
+template <Quantity, class Value, bool is_class = __is_class(Value)> struct Native {
   Value value;
   bool is_clamped = false;
   constexpr operator Value() const { return value; }
 };
-template <Quantity quantity, class Value>
-struct Native<quantity, Value, true> : Value {
-  bool is_clamped = false;
-};
+template <Quantity quantity, class Value> struct Native<quantity, Value, true> : Value { bool is_clamped = false; };
 
 namespace detail {
 // True for a sample of this quantity, or for a plain native number.
-template <class Sample, class Value, Quantity quantity>
-inline constexpr bool is_sample = false;
-template <class Value, Quantity quantity>
-inline constexpr bool is_sample<Value, Value, quantity> = true;
+template <class Sample, class Value, Quantity quantity> inline constexpr bool is_sample = false;
+template <class Value, Quantity quantity> inline constexpr bool is_sample<Value, Value, quantity> = true;
 template <class Value, Quantity quantity>
 inline constexpr bool is_sample<Native<quantity, Value>, Value, quantity> = true;
-template <class Sample>
-inline constexpr bool is_native = false;
-template <Quantity quantity, class Value>
-inline constexpr bool is_native<Native<quantity, Value>> = true;
+template <class Sample> inline constexpr bool is_native = false;
+template <Quantity quantity, class Value> inline constexpr bool is_native<Native<quantity, Value>> = true;
 // The type of a number in braces: step({counts}).
 struct InBraces {
   int32_t number;

@@ -25,25 +25,19 @@ struct SelfTestRig {
 };
 
 // A state's number in words of 32 bits, the low one first: of its value, not of its bytes in memory.
-template <class Add>
-void add_words(Fixed32::Long x, Add add) {
+template <class Add> void add_words(Fixed32::Long x, Add add) {
   const auto raw = static_cast<uint64_t>(x.raw);
   add(static_cast<uint32_t>(raw));
   add(static_cast<uint32_t>(raw >> 32));
 }
-template <class Add>
-void add_words(CompensatedState<float> x, Add add) {
+template <class Add> void add_words(CompensatedState<float> x, Add add) {
   add(bits_of(x.sum));
   add(bits_of(x.rest));
 }
-template <class Add>
-void add_words(PlainState<float> x, Add add) {
-  add(bits_of(x.sum));
-}
+template <class Add> void add_words(PlainState<float> x, Add add) { add(bits_of(x.sum)); }
 
 // FNV-1a over x1, dx1, x2 and dx2 after each step.
-template <class Format>
-[[gnu::noinline]] uint32_t self_test_bits() {
+template <class Format> [[gnu::noinline]] uint32_t self_test_bits() {
   Absorber<SelfTestRig, HuntCrossley, Moment, Sine, Format> absorber;
   Fingerprint bits{};
   for (int n = 0; n < 400; ++n) {
@@ -55,19 +49,14 @@ template <class Format>
   return bits.value;
 }
 
-template <class Format>
-inline constexpr uint32_t proved_bits = 0;
-template <>
-inline constexpr uint32_t proved_bits<Fixed32> = 0x69e6fb6f;
-template <>
-inline constexpr uint32_t proved_bits<Float32> = 0x1fbec415;
-template <>
-inline constexpr uint32_t proved_bits<Float32Plain> = 0x47683345;
+template <class Format> inline constexpr uint32_t proved_bits = 0;
+template <> inline constexpr uint32_t proved_bits<Fixed32> = 0x69e6fb6f;
+template <> inline constexpr uint32_t proved_bits<Float32> = 0x1fbec415;
+template <> inline constexpr uint32_t proved_bits<Float32Plain> = 0x47683345;
 
 }  // namespace detail
 
-template <class Format>
-bool self_test() {
+template <class Format> bool self_test() {
   static_assert(detail::proved_bits<Format> != 0,
                 "self_test() has reference bits for Fixed32, Float32 and Float32Plain only");
   return detail::self_test_bits<Format>() == detail::proved_bits<Format>;

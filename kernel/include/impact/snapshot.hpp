@@ -18,8 +18,7 @@
 namespace impact {
 
 // The values of one step, in native numbers, as the absorber's getters return them.
-template <class Value>
-struct Snapshot {
+template <class Value> struct Snapshot {
   Value displacement, velocity, ball_displacement, ball_velocity;
   Value contact_force;  // 0 without the feature ContactForce
   uint32_t steps;       // since the start or the last reset(), modulo 2^32; retune() keeps it
@@ -29,18 +28,15 @@ struct Snapshot {
 };
 
 // The memory of the feature Snapshots; empty without it.
-template <class Value, bool is_named>
-class SnapshotWindow {};
+template <class Value, bool is_named> class SnapshotWindow {};
 
-template <class Value>
-class SnapshotWindow<Value, true> {
+template <class Value> class SnapshotWindow<Value, true> {
  public:
   // Before anyone reads.
   constexpr Snapshot<Value>& first() { return slots_[0]; }
 
   // `write` fills the slot.
-  template <class Write>
-  void publish(Write write) {
+  template <class Write> void publish(Write write) {
     const uint32_t number = published_ + 1;
     watched(begun_) = number;
     fence();

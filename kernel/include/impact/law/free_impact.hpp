@@ -81,8 +81,7 @@ constexpr FreeImpact power_law_impact(double stiffness_over_mass, double a, doub
 }  // namespace detail
 
 // An impact at `speed` > 0 m/s. ContactTerms::damping_time is c1/k1.
-template <class ContactLaw>
-constexpr FreeImpact free_impact(const ContactTerms& terms, double speed) {
+template <class ContactLaw> constexpr FreeImpact free_impact(const ContactTerms& terms, double speed) {
   const double mu = terms.reduced_mass();
   if (ContactLaw::is_linear) return detail::hooke_newton_impact(terms.stiffness, terms.damping_time, mu, terms.clamped);
   const double a = ContactLaw::is_damped_per_impact ? terms.damping_ratio

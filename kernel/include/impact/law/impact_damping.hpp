@@ -21,12 +21,10 @@ constexpr typename Format::Gain damping_gain(const ContactTerms& terms, const Un
 // The largest damping z = h c/mu that a step tolerates. An impact at the rate V has the damping a/V. A slow impact that
 // is pressed in far deeper continues with the damping whose z is `largest`. A contact that a correction has put to the
 // penetration d continues with a z there of at most a quarter of that. Derivation: kernel/docs/contact.md.
-template <class Format, bool is_per_impact>
-struct DampingLimit {
+template <class Format, bool is_per_impact> struct DampingLimit {
   static constexpr DampingLimit make(const ContactTerms&, const UnitExponents&, double) { return {}; }
 };
-template <class Format>
-struct DampingLimit<Format, true> {
+template <class Format> struct DampingLimit<Format, true> {
   // For the impact whose z is `largest`, and for one after a correction, over d^(3/2).
   typename Format::ClampedGain rate, corrected_rate;
 
@@ -38,36 +36,27 @@ struct DampingLimit<Format, true> {
 };
 
 // 1 + c1/k1 v, as a multiple of `elastic`.
-template <bool is_per_impact, class Units, class Value>
-constexpr Value strength(Value elastic, Value damped) {
+template <bool is_per_impact, class Units, class Value> constexpr Value strength(Value elastic, Value damped) {
   if constexpr (is_per_impact)
     return Units::clamped_sum(elastic, damped);
   else
     return elastic + damped;
 }
 
-template <class Format, bool is_per_impact>
-struct ImpactDamping {
+template <class Format, bool is_per_impact> struct ImpactDamping {
   using Damping = typename Format::Weight;
 
   // The damping of the contact under way.
-  template <class Plan>
-  static constexpr auto damping(const Plan& plan) {
-    return plan.damping;
-  }
+  template <class Plan> static constexpr auto damping(const Plan& plan) { return plan.damping; }
   static constexpr bool has_sound_damping() { return true; }
 };
 
-template <class Format>
-struct ImpactDamping<Format, true> {
+template <class Format> struct ImpactDamping<Format, true> {
   using Damping = typename Format::ClampedGain;
 
   Damping own_damping;  // of the contact under way
 
-  template <class Plan>
-  constexpr Damping damping(const Plan&) const {
-    return own_damping;
-  }
+  template <class Plan> constexpr Damping damping(const Plan&) const { return own_damping; }
   constexpr bool has_sound_damping() const { return Format::is_sound(own_damping); }
   // An impact without speed has no damping, nor has a contact under way at the start.
   constexpr void begin(typename Format::Gain share, typename Format::Value rate) {

@@ -9,10 +9,7 @@
 
 namespace impact {
 
-template <class Value>
-struct ForceOfImpact {
-  Value peak, mean;
-};
+template <class Value> struct ForceOfImpact { Value peak, mean; };
 
 namespace detail {
 // P(a), and (1 + e)/T, of k1/mu = V = 1.
@@ -44,8 +41,7 @@ constexpr ForceOfImpact<double> hooke_newton_force(double omega, double damping_
 }  // namespace detail
 
 // Beside `largest_factor`, by y.
-template <class Format>
-struct HuntCrossleyForces {
+template <class Format> struct HuntCrossleyForces {
   static constexpr double largest_factor = 3.5;
   typename Format::Value peak[17], mean[17];
 
@@ -58,12 +54,10 @@ struct HuntCrossleyForces {
     }
   }
 };
-template <class Format>
-inline constexpr HuntCrossleyForces<Format> hunt_crossley_forces{};
+template <class Format> inline constexpr HuntCrossleyForces<Format> hunt_crossley_forces{};
 
 // Speeds have the unit of Rebound. A force is a native number of `unit` newtons.
-template <class Format, class ContactLaw>
-struct ImpactForce {
+template <class Format, class ContactLaw> struct ImpactForce {
   using Value = typename Format::Value;
   static constexpr bool follows_damping = restitution_falls_with_speed<ContactLaw>;
 

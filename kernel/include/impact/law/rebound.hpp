@@ -23,14 +23,10 @@
 
 namespace impact {
 
-template <class Value>
-struct Bounce {
-  Value depth, loss;
-};
+template <class Value> struct Bounce { Value depth, loss; };
 
 // By y = a/(2 + a), from 0 to 1; depth as a share of that without damping.
-template <class Format>
-struct HuntCrossleyRebounds {
+template <class Format> struct HuntCrossleyRebounds {
   typename Format::Value depth[17], loss[65];
 
   constexpr HuntCrossleyRebounds() : depth(), loss() {
@@ -44,16 +40,14 @@ struct HuntCrossleyRebounds {
     loss[64] = Format::sample(0.5);
   }
 };
-template <class Format>
-inline constexpr HuntCrossleyRebounds<Format> hunt_crossley_rebounds{};
+template <class Format> inline constexpr HuntCrossleyRebounds<Format> hunt_crossley_rebounds{};
 
 template <class ContactLaw>
 constexpr bool restitution_falls_with_speed =
     ContactLaw::is_damped && !ContactLaw::is_linear && !ContactLaw::is_damped_per_impact;
 
 // For laws with one restitution at all speeds.
-template <class Format, class ContactLaw, bool = restitution_falls_with_speed<ContactLaw>>
-struct Rebound {
+template <class Format, class ContactLaw, bool = restitution_falls_with_speed<ContactLaw>> struct Rebound {
   using Value = typename Format::Value;
 
   typename Format::Gain depth;
@@ -72,8 +66,7 @@ struct Rebound {
   }
 };
 
-template <class Format, class ContactLaw>
-struct Rebound<Format, ContactLaw, true> {
+template <class Format, class ContactLaw> struct Rebound<Format, ContactLaw, true> {
   using Value = typename Format::Value;
 
   typename Format::Gain depth;
@@ -102,8 +95,7 @@ struct Rebound<Format, ContactLaw, true> {
 };
 
 // m, for the fastest impact; damping reduces it.
-template <class ContactLaw>
-constexpr double deepest_rebound(const ContactTerms& terms) {
+template <class ContactLaw> constexpr double deepest_rebound(const ContactTerms& terms) {
   const FreeImpact impact = ContactLaw::is_linear ? free_impact<HookeNewton>(terms, terms.largest_rate)
                                                   : free_impact<Hertz>(terms, terms.largest_rate);
   return terms.largest_rate * impact.centroid;

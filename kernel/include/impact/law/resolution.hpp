@@ -31,8 +31,7 @@ struct Resolution {
 inline constexpr Range any_step{0, 1};
 
 // The numbers that follow from the contact's terms alone.
-template <class ContactLaw>
-constexpr Resolution resolution_of(const ContactTerms& terms) {
+template <class ContactLaw> constexpr Resolution resolution_of(const ContactTerms& terms) {
   const FreeImpact impact = free_impact<ContactLaw>(terms, terms.largest_rate);
   const double e = impact.restitution, time = impact.contact_time;
   double shortest_part = time * constant::smaller(1, 4 * e / (1 + e));
@@ -53,8 +52,7 @@ constexpr Resolution resolution_of(const ContactTerms& terms) {
   return contact;
 }
 
-template <class ContactLaw>
-constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
+template <class ContactLaw> constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
   const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
   Resolution contact = resolution_of<ContactLaw>(terms);
   const double w0 = constant::square_root(scene.main_stiffness / scene.main_mass);

@@ -55,23 +55,20 @@ struct ContactTerms {
 };
 
 // True if a law reads a c1 that is not stated, and stiffness or law is not the default.
-template <class ContactLaw>
-constexpr bool lacks_damping(const Scene& scene) {
+template <class ContactLaw> constexpr bool lacks_damping(const Scene& scene) {
   const bool is_read = ContactLaw::is_damped && !ContactLaw::is_damped_per_impact,
              is_default = !ContactLaw::is_linear && scene.contact_stiffness == Scene{}.contact_stiffness;
   return is_read && !is_default && scene.contact_damping == unstated_damping;
 }
 
-template <class ContactLaw>
-constexpr double damping_ratio(const Scene& scene) {
+template <class ContactLaw> constexpr double damping_ratio(const Scene& scene) {
   if constexpr (ContactLaw::is_damped_per_impact)
     return ContactLaw::damping_ratio(scene.restitution);
   else
     return 0;
 }
 
-template <class ContactLaw>
-constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
+template <class ContactLaw> constexpr ContactTerms contact_terms(const Scene& scene, const Bounds& bounds) {
   ContactTerms terms{};
   terms.is_linear = ContactLaw::is_linear;
   terms.is_damped = ContactLaw::is_damped;

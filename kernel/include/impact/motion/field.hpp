@@ -18,8 +18,7 @@
 namespace impact {
 
 // The main mass responds to a force by its flow, the ball like a free mass under the same stepper.
-template <class Stepper>
-constexpr LinearFlow flow_of_ball(const Scene& scene, double h) {
+template <class Stepper> constexpr LinearFlow flow_of_ball(const Scene& scene, double h) {
   Scene ball{};
   ball.main_mass = scene.ball_mass;
   ball.main_stiffness = ball.main_damping = ball.drive_pulsation = 0;
@@ -35,8 +34,7 @@ struct UnsampledField {
                                   const UnitExponents&) {
     return 0;
   }
-  template <class Plan, class State, class Long>
-  static constexpr Long position(const Plan&, const State&, Long x) {
+  template <class Plan, class State, class Long> static constexpr Long position(const Plan&, const State&, Long x) {
     return x;
   }
 };
@@ -44,8 +42,7 @@ struct UnsampledField {
 struct NoField : UnsampledField {
   static constexpr bool is_field = false;
 
-  template <class Format>
-  struct FieldPlan {};
+  template <class Format> struct FieldPlan {};
   static constexpr double largest(const Scene&, const Bounds&) { return 0; }
 
   template <class Plan, class State>
@@ -60,42 +57,34 @@ struct NoField : UnsampledField {
   static constexpr Penetration<typename Plan::FormatType::Value> rate_apart(const Plan&, const State&) {
     return {};
   }
-  template <class Plan, class State>
-  static constexpr auto ball_travel(const Plan&, const State& state) {
+  template <class Plan, class State> static constexpr auto ball_travel(const Plan&, const State& state) {
     return state.dx2;
   }
 };
 
 // The shares of a field, by its size, in the displacement of the coming step: the main mass's, the ball's, and the
 // ball's less the main mass's, in the unit of penetrations. The same for a change of plan.
-template <class Own>
-struct FieldShares {
-  template <class Plan, class State>
-  static constexpr auto main_rate(const Plan& plan, const State& state) {
+template <class Own> struct FieldShares {
+  template <class Plan, class State> static constexpr auto main_rate(const Plan& plan, const State& state) {
     return plan.field.main_rate * Own::size(state);
   }
-  template <class Plan, class State>
-  static constexpr auto ball_rate(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto ball_rate(const Plan& plan, const State& state) {
     return plan.field.ball_rate * Own::size(state);
   }
-  template <class Plan, class State>
-  static constexpr auto rate_apart(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto rate_apart(const Plan& plan, const State& state) {
     return plan.field.rate_apart * Own::size(state);
   }
-  template <class Plan, class State>
-  static constexpr auto old_share(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto old_share(const Plan& plan, const State& state) {
     return plan.field.old_share * Own::size(state);
   }
-  template <class Plan, class State>
-  static constexpr auto new_share(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto new_share(const Plan& plan, const State& state) {
     return plan.field.new_share * Own::size(state);
   }
 };
 
 // The size of a constant field, whose shares are constants.
 struct Whole {
-  template <class Value, class Unit>
-  friend constexpr In<Value, Unit> operator*(In<Value, Unit> share, Whole) {
+  template <class Value, class Unit> friend constexpr In<Value, Unit> operator*(In<Value, Unit> share, Whole) {
     return share;
   }
 };
@@ -104,8 +93,7 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
   static constexpr uint32_t kind = 5;  // a saved state is of one list of features
   static constexpr bool is_field = true;
 
-  template <class Format>
-  struct FieldPlan {
+  template <class Format> struct FieldPlan {
     using Value = typename Format::Value;
     struct {
       Increment<Value> main_increment, ball_increment;
@@ -137,13 +125,9 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
   }
   static constexpr double largest(const Scene& scene, const Bounds&) { return constant::magnitude(scene.gravity); }
 
-  template <class Format>
-  struct State {};
+  template <class Format> struct State {};
 
-  template <class State>
-  static constexpr Whole size(const State&) {
-    return {};
-  }
+  template <class State> static constexpr Whole size(const State&) { return {}; }
   template <class Plan, class State, class Value>
   [[gnu::always_inline]] static constexpr Increment<Value> main_increment(const Plan& plan, const State&, Value) {
     return plan.field.main_increment;
@@ -154,16 +138,13 @@ struct Gravity : ScenePart, UnsampledField, FieldShares<Gravity> {
     state.x2.advance(state.dx2);
     state.dx2.advance(plan.field.ball_step);
   }
-  template <class Plan, class State>
-  static constexpr auto ball_travel(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto ball_travel(const Plan& plan, const State& state) {
     return state.dx2 - plan.field.ball_step;
   }
-  template <class Plan, class State>
-  static constexpr auto ball_increment(const Plan& plan, const State&) {
+  template <class Plan, class State> static constexpr auto ball_increment(const Plan& plan, const State&) {
     return plan.field.ball_increment;
   }
-  template <class Plan, class State>
-  static constexpr auto ball_start(const Plan& plan, const State&) {
+  template <class Plan, class State> static constexpr auto ball_start(const Plan& plan, const State&) {
     return plan.field.ball_start;
   }
 };
@@ -175,8 +156,7 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
   static constexpr bool is_field = true, is_sampled = true;
 
   // The acceleration a is stored as h^2 a, its change of dx2 in a step, in a unit of its own.
-  template <class Format>
-  struct FieldPlan {
+  template <class Format> struct FieldPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     struct {
@@ -241,28 +221,23 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     return Units::resolves(largest(scene, bounds) * constant::magnitude(rest), unit.position) ? rest : 0;
   }
 
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     In<typename Format::Value, unit::Field> by_field;  // h^2 a at the last sample
   };
-  template <class Plan, class State>
-  static constexpr void begin(const Plan& plan, State& state) {
+  template <class Plan, class State> static constexpr void begin(const Plan& plan, State& state) {
     state.by_field = plan.field.gravity;
     plan.units.add(state.x1, -(plan.field.offset * state.by_field));
     plan.units.add(state.x2, -(plan.field.offset * state.by_field));
   }
-  template <class Plan, class State>
-  static constexpr bool is_sound(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr bool is_sound(const Plan& plan, const State& state) {
     return plan.units.is_sound(state.by_field);
   }
 
-  template <class Plan, class Value>
-  static constexpr bool accepts(const Plan& plan, Value sample) {
+  template <class Plan, class Value> static constexpr bool accepts(const Plan& plan, Value sample) {
     return Plan::FormatType::is_within(sample, plan.field.largest_base);
   }
   // Replaces a sample that is not accepted: by the bound, or by 0 if it is a NaN.
-  template <class Plan, class Value>
-  static constexpr Value clamped(const Plan& plan, Value sample) {
+  template <class Plan, class Value> static constexpr Value clamped(const Plan& plan, Value sample) {
     return Plan::FormatType::clamped_to(sample, plan.field.largest_base, Value{});
   }
   template <class Plan, class Value>
@@ -277,13 +252,9 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     plan.units.add(x, plan.field.offset * state.by_field);
     return x;
   }
-  template <class State>
-  static constexpr auto size(const State& state) {
-    return state.by_field;
-  }
+  template <class State> static constexpr auto size(const State& state) { return state.by_field; }
   // The immediate share of the sample at the step's end in the main mass's displacement, if there is one.
-  template <class Plan>
-  [[gnu::always_inline]] static constexpr bool acts_at_once(const Plan& plan) {
+  template <class Plan> [[gnu::always_inline]] static constexpr bool acts_at_once(const Plan& plan) {
     return plan.field.acts_at_once;
   }
   template <class Plan, class Value>
@@ -301,14 +272,12 @@ struct BaseAcceleration : ScenePart, FieldShares<BaseAcceleration> {
     state.by_field = in<unit::Field>(next);
     plan.units.add(state.dx2, state.by_field, plan.field.state_bits);
   }
-  template <class Plan, class State>
-  static constexpr auto ball_travel(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto ball_travel(const Plan& plan, const State& state) {
     auto travel = state.dx2;
     plan.units.add(travel, -state.by_field, plan.field.state_bits);
     return travel;
   }
-  template <class Plan, class State>
-  static constexpr auto ball_increment(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr auto ball_increment(const Plan& plan, const State& state) {
     return in<unit::Increment>(Plan::FormatType::moved(state.by_field, plan.field.increment_bits));
   }
 };

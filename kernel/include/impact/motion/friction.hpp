@@ -29,26 +29,20 @@ namespace impact {
 struct NoFriction {
   static constexpr bool is_friction = false;
 
-  template <class Format>
-  struct FrictionPlan {};
+  template <class Format> struct FrictionPlan {};
 };
 
 // With an EnergyLedger: the distance that the ball has slid, a Penetration. Times R it is the energy that
 // friction has dissipated.
-template <class Format, bool is_counted>
-struct SlidingDistance {};
-template <class Format>
-struct SlidingDistance<Format, true> {
-  typename Format::Tally slid;
-};
+template <class Format, bool is_counted> struct SlidingDistance {};
+template <class Format> struct SlidingDistance<Format, true> { typename Format::Tally slid; };
 
 struct DryFriction : ScenePart {
   static constexpr uint32_t kind = 7;  // a saved state is of one list of features
   static constexpr bool is_friction = true;
 
   // Impulses are stored as their change of y, which counts as a penetration.
-  template <class Format>
-  struct FrictionPlan {
+  template <class Format> struct FrictionPlan {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Long = typename Format::Long;
@@ -89,15 +83,13 @@ struct DryFriction : ScenePart {
              friction}};
   }
 
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     typename Format::Long main_push, ball_push;   // of the sliding under way, in dx1 and dx2
     Penetration<typename Format::Value> impulse;  // the last one
     Position<typename Format::Value> lasting;     // where y is more in the same direction, the sliding goes on
   };
   // A push is at most the largest relative displacement of ball and main mass in a step.
-  template <class Plan, class State>
-  static constexpr bool is_sound(const Plan& plan, const State& state) {
+  template <class Plan, class State> static constexpr bool is_sound(const Plan& plan, const State& state) {
     const auto most = plan.units.limits.displacement + plan.units.limits.displacement;
     return plan.units.is_within(state.main_push, most) && plan.units.is_within(state.ball_push, most) &&
            plan.units.is_sound(state.main_push) && plan.units.is_sound(state.ball_push) &&
@@ -106,8 +98,7 @@ struct DryFriction : ScenePart {
 
   // The rate that the last impulse works against: the rate of sliding and a small share of the main mass's own, since
   // spring and damper act meanwhile.
-  template <class Plan, class Value>
-  static constexpr Value rubbing_rate(const Plan& plan, Value sliding, Value main) {
+  template <class Plan, class Value> static constexpr Value rubbing_rate(const Plan& plan, Value sliding, Value main) {
     return sliding - plan.friction.excess * main;
   }
   // Half of the energy that the last impulse dissipates at such a rate, over R.
@@ -137,8 +128,7 @@ struct DryFriction : ScenePart {
     state.lasting = never<Plan>();
   }
   // Removes from the state what the last impulse has already taken for the coming step.
-  template <class Plan, class State>
-  static constexpr void undo(const Plan& plan, State& state) {
+  template <class Plan, class State> static constexpr void undo(const Plan& plan, State& state) {
     move_masses(plan, state, -state.impulse);
     state.impulse = {};
   }
@@ -152,12 +142,8 @@ struct DryFriction : ScenePart {
   }
   // The permitted impulses: any, but after a sudden contact only those that take energy at the rate that it has left.
   struct Any {};
-  template <class Value>
-  struct Passive {
-    Value least, most;
-  };
-  template <class Plan, class Value>
-  static constexpr Passive<Value> passive(const Plan& plan, Value rate) {
+  template <class Value> struct Passive { Value least, most; };
+  template <class Plan, class Value> static constexpr Passive<Value> passive(const Plan& plan, Value rate) {
     using Format = typename Plan::FormatType;
     const Value half_full = Format::value(half(plan.friction.full));
     // An impulse as large as the rate takes s of it, a little more than all; 1/s is no less than 2 - s.
@@ -207,16 +193,14 @@ struct DryFriction : ScenePart {
   // acted. The other half acts at the step's end, with what the step got wrong.
 
   // The direction of sliding that an impulse works against; 0: it holds the ball.
-  template <class Plan, class Value>
-  static constexpr int slides(const Plan& plan, Value impulse) {
+  template <class Plan, class Value> static constexpr int slides(const Plan& plan, Value impulse) {
     const bool back = is_negative(impulse);
     const Value full = plan.friction.full, missing = size(full - size(impulse));
     if (is_positive(missing - full * Plan::FormatType::short_constant(0x1p-10))) return 0;
     return back ? -1 : 1;
   }
   // What half of an impulse takes of the rate of sliding.
-  template <class Plan, class Value>
-  static constexpr Value half_taken(const Plan& plan, Value impulse) {
+  template <class Plan, class Value> static constexpr Value half_taken(const Plan& plan, Value impulse) {
     return plan.friction.main_rate_ahead * impulse + plan.friction.ball_ahead * impulse;
   }
   // When the motion begins, and after a correction: a ball that slides has the full friction.
@@ -242,8 +226,7 @@ struct DryFriction : ScenePart {
     state.lasting = in<unit::Position>(bare(plan.friction.lasting));  // compiler.hpp
   }
   // The ball slides in the coming step. The impulse of one that slid so before keeps all its bits.
-  template <class Plan, class State>
-  static constexpr void slide_on(const Plan& plan, State& state, bool back) {
+  template <class Plan, class State> static constexpr void slide_on(const Plan& plan, State& state, bool back) {
     using Value = decltype(state.impulse);
     if (slides(plan, Value(state.impulse)) == (back ? -1 : 1))
       slide(plan, state, back);
@@ -251,8 +234,7 @@ struct DryFriction : ScenePart {
       change_to(plan, state, mirrored(Value(plan.friction.full), back), Value{});
   }
   // An impulse that holds a ball, and is not that of sliding. It may exceed r if the ball is to slide in the step.
-  template <class Plan, class Value>
-  static constexpr Value holding(const Plan& plan, Value impulse) {
+  template <class Plan, class Value> static constexpr Value holding(const Plan& plan, Value impulse) {
     using Format = typename Plan::FormatType;
     const Value full = plan.friction.full, most = full + full;
     if (slides(plan, impulse) == 0) return clamped(Passive<Value>{-most, most}, impulse);
@@ -265,19 +247,14 @@ struct DryFriction : ScenePart {
     return holding(plan, within_full(plan, left + left));
   }
   // Removes the impulse at the step's end, which is to be made anew, and makes it again.
-  template <class Plan, class State>
-  static constexpr void take_back(const Plan& plan, State& state) {
+  template <class Plan, class State> static constexpr void take_back(const Plan& plan, State& state) {
     act_at_once(plan, state, -state.impulse, decltype(state.impulse){});
   }
-  template <class Plan, class State>
-  static constexpr void put_again(const Plan& plan, State& state) {
+  template <class Plan, class State> static constexpr void put_again(const Plan& plan, State& state) {
     act_at_once(plan, state, state.impulse, decltype(state.impulse){});
   }
   // What turn() has changed: the rate at the step's end by the impulse `taken`, and x2 - x1 by `moved`.
-  template <class Value>
-  struct Turned {
-    Value taken, moved;
-  };
+  template <class Value> struct Turned { Value taken, moved; };
   // After a step of flight in which the sliding may have turned, ended or begun. `displacement` and `rate`: of the
   // step, and at its end, with its friction; `ahead`: of the coming step, without friction.
   template <class Plan, class State, class Value, class Long>
@@ -336,8 +313,7 @@ struct DryFriction : ScenePart {
     return {taken, moved};
   }
   // The impulse that takes this rate, since one of the same size takes s of it, and 1/s is 2 - s.
-  template <class Plan, class Value>
-  static constexpr Value impulse_for(const Plan& plan, Value rate) {
+  template <class Plan, class Value> static constexpr Value impulse_for(const Plan& plan, Value rate) {
     return rate + (rate - half_taken(plan, rate) - half_taken(plan, rate));
   }
   // Changes the rates by `impulse`, and x2 - x1 by `moved` at unchanged rates.
@@ -348,13 +324,9 @@ struct DryFriction : ScenePart {
   }
 
  private:
-  template <class Value>
-  static constexpr Value size(Value x) {
-    return mirrored(x, is_negative(x));
-  }
+  template <class Value> static constexpr Value size(Value x) { return mirrored(x, is_negative(x)); }
   // The part of a step that is left after the rate was 0: of the rate end - slope z + 3 bend z^2 before the end.
-  template <class Format, class Value>
-  static constexpr auto left_after_turn(Value end, Value slope, Value bend) {
+  template <class Format, class Value> static constexpr auto left_after_turn(Value end, Value slope, Value bend) {
     auto left = Format::quotient(positive_part(-end), positive_part(-slope));
     for (int pass = 0; pass < 2; ++pass) {
       const Value bent = Format::value(left * bend), third = bent + bent + bent;
@@ -392,8 +364,7 @@ struct DryFriction : ScenePart {
     state.impulse = impulse;
     state.lasting = never<Plan>();
   }
-  template <class Plan, class Value>
-  static constexpr Value within_full(const Plan& plan, Value impulse) {
+  template <class Plan, class Value> static constexpr Value within_full(const Plan& plan, Value impulse) {
     return clamped(Passive<Value>{-plan.friction.full, plan.friction.full}, impulse);
   }
   // Changes the state by half a step of this impulse.
@@ -402,8 +373,7 @@ struct DryFriction : ScenePart {
     plan.units.displace(state.dx1, plan.friction.main_ahead, impulse);
     plan.units.displace(state.dx2, plan.friction.ball_ahead, -impulse);
   }
-  template <class Plan>
-  static constexpr auto never() {
+  template <class Plan> static constexpr auto never() {
     return in<unit::Position>(Plan::FormatType::largest_sample(1e30));
   }
   // The impulse that leaves no displacement.
@@ -414,20 +384,14 @@ struct DryFriction : ScenePart {
     state.impulse = displacement;
     state.lasting = never<Plan>();
   }
-  template <class Value>
-  static constexpr Value clamped(Any, Value impulse) {
-    return impulse;
-  }
+  template <class Value> static constexpr Value clamped(Any, Value impulse) { return impulse; }
   template <class Value>
   [[gnu::always_inline]] static constexpr Value clamped(const Passive<Value>& passive, Value impulse) {
     return is_positive(impulse - passive.most)    ? passive.most
            : is_negative(impulse - passive.least) ? passive.least
                                                   : impulse;
   }
-  template <class Value>
-  static constexpr bool allows(Any, Value) {
-    return true;
-  }
+  template <class Value> static constexpr bool allows(Any, Value) { return true; }
   template <class Value>
   [[gnu::always_inline]] static constexpr bool allows(const Passive<Value>& passive, Value impulse) {
     return !is_positive(impulse - passive.most) && !is_negative(impulse - passive.least);

@@ -14,22 +14,19 @@ struct NoDrive {
   static constexpr double largest(const Scene&, const Bounds&) { return 0; }
   static constexpr double at_start(const Scene&, const LinearFlow&) { return 0; }
   static constexpr double largest_at_once(const Scene&, const Bounds&, const LinearFlow&) { return 0; }
-  template <class Format>
-  struct Plan {};
+  template <class Format> struct Plan {};
   template <class Format>
   static constexpr Plan<Format> make_plan(const Scene&, const Bounds&, double, const LinearFlow&,
                                           const UnitExponents&) {
     return {};
   }
-  template <class Format>
-  struct PlanChange {};
+  template <class Format> struct PlanChange {};
   template <class Format>
   static constexpr PlanChange<Format> make_plan_change(const Scene&, const Bounds&, double, const LinearFlow&,
                                                        const UnitExponents&) {
     return {};
   }
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     static constexpr State start(const Plan<Format>&) { return {}; }
     static constexpr State before() { return {}; }
     static constexpr DriveChange<typename Format::Value> change(const Plan<Format>&, State) { return {}; }
@@ -39,10 +36,7 @@ struct NoDrive {
     }
     static constexpr typename Format::Value force(const Plan<Format>&) { return {}; }
   };
-  template <class Format>
-  static constexpr double force_unit(const Scene&, const Bounds&) {
-    return 0;
-  }
+  template <class Format> static constexpr double force_unit(const Scene&, const Bounds&) { return 0; }
 };
 
 }  // namespace impact

@@ -20,8 +20,7 @@
 
 namespace impact {
 
-template <class Format, class Drive>
-struct PlanChange {
+template <class Format, class Drive> struct PlanChange {
   using Gain = typename Format::Gain;
 
   uint32_t units, contact;  // fingerprints of the units of a state and of a contact under way (plan/identity.hpp)
@@ -43,8 +42,7 @@ struct PlanChange {
 };
 
 // The same motion in another plan's units.
-template <class Plan, class State>
-constexpr void change_plan(const Plan& from, const Plan& to, State& state) {
+template <class Plan, class State> constexpr void change_plan(const Plan& from, const Plan& to, State& state) {
   const auto x1 = from.units.position(state.x1);
   const auto drive = state.drive.change_plan(from.drive, from.change.drive, to.drive, to.change.drive);
   using Field = typename Plan::FieldType;

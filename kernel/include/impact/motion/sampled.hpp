@@ -20,8 +20,7 @@ struct Sampled {
     return bounds.force * flow.b1;
   }
 
-  template <class Format>
-  struct Plan {
+  template <class Format> struct Plan {
     using Gain = typename Format::Gain;
     GainOf<Gain, unit::Sample, unit::Increment> at_once, increment_before, increment_now, increment_throughout;
     GainOf<Gain, unit::Sample, unit::Penetration> rate;
@@ -44,8 +43,7 @@ struct Sampled {
             static_cast<float>(newtons > 0 ? 1 / newtons : 0)};
   }
 
-  template <class Format>
-  struct PlanChange {
+  template <class Format> struct PlanChange {
     GainOf<typename Format::Gain, unit::Sample, unit::Increment> old_share, new_share;
   };
   template <class Format>
@@ -56,8 +54,7 @@ struct Sampled {
     return {gain(share / flow.e12), gain(share)};
   }
 
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     using Value = typename Format::Value;
     Sample<Value> sample;  // at the start of the step
 
@@ -90,8 +87,7 @@ struct Sampled {
     }
     constexpr Value force(const Plan<Format>&) const { return sample; }
   };
-  template <class Format>
-  static constexpr double force_unit(const Scene&, const Bounds& bounds) {
+  template <class Format> static constexpr double force_unit(const Scene&, const Bounds& bounds) {
     return Format::sample_unit(bounds.force);
   }
 };

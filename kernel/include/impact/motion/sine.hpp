@@ -19,8 +19,7 @@ namespace impact {
 struct Sine {
   static constexpr bool is_sine = true, is_sampled = false;
 
-  template <class Format>
-  struct Plan {
+  template <class Format> struct Plan {
     typename Format::Oscillator::Plan oscillator;
     typename Format::Gain increment, rate_by_value, rate_by_slope;
     typename Format::Gain force_by_value, force_by_slope;  // of the amplitude, in Q1.30 in fixed point
@@ -75,8 +74,7 @@ struct Sine {
 
   // From sine and cosine of the drive's phase w t, each in halves. The cosine's two terms are up to 1/(2 cos(w h/2)),
   // 5.3 at the longest turn, which is large where their sum is not. Above 2 rad they are in units of 2^cosine_bits.
-  template <class Format>
-  struct PlanChange {
+  template <class Format> struct PlanChange {
     typename Format::Gain cosine_by_value, cosine_by_slope;
     int cosine_bits;
     typename Format::Gain value_by_sine, value_by_cosine, slope_by_sine, slope_by_cosine;
@@ -109,8 +107,7 @@ struct Sine {
             Format::gain(P_cosine, 1, unit.increment)};
   }
 
-  template <class Format>
-  struct State {
+  template <class Format> struct State {
     using Value = typename Format::Value;
     typename Format::Oscillator oscillator;
 
@@ -166,8 +163,7 @@ struct Sine {
               Increment<Value>(in.new_share_by_sine * sine + in.new_share_by_cosine * cosine)};
     }
   };
-  template <class Format>
-  static constexpr double force_unit(const Scene& scene, const Bounds&) {
+  template <class Format> static constexpr double force_unit(const Scene& scene, const Bounds&) {
     return 2 * scene.drive_amplitude;
   }
 };

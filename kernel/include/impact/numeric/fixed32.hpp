@@ -27,8 +27,7 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr bool is_real = false;
 
   // weight x y. The weight's right shift follows both products.
-  template <int bits>
-  static constexpr Value product(Weight weight, Value x, Unsigned<bits> y) {
+  template <int bits> static constexpr Value product(Weight weight, Value x, Unsigned<bits> y) {
     const int ahead = weight.bits_ahead(), after = weight.shift + ahead;
     const int32_t weighted = high_product(to_left(x.raw, ahead), weight.mantissa);
     return moved({high_product(weighted, with_sign(y).raw)}, after + bits - 33);
@@ -48,10 +47,7 @@ struct Fixed32 : Fixed32Numbers {
   }
   static constexpr Short short_constant(double x) { return {static_cast<uint32_t>(x * 65536.0 + 0.5)}; }
   // x must be below 1.
-  template <int bits>
-  static constexpr Unsigned<32> factor(Unsigned<bits> x) {
-    return with_bits<32>(x);
-  }
+  template <int bits> static constexpr Unsigned<32> factor(Unsigned<bits> x) { return with_bits<32>(x); }
   // gain * x for a state in range and a gain >= 0, in fewer instructions than Gain's operator *. A right shift rounds
   // down, which cancels on average in the difference of two terms. A left shift adds about half an LSB of the product
   // to x, as 1 or 2 LSBs of x. The error is then at most 2/3 LSB of the product, whose lower word is not computed.
@@ -133,21 +129,13 @@ struct Fixed32 : Fixed32Numbers {
                              : 0};
   }
   // True if a sample of this fraction was clamped by more than rounding, or is a NaN.
-  template <class Real>
-  static constexpr bool is_clamped(Value sample, Real fraction) {
+  template <class Real> static constexpr bool is_clamped(Value sample, Real fraction) {
     const bool is_at_an_end = sample.raw == INT32_MAX || sample.raw == -INT32_MAX || sample.raw == 0;
     return is_at_an_end && !(fraction < static_cast<Real>(1.000001) && fraction > static_cast<Real>(-1.000001));
   }
-  template <int bits>
-  static constexpr Value value(Signed<bits> x) {
-    return with_bits<31>(x);
-  }
-  template <int bits>
-  static constexpr Value value(Unsigned<bits> x) {
-    return as_signed(with_bits<31>(x));
-  }
-  template <class Number, class Unit>
-  static constexpr In<Value, Unit> value(In<Number, Unit> x) {
+  template <int bits> static constexpr Value value(Signed<bits> x) { return with_bits<31>(x); }
+  template <int bits> static constexpr Value value(Unsigned<bits> x) { return as_signed(with_bits<31>(x)); }
+  template <class Number, class Unit> static constexpr In<Value, Unit> value(In<Number, Unit> x) {
     return In<Value, Unit>(value(bare(x)));
   }
   // numerator <= denominator
@@ -195,14 +183,12 @@ struct Fixed32 : Fixed32Numbers {
     return {rough_quotient_q31(numerator.raw, denominator.raw)};
   }
   // The quotient has 16 bits and is rounded down. numerator <= denominator
-  template <int bits>
-  static constexpr Short short_quotient(Unsigned<bits> numerator, Unsigned<bits> denominator) {
+  template <int bits> static constexpr Short short_quotient(Unsigned<bits> numerator, Unsigned<bits> denominator) {
     IMPACT_EXPECT(numerator.raw <= denominator.raw && denominator.raw > 0);
     return {quotient_q16(numerator.raw, denominator.raw)};
   }
   // z^2 / (5 p) for |z| <= p, for a small term of a sum.
-  template <int bits>
-  static constexpr Unsigned<bits + 1> square_over_five(Signed<bits> z, Unsigned<bits> p) {
+  template <int bits> static constexpr Unsigned<bits + 1> square_over_five(Signed<bits> z, Unsigned<bits> p) {
     IMPACT_EXPECT(int64_t{z.raw} <= p.raw && -int64_t{z.raw} <= p.raw);
     return {opaque(static_cast<uint32_t>(impact::square_over_five(z.raw, p.raw)))};
   }
@@ -256,8 +242,7 @@ struct Fixed32 : Fixed32Numbers {
     constexpr Value value() const { return {upper_word(raw)}; }
   };
   // The number of bits by which all x can be shifted left and stay within +-1/4.
-  template <class... Values>
-  static constexpr int spare_bits(Values... x) {
+  template <class... Values> static constexpr int spare_bits(Values... x) {
     const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };
     return leading_zeros((size(x) | ...)) - 3;
   }
@@ -280,22 +265,19 @@ struct Fixed32 : Fixed32Numbers {
     return quotient(part, part + Unsigned<31>{balance.a});
   }
   // The square root, clamped to 1.
-  template <int bits>
-  static constexpr Unsigned<32> root_of_product(Unsigned<bits> x) {
+  template <int bits> static constexpr Unsigned<32> root_of_product(Unsigned<bits> x) {
     static_assert(bits <= 32, "no such product");
     constexpr int above = 32 - bits;
     return {square_root_q32(x.raw <= UINT32_MAX >> above ? x.raw << above : ~UINT32_C(0))};
   }
   // x^(4/5) for x > 0, with `is_precise` for x >= 0.
-  template <bool is_precise = false>
-  static constexpr Value power_four_fifths(Value x) {
+  template <bool is_precise = false> static constexpr Value power_four_fifths(Value x) {
     if (is_precise && x.raw == 0) return x;
     IMPACT_EXPECT(x.raw > 0);
     return value(Unsigned<31>{power_four_fifths_q31<is_precise>(static_cast<uint32_t>(x.raw))});
   }
   // Linear interpolation. `values` belong to equidistant y from 0 to 1.
-  template <size_t size>
-  static constexpr Value interpolated(const Value (&values)[size], Unsigned<32> y) {
+  template <size_t size> static constexpr Value interpolated(const Value (&values)[size], Unsigned<32> y) {
     constexpr int bits = constant::exponent_above(size - 1);
     static_assert(size == (size_t{1} << bits) + 1, "2^n steps");
     const Value* at = values + (y.raw >> (32 - bits));
@@ -321,19 +303,14 @@ struct Fixed32 : Fixed32Numbers {
   }
 };
 
-template <int bits>
-constexpr Signed<bits> mirrored(Signed<bits> x, bool left) {
+template <int bits> constexpr Signed<bits> mirrored(Signed<bits> x, bool left) {
   const uint32_t sign = 0u - static_cast<uint32_t>(left);
   return {static_cast<int32_t>((static_cast<uint32_t>(x.raw) ^ sign) - sign)};
 }
 // To the left by the complement: an LSB less than -x.
-template <int bits>
-constexpr Signed<bits> mirrored_down(Signed<bits> x, bool left) {
+template <int bits> constexpr Signed<bits> mirrored_down(Signed<bits> x, bool left) {
   return {x.raw ^ -static_cast<int32_t>(left)};
 }
-template <int bits>
-constexpr Signed<bits> minus_mirrored(Signed<bits> x, bool left) {
-  return -mirrored(x, left);
-}
+template <int bits> constexpr Signed<bits> minus_mirrored(Signed<bits> x, bool left) { return -mirrored(x, left); }
 
 }  // namespace impact

@@ -43,10 +43,7 @@ inline int32_t veiled(int32_t x) {
   __asm__("" : "+r"(x));
   return x;
 }
-template <class State>
-inline void refreshed(State& x) {
-  __asm__("" : "+m"(x));
-}
+template <class State> inline void refreshed(State& x) { __asm__("" : "+m"(x)); }
 #if defined(__thumb__) && __ARM_ARCH_ISA_THUMB == 1
 constexpr int32_t opaque(int32_t x) { return x; }
 #else
@@ -67,19 +64,16 @@ constexpr int32_t to_left(int32_t x, int bits) {
 constexpr int32_t upper_word(int64_t x) { return static_cast<int32_t>(static_cast<uint64_t>(x) >> 32); }
 
 // The same barrier for an address. The compiler then reads all members relative to it.
-template <class Entry>
-inline const Entry* veiled(const Entry* x) {
+template <class Entry> inline const Entry* veiled(const Entry* x) {
   __asm__("" : "+r"(x));
   return x;
 }
-template <class Entry>
-constexpr const Entry* opaque(const Entry* x) {
+template <class Entry> constexpr const Entry* opaque(const Entry* x) {
   return __builtin_is_constant_evaluated() ? x : veiled(x);
 }
 
 // Makes the compiler read x from memory again after this point, instead of keeping copies of it on the stack.
-template <class State>
-constexpr void reload(State& x) {
+template <class State> constexpr void reload(State& x) {
   if (!__builtin_is_constant_evaluated()) refreshed(x);
 }
 
@@ -112,8 +106,7 @@ constexpr uint32_t short_product(uint32_t a, uint32_t b) { return high_product(a
 constexpr int32_t high_square(int32_t a) { return high_product(a, a); }
 constexpr uint32_t high_square(uint32_t a) { return high_product(a, a); }
 
-template <int step>
-constexpr int normalise(uint32_t& x) {
+template <int step> constexpr int normalise(uint32_t& x) {
   static_assert(step == 1 || step == 2, "steps of 1 or 2 bits");
   const int steps = __builtin_clz(static_cast<unsigned>(x)) / step;
   x <<= step * steps;
@@ -182,8 +175,7 @@ namespace composed {
 //     a b / 2^32 = ah bh + (ah bl + al bh + al bl / 2^16) / 2^16
 //
 // Carries are added from the lowest term upwards. No partial sum exceeds 32 bits.
-template <class Word>
-struct Product {
+template <class Word> struct Product {
   Word high, middle;  // a b = high 2^32 + middle 2^16 + (less than 2^16)
 };
 
@@ -225,8 +217,7 @@ IMPACT_ASSEMBLED_PRODUCT(uint32_t, "lsrs")
 
 // True if both operands are known at compile time. While GCC tests for a constant initialisation, only
 // __builtin_constant_p() is true. Without it GCC would initialise at run time.
-template <class Word>
-constexpr bool is_constant(Word a, Word b) {
+template <class Word> constexpr bool is_constant(Word a, Word b) {
   return (__builtin_constant_p(a) && __builtin_constant_p(b)) || __builtin_is_constant_evaluated();
 }
 
@@ -348,8 +339,7 @@ constexpr uint32_t high_square(uint32_t a) {
   return ah * ah + ((ah * al + ((al * al) >> 17)) >> 15);
 }
 
-template <int step>
-constexpr int normalise(uint32_t& x) {
+template <int step> constexpr int normalise(uint32_t& x) {
   static_assert(step == 1 || step == 2, "steps of 1 or 2 bits");
   int steps = 0;
   if (x >> 16 == 0) x <<= 16, steps = 16 / step;

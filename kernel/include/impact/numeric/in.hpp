@@ -15,8 +15,7 @@
 namespace impact {
 
 namespace unit {
-template <int UnitExponents::*own>
-struct Of {
+template <int UnitExponents::*own> struct Of {
   static constexpr int exponent(const UnitExponents& units) { return units.*own; }
 };
 using Position = Of<&UnitExponents::position>;
@@ -38,47 +37,36 @@ struct Number : Stated {};
 }  // namespace unit
 
 namespace detail {
-template <class Real>
-struct RealNumber {
+template <class Real> struct RealNumber {
   Real own{};
   RealNumber() = default;
   [[gnu::always_inline]] explicit constexpr RealNumber(Real x) : own(x) {}
   constexpr operator Real() const { return own; }
 };
-template <class Value>
-using NumberOf = typename Either<__is_class(Value), Value, RealNumber<Value>>::Type;
+template <class Value> using NumberOf = typename Either<__is_class(Value), Value, RealNumber<Value>>::Type;
 }  // namespace detail
 
-template <class Value, class Unit>
-struct In;
-template <class Unit, class Value>
-[[gnu::always_inline]] constexpr In<Value, Unit> in(Value x) {
+template <class Value, class Unit> struct In;
+template <class Unit, class Value> [[gnu::always_inline]] constexpr In<Value, Unit> in(Value x) {
   return In<Value, Unit>(x);
 }
-template <class Value, class Unit>
-[[gnu::always_inline]] constexpr Value bare(In<Value, Unit> x) {
+template <class Value, class Unit> [[gnu::always_inline]] constexpr Value bare(In<Value, Unit> x) {
   return static_cast<Value>(x);
 }
 
 // A Value in a unit. It converts to a plain Value.
-template <class Value, class Unit>
-struct In : detail::NumberOf<Value> {
+template <class Value, class Unit> struct In : detail::NumberOf<Value> {
   In() = default;
   [[gnu::always_inline]] explicit constexpr In(Value x) : detail::NumberOf<Value>{x} {}
-  template <class Other>
-  In(In<Value, Other>) = delete;
+  template <class Other> In(In<Value, Other>) = delete;
 
   [[gnu::always_inline]] friend constexpr In operator+(In x, In y) { return In(bare(x) + bare(y)); }
   [[gnu::always_inline]] friend constexpr In operator-(In x, In y) { return In(bare(x) - bare(y)); }
   [[gnu::always_inline]] friend constexpr In operator-(In x) { return In(-bare(x)); }
-  template <class Other>
-  friend void operator+(In, Other) = delete;
-  template <class Other>
-  friend void operator-(In, Other) = delete;
-  template <class Other>
-  friend void operator+(Other, In) = delete;
-  template <class Other>
-  friend void operator-(Other, In) = delete;
+  template <class Other> friend void operator+(In, Other) = delete;
+  template <class Other> friend void operator-(In, Other) = delete;
+  template <class Other> friend void operator+(Other, In) = delete;
+  template <class Other> friend void operator-(Other, In) = delete;
 
   [[gnu::always_inline]] friend constexpr auto half(In x) { return in<Unit>(half(bare(x))); }
   [[gnu::always_inline]] friend constexpr auto quarter(In x) { return in<Unit>(quarter(bare(x))); }
@@ -96,24 +84,15 @@ struct In : detail::NumberOf<Value> {
   [[gnu::always_inline]] friend constexpr auto without_sign(In x) { return without_sign(bare(x)); }
   [[gnu::always_inline]] friend constexpr auto square(In x) { return square(bare(x)); }
 };
-template <class Value>
-using Position = In<Value, unit::Position>;
-template <class Value>
-using Displacement = In<Value, unit::Displacement>;
-template <class Value>
-using Damped = In<Value, unit::Damped>;
-template <class Value>
-using Increment = In<Value, unit::Increment>;
-template <class Value>
-using Push = In<Value, unit::Push>;
-template <class Value>
-using Recoil = In<Value, unit::Recoil>;
-template <class Value>
-using Penetration = In<Value, unit::Penetration>;
-template <class Value>
-using Force = In<Value, unit::Force>;
-template <class Value>
-using Sample = In<Value, unit::Sample>;
+template <class Value> using Position = In<Value, unit::Position>;
+template <class Value> using Displacement = In<Value, unit::Displacement>;
+template <class Value> using Damped = In<Value, unit::Damped>;
+template <class Value> using Increment = In<Value, unit::Increment>;
+template <class Value> using Push = In<Value, unit::Push>;
+template <class Value> using Recoil = In<Value, unit::Recoil>;
+template <class Value> using Penetration = In<Value, unit::Penetration>;
+template <class Value> using Force = In<Value, unit::Force>;
+template <class Value> using Sample = In<Value, unit::Sample>;
 
 template <class First, class Second, class Unit, class Other>
 [[gnu::always_inline]] constexpr auto operator*(In<First, Unit> x, In<Second, Other> y) {
@@ -127,8 +106,7 @@ template <class Value, class Unit, class Number>
 [[gnu::always_inline]] constexpr auto operator*(Number x, In<Value, Unit> y) {
   return in<Unit>(x * bare(y));
 }
-template <class First, class Second, class Unit>
-constexpr auto work(First x, In<Second, Unit> y) {
+template <class First, class Second, class Unit> constexpr auto work(First x, In<Second, Unit> y) {
   return work(x, bare(y));
 }
 template <class First, class Second, class Unit, class Other>
@@ -137,10 +115,7 @@ constexpr auto work(In<First, Unit> x, In<Second, Other> y) {
 }
 
 // A gain that converts one unit to another.
-template <class Gain, class From, class To>
-struct GainOf {
-  Gain own;
-};
+template <class Gain, class From, class To> struct GainOf { Gain own; };
 template <class Gain, class From, class To, class Value>
 [[gnu::always_inline]] constexpr In<Value, To> operator*(GainOf<Gain, From, To> gain, In<Value, From> x) {
   return In<Value, To>(gain.own * bare(x));
@@ -149,20 +124,17 @@ template <class Gain, class From, class To, class Value, class Unit>
 void operator*(GainOf<Gain, From, To>, In<Value, Unit>) = delete;
 
 // Converts a number in SI units to the constant of a plan that it initialises: a Value, a gain or a weight.
-template <class Format>
-struct Scaled {
+template <class Format> struct Scaled {
   const UnitExponents& units;
 
   struct Constant {
     double own;
     const UnitExponents& units;
 
-    template <class Value, class Unit>
-    constexpr operator In<Value, Unit>() const {
+    template <class Value, class Unit> constexpr operator In<Value, Unit>() const {
       return In<Value, Unit>(Format::sample(own * constant::power_of_two(-Unit::exponent(units))));
     }
-    template <class Gain, class From, class To>
-    constexpr operator GainOf<Gain, From, To>() const {
+    template <class Gain, class From, class To> constexpr operator GainOf<Gain, From, To>() const {
       const int from = From::exponent(units), to = To::exponent(units);
       if constexpr (detail::is_one_of<Gain, typename Format::Weight>)
         return {Format::weight(own, from, to)};

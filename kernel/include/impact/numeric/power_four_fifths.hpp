@@ -30,8 +30,7 @@ inline constexpr float four_fifths_octaves[5] = {1.0f, 1.74110113f, 3.03143313f,
 constexpr uint32_t fifth_of(uint32_t x) { return x * 205 >> 10; }
 
 // (x / 2^31)^(4/5) 2^31 for x > 0. Rounding adds at most 2 to the errors above, and at most 4 with `is_precise`.
-template <bool is_precise = false>
-constexpr uint32_t power_four_fifths_q31(uint32_t x) {
+template <bool is_precise = false> constexpr uint32_t power_four_fifths_q31(uint32_t x) {
   constexpr auto slope = static_cast<uint32_t>(four_fifths_slope * 4294967296.0 + 0.5);
   const auto zeros = static_cast<uint32_t>(normalise<1>(x)), q = fifth_of(zeros);
   const uint32_t start = four_fifths_octaves_q31[zeros - 5 * q] >> (4 * q);
@@ -43,8 +42,7 @@ constexpr uint32_t power_four_fifths_q31(uint32_t x) {
 }
 
 // x^(4/5) for normal floats. The result is 0 for x < 0, for zeros and for subnormal numbers.
-template <bool is_precise = false>
-inline float power_four_fifths(float x) {
+template <bool is_precise = false> inline float power_four_fifths(float x) {
   const uint32_t bits = bits_of(x), biased = bits >> 23;
   if (biased - 1 >= 254) return 0;
   // 2^(biased - 127) = 2^(5 (q - 26) + r) with biased + 3 = 5 q + r

@@ -25,15 +25,13 @@ constexpr float size(float x) { return __builtin_fabsf(x); }
 constexpr double size(double x) { return __builtin_fabs(x); }
 
 // True if the sign bit is set.
-template <class Real>
-constexpr bool has_sign(Real x) {
+template <class Real> constexpr bool has_sign(Real x) {
   if (__builtin_is_constant_evaluated()) return x < 0;
   return bits_as<BitsOf<Real>>(x) < 0;
 }
 
 // A state in one number.
-template <class Real>
-struct PlainState {
+template <class Real> struct PlainState {
   Real sum;
 
   constexpr void advance(PlainState other) { sum += other.sum; }
@@ -48,8 +46,7 @@ struct PlainState {
 
 // A state with the rounding error of its last addition (Kahan 1965). After millions of small increments, sum + rest has
 // some 40 correct bits.
-template <class Real>
-struct CompensatedState {
+template <class Real> struct CompensatedState {
   Real sum, rest;
 
   constexpr void advance(CompensatedState other) { add(other.sum + other.rest); }
@@ -76,13 +73,9 @@ struct CompensatedState {
 };
 
 // The bits of the magnitude, in the order of magnitudes. Infinity is above all numbers, and NaN above infinity.
-template <class Real>
-inline auto magnitude_bits(Real x) {
-  return bits_of(x) << 1;
-}
+template <class Real> inline auto magnitude_bits(Real x) { return bits_of(x) << 1; }
 
-template <class RealType, template <class> class State, class OscillatorType>
-struct RealFormat {
+template <class RealType, template <class> class State, class OscillatorType> struct RealFormat {
   static constexpr uint32_t kind = sizeof(RealType) == sizeof(float) ? 0 : 2;  // part of a saved state's identity
   static constexpr bool is_real = true;
   using Real = RealType;
@@ -242,8 +235,7 @@ struct RealFormat {
   static constexpr Value dithered_term(Gain gain, Value x, const Long&) { return term(gain, x); }
   // gain * x for a power of two.
   static constexpr Value moved_term(Gain gain, Value x) { return gain * x; }
-  template <class From, class To>
-  static constexpr In<Value, To> term(GainOf<Gain, From, To> gain, In<Value, From> x) {
+  template <class From, class To> static constexpr In<Value, To> term(GainOf<Gain, From, To> gain, In<Value, From> x) {
     return In<Value, To>(term(gain.own, x));
   }
   template <class From, class To>
@@ -296,19 +288,10 @@ struct RealFormat {
   static constexpr auto native(Value reading) { return static_cast<decltype(Oscillator{}.value_head())>(reading); }
   static constexpr Value sample_of_float(float force) { return static_cast<Real>(force); }
   static constexpr Value sample(double force) { return static_cast<Real>(force); }
-  template <class Fraction>
-  static constexpr bool is_clamped(Value, Fraction) {
-    return false;
-  }
+  template <class Fraction> static constexpr bool is_clamped(Value, Fraction) { return false; }
   static constexpr Value value(Real x) { return x; }
-  template <class Unit>
-  static constexpr In<Value, Unit> value(In<Value, Unit> x) {
-    return x;
-  }
-  template <class... Values>
-  static constexpr int spare_bits(Values...) {
-    return 0;
-  }
+  template <class Unit> static constexpr In<Value, Unit> value(In<Value, Unit> x) { return x; }
+  template <class... Values> static constexpr int spare_bits(Values...) { return 0; }
   // A NaN becomes -1/4.
   static constexpr Real within_a_quarter(Real x) {
     constexpr auto quarter = static_cast<Real>(0.25);
@@ -345,13 +328,11 @@ struct RealFormat {
   };
   static constexpr KnownRoot known_root(Real x) { return {root(x)}; }
   static constexpr bool is_root_beside(Real root, Real x) { return x > 0 && root == correct_root(x); }
-  template <bool is_precise = false>
-  static constexpr Real power_four_fifths(Real x) {
+  template <bool is_precise = false> static constexpr Real power_four_fifths(Real x) {
     return static_cast<Real>(impact::power_four_fifths<is_precise>(static_cast<float>(x)));
   }
   // Linear interpolation. `values` belong to equidistant y from 0 to 1.
-  template <size_t size>
-  static constexpr Real interpolated(const Real (&values)[size], Real y) {
+  template <size_t size> static constexpr Real interpolated(const Real (&values)[size], Real y) {
     const Real at = y * static_cast<Real>(size - 1);
     const int segment = at < static_cast<Real>(size - 2) ? static_cast<int>(at) : static_cast<int>(size - 2);
     return values[segment] + (values[segment + 1] - values[segment]) * (at - static_cast<Real>(segment));

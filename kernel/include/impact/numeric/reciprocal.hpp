@@ -49,8 +49,7 @@ inline constexpr ReciprocalTable reciprocal_table{};
 
 // 2^63 / d for d in [2^31, 2^32). The result is in (2^63 / d - 2, 2^63 / d], and 2^32 - 1 for d = 2^31. With `is_even`
 // the lowest bit of d counts as 0, which saves five instructions. Numbers below 2^31 are even after normalise().
-template <bool is_even = false>
-constexpr uint32_t reciprocal_q31(uint32_t d) {
+template <bool is_even = false> constexpr uint32_t reciprocal_q31(uint32_t d) {
   const int32_t seed = reciprocal_table.reciprocal(d);
   const auto x = static_cast<uint32_t>(seed);
   const uint32_t half_product = (d >> 1) * x + (is_even ? 0 : ((x + 1) >> 1) & (0u - (d & 1)));
@@ -59,8 +58,7 @@ constexpr uint32_t reciprocal_q31(uint32_t d) {
 
 // (numerator / denominator) 2^32 for numerator <= denominator and denominator > 0. The result is never above the true
 // quotient, and falls short by less than 1 plus 2^-30 of the quotient. For numerator = 0 it is 0.
-template <bool is_even = false>
-constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
+template <bool is_even = false> constexpr uint32_t quotient_q32(uint32_t numerator, uint32_t denominator) {
   numerator <<= normalise<1>(denominator);
   const uint32_t reciprocal = reciprocal_q31<is_even>(denominator);
   return (high_product(numerator, reciprocal) << 1) | ((numerator * reciprocal) >> 31);

@@ -20,8 +20,7 @@
 
 namespace impact {
 
-template <class Plan>
-class PlanMaking {
+template <class Plan> class PlanMaking {
   using Format = typename Plan::FormatType;
   using ContactLaw = typename Plan::LawType;
   using Stepper = typename Plan::StepperType;

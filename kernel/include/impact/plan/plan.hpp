@@ -41,10 +41,8 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   using ContactType = typename Stepper::template Contact<Format, ContactLaw>;
 
   // names: the absorber's type names the part. has: the part acts. BaseAcceleration includes Gravity.
-  template <class Part>
-  static constexpr bool names = __is_base_of(Part, Field) || __is_base_of(Part, Friction);
-  template <class Part>
-  static constexpr bool has = names<Part> || (__is_base_of(Part, Gravity) && Field::is_sampled);
+  template <class Part> static constexpr bool names = __is_base_of(Part, Field) || __is_base_of(Part, Friction);
+  template <class Part> static constexpr bool has = names<Part> || (__is_base_of(Part, Gravity) && Field::is_sampled);
 
   PlanStatus status;  // if not ok, the rest is invalid
   double step;        // h, s
@@ -89,8 +87,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   }
 
   // Returns a sample for a force in N. In Fixed32 it is clamped to Bounds::force, and step() then raises Fault::sample.
-  template <class Real>
-  constexpr Native<Quantity::force, Value> sample_of(Real newtons) const {
+  template <class Real> constexpr Native<Quantity::force, Value> sample_of(Real newtons) const {
     static_assert(Drive::is_sampled, "sample_of() requires a sampled drive: name Sampled as the drive");
     static_assert(static_cast<Real>(0.5) > 0,
                   "sample_of() takes newtons as a float, or as a double if they are constant");
@@ -100,8 +97,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
       return {};
   }
   // The same for a base acceleration in m/s^2 and Bounds::base_acceleration.
-  template <class Real>
-  constexpr Native<Quantity::base_acceleration, Value> base_sample_of(Real acceleration) const {
+  template <class Real> constexpr Native<Quantity::base_acceleration, Value> base_sample_of(Real acceleration) const {
     static_assert(Field::is_sampled, "base_sample_of() requires BaseAcceleration: append it to the absorber's type");
     static_assert(static_cast<Real>(0.5) > 0,
                   "base_sample_of() takes m/s^2 as a float, or as a double if they are constant");

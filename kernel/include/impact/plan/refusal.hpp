@@ -15,15 +15,13 @@
 
 namespace impact::refusal {
 
-template <int64_t longest_step_in_nanoseconds, bool is_in_range>
-struct Step {
+template <int64_t longest_step_in_nanoseconds, bool is_in_range> struct Step {
   static_assert(
       is_in_range,
       "Rig::step: from 1e-9 s to the longest_step_in_nanoseconds named here. Drive, main spring, main damper and 0.1 s "
       "limit it");
 };
-template <int64_t longest_step_in_nanoseconds, bool is_in_range>
-struct StepsPerContact {
+template <int64_t longest_step_in_nanoseconds, bool is_in_range> struct StepsPerContact {
   static_assert(
       is_in_range,
       "Rig::step: too few steps per contact for this stepper, or with sub-steps per crossing of the clearance. "
@@ -31,15 +29,13 @@ struct StepsPerContact {
       "impact::Chosen<>");
 };
 
-template <int64_t largest_clearance_in_micrometres, bool is_in_range>
-struct StopInReach {
+template <int64_t largest_clearance_in_micrometres, bool is_in_range> struct StopInReach {
   static_assert(is_in_range,
                 "Rig::scene.clearance: no ball within Bounds::displacement reaches a stop. It is in m, and at most the "
                 "largest_clearance_in_micrometres named here. For a ball without stops state Stops::none");
 };
 
-template <class Rig, class PlanType, PlanStatus status>
-constexpr bool accepts() {
+template <class Rig, class PlanType, PlanStatus status> constexpr bool accepts() {
 #define IMPACT_SAY(name, least, most, unit, its_status, ...)                             \
   static_assert(status != PlanStatus::its_status || name##_range.holds(Rig::scene.name), \
                 "Rig::scene." #name ": " #least " to " #most " " unit);

@@ -12,8 +12,7 @@ struct AtRunTime {};
 
 // `identity` is the rig's fingerprint, a part of the name of everything that is compiled for it. Two files of a program
 // may each have a `Rig`, and a linker would merge functions and constants of the same name.
-template <class Rig, class PlanType_, uint32_t identity>
-class PlanSource {
+template <class Rig, class PlanType_, uint32_t identity> class PlanSource {
  public:
   using PlanType = PlanType_;
   static constexpr PlanType plan = PlanType::make(Rig::scene, Rig::bounds, Rig::step);
@@ -23,12 +22,8 @@ class PlanSource {
   static constexpr double force_unit() { return plan.force_unit(); }
   static constexpr double sample_unit() { return plan.sample_unit(); }
   static constexpr double base_sample_unit() { return plan.base_sample_unit(); }
-  template <class Real>
-  static constexpr auto sample_of(Real newtons) {
-    return plan.sample_of(newtons);
-  }
-  template <class Real>
-  static constexpr auto base_sample_of(Real acceleration) {
+  template <class Real> static constexpr auto sample_of(Real newtons) { return plan.sample_of(newtons); }
+  template <class Real> static constexpr auto base_sample_of(Real acceleration) {
     return plan.base_sample_of(acceleration);
   }
 
@@ -40,25 +35,21 @@ class PlanSource {
 };
 
 // An absorber's copy of its plan. Programs may read it. Only retune() replaces it.
-template <class PlanType>
-class PlanInUse : public PlanType {
+template <class PlanType> class PlanInUse : public PlanType {
  public:
   explicit constexpr PlanInUse(const PlanType& plan) : PlanType(plan) {}
   constexpr PlanInUse(const PlanInUse&) = default;
-  template <class Other>
-  PlanInUse& operator=(const Other&) {
+  template <class Other> PlanInUse& operator=(const Other&) {
     static_assert(sizeof(Other) == 0, "an absorber's plan is read only: absorber.retune(plan) changes it");
     return *this;
   }
 
  private:
-  template <class, class, uint32_t>
-  friend class PlanSource;
+  template <class, class, uint32_t> friend class PlanSource;
   constexpr PlanInUse& operator=(const PlanInUse&) = default;
 };
 
-template <class PlanType_, uint32_t identity>
-class PlanSource<AtRunTime, PlanType_, identity> {
+template <class PlanType_, uint32_t identity> class PlanSource<AtRunTime, PlanType_, identity> {
  public:
   using PlanType = PlanType_;
   PlanInUse<PlanType> plan;
@@ -68,12 +59,8 @@ class PlanSource<AtRunTime, PlanType_, identity> {
   constexpr double force_unit() const { return plan.force_unit(); }
   constexpr double sample_unit() const { return plan.sample_unit(); }
   constexpr double base_sample_unit() const { return plan.base_sample_unit(); }
-  template <class Real>
-  constexpr auto sample_of(Real newtons) const {
-    return plan.sample_of(newtons);
-  }
-  template <class Real>
-  constexpr auto base_sample_of(Real acceleration) const {
+  template <class Real> constexpr auto sample_of(Real newtons) const { return plan.sample_of(newtons); }
+  template <class Real> constexpr auto base_sample_of(Real acceleration) const {
     return plan.base_sample_of(acceleration);
   }
 

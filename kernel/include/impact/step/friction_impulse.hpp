@@ -9,8 +9,7 @@
 
 namespace impact {
 
-template <class Model>
-struct FrictionImpulse {
+template <class Model> struct FrictionImpulse {
   using Format = typename Model::Format;
   using Field = typename Model::Field;
   using Friction = typename Model::Friction;

@@ -16,8 +16,7 @@
 namespace impact {
 
 // `Source` has the plan (plan/source.hpp): a constant of the image, or a member.
-template <class Source, class... Features>
-struct Machine : Source {
+template <class Source, class... Features> struct Machine : Source {
   using Source::plan;
   using Source::Source;
 
@@ -51,8 +50,7 @@ struct Machine : Source {
   State state{};
 
   constexpr void start_features() { (Features::start(plan, state), ...); }
-  template <class Seen>
-  constexpr void record_contact(const Seen& seen) {
+  template <class Seen> constexpr void record_contact(const Seen& seen) {
     (Features::after_contact(plan, state, seen), ...);
   }
   constexpr void record_step() { (Features::after_step(plan, state), ...); }

@@ -8,8 +8,7 @@
 
 namespace impact {
 
-template <class Model>
-struct Restart {
+template <class Model> struct Restart {
   using Field = typename Model::Field;
   using Contact = typename Model::Contact;
   using Value = typename Model::Value;

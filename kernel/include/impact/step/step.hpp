@@ -18,8 +18,7 @@
 
 namespace impact {
 
-template <class Model>
-struct Step {
+template <class Model> struct Step {
   using Format = typename Model::Format;
   using Drive = typename Model::Drive;
   using Field = typename Model::Field;
@@ -294,8 +293,7 @@ struct Step {
     return true;
   }
   // Records each touch of the other stop in the step. The first record contains the work of all.
-  template <class Number>
-  static constexpr void follow_crossings(Model& m, Reaction<Format, Number>& reaction) {
+  template <class Number> static constexpr void follow_crossings(Model& m, Reaction<Format, Number>& reaction) {
     for (uint32_t i = 0; i < reaction.crossings; ++i) {
       m.state.at_left ^= 1;
       if constexpr (Model::records) {
@@ -313,8 +311,7 @@ struct Step {
   [[gnu::always_inline]] static constexpr Penetration main_rate(const Model& m) {
     return m.plan.units.relative(m.state.dx1) + m.rate_ahead();
   }
-  template <class Units>
-  static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
+  template <class Units> static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
     if (is_positive(approach.before) || !is_positive(approach.penetration) || !is_positive(approach.travel))
       return approach.rate;
     const auto divisor = Format::divisor(without_sign(approach.travel));

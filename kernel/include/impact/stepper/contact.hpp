@@ -53,8 +53,7 @@ struct ContactTraits {
 
 // A step of free flight in the coordinates of the stop: penetrations and their changes in a step, positive into the
 // stop. During a contact the contact itself keeps the penetration before.
-template <class Value>
-struct Approach {
+template <class Value> struct Approach {
   static constexpr bool is_recorded = false, is_in_field = false, is_rubbed = false;
   Penetration<Value> penetration, rate;  // at the end of the step
   Penetration<Value> travel;             // of the penetration in the step
@@ -66,41 +65,31 @@ struct Approach {
   [[gnu::always_inline]] constexpr Penetration<Value> rate_at_start() const { return travel + (travel - rate); }
 };
 // The same in a field (motion/field.hpp).
-template <class Value>
-struct ApproachInField : Approach<Value> {
+template <class Value> struct ApproachInField : Approach<Value> {
   static constexpr bool is_in_field = true;
   Increment<Value> ball_increment;  // the ball's part of the increment
 };
 // Either of them, for a contact that follows the flight within the step.
-template <class Seen, class Value>
-struct ApproachFromStart : Seen {
+template <class Seen, class Value> struct ApproachFromStart : Seen {
   Penetration<Value> rate_before;  // at the step's start, where a contact begins
   Increment<Value> bend;           // second difference of the drive's increments
 };
 // Either of them, for impacts that take no time.
-template <class Seen, class Value>
-struct ApproachAtInstant : Seen {
+template <class Seen, class Value> struct ApproachAtInstant : Seen {
   Increment<Value> half_change;  // of the drive's increment of the rate, from the step's start to its end
   Increment<Value> damped;       // the damper's part of the increment
   Penetration<Value> main_rate;  // of the main mass at the end
 };
 // Any of them, with dry friction, for a contact that feels it: solve() writes there how the step's friction ends.
-template <class Seen, class Format>
-struct RubbedApproach : Seen {
+template <class Seen, class Format> struct RubbedApproach : Seen {
   static constexpr bool is_rubbed = true;
   Rubbing<Format>* rubbing;
 };
 // Any of them, where features see the reaction.
-template <class Seen>
-struct RecordedApproach : Seen {
-  static constexpr bool is_recorded = true;
-};
+template <class Seen> struct RecordedApproach : Seen { static constexpr bool is_recorded = true; };
 
 // The impulse of the contact's force in a step, and its moment about the step's end, in the contact's own unit.
-template <class Number>
-struct Impulse {
-  Number j0, j1;
-};
+template <class Number> struct Impulse { Number j0, j1; };
 // The nearest impulse of a force that never pulls: 0 <= J1 <= J0.
 template <class Format, class Value>
 [[gnu::always_inline]] constexpr Impulse<Value> without_pull(const Impulse<Value>& impulse) {
@@ -113,8 +102,7 @@ template <class Value>
 }
 
 // A step in contact as the features see it. The contact writes the first four and the last two.
-template <class Format>
-struct ContactStep {
+template <class Format> struct ContactStep {
   using Value = typename Format::Value;
 
   Impulse<Force<Value>> force;
@@ -129,8 +117,7 @@ struct ContactStep {
 
 // The result of a contact in a step, with impulses in the unit of Number, from which plan.response leads. A contact
 // writes what its response reads, the penetration, and, if the approach is_recorded, the record.
-template <class Format, class Number>
-struct Reaction {
+template <class Format, class Number> struct Reaction {
   using Value = typename Format::Value;
 
   Impulse<Number> main, ball;      // on each mass; a shared response reads `main` alone
@@ -146,10 +133,7 @@ template <class Format, class Number>
 }
 
 // A contact between steps: the penetration, its rate, and the change of the rate in a step by spring, drive and field.
-template <class Value>
-struct Standing {
-  Penetration<Value> penetration, rate, load;
-};
+template <class Value> struct Standing { Penetration<Value> penetration, rate, load; };
 
 // The unit of a force, N.
 constexpr double force_unit_of(const ContactTraits& traits, const ContactTerms& terms, const UnitExponents& unit) {
@@ -185,18 +169,13 @@ struct ContactDefaults {
                         largest.force_factor;
     largest.push = larger(2 * rate, 8 * largest.increment);
   }
-  template <class Plan, class Units>
-  static constexpr bool valid(const Plan&, const Units&) {
-    return true;
-  }
-  template <class Plan, class Value>
-  static constexpr void change_rate(const Plan&, Value) {}
+  template <class Plan, class Units> static constexpr bool valid(const Plan&, const Units&) { return true; }
+  template <class Plan, class Value> static constexpr void change_rate(const Plan&, Value) {}
   static constexpr UnitExponents units(const ContactTerms&, const UnitExponents& unit) { return unit; }
 };
 
 // True if a root that is kept with a penetration belongs to it.
-template <class Format>
-constexpr bool is_root_of(typename Format::Value penetration, typename Format::Root root) {
+template <class Format> constexpr bool is_root_of(typename Format::Value penetration, typename Format::Root root) {
   return is_positive(penetration) && root == Format::root(penetration);
 }
 

@@ -42,8 +42,7 @@ struct Impulsive {
     return is_instant(contact, longest_main_phase) ? any_step : Range{0, 0};
   }
 
-  template <class Format, class ContactLaw>
-  struct Contact : ContactDefaults {
+  template <class Format, class ContactLaw> struct Contact : ContactDefaults {
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
@@ -325,14 +324,12 @@ struct Impulsive {
                  Format::value(square(t) * (half_change - Format::value(half(sixth(half_change))))) +
                  Format::value(half(turned * main_rate))) {}
       // Without the damper's change since then.
-      template <class Share>
-      constexpr Value undamped(const Plan& plan, Share t, Increment<Value> damped) const {
+      template <class Share> constexpr Value undamped(const Plan& plan, Share t, Increment<Value> damped) const {
         const Value part = plan.acceleration * damped;
         return rate + Format::value(t * (part - sixth(part)));
       }
       constexpr Value sixth(Value x) const { return Format::value(turned * x * Format::short_constant(1.0 / 6)); }
-      template <class Share>
-      constexpr SplitImpulse split(Share t, Value impulse) const {
+      template <class Share> constexpr SplitImpulse split(Share t, Value impulse) const {
         const Value lost = Format::value(faded * impulse);
         return {{impulse - lost - Format::value(half(turned * impulse)),
                  Format::value(t * (impulse - Format::value(half(lost)) - sixth(impulse)))},

@@ -32,8 +32,7 @@
 
 namespace impact {
 
-template <int beta_numerator, int beta_denominator>
-struct Pointwise {
+template <int beta_numerator, int beta_denominator> struct Pointwise {
   // A saved state is of one kind of stepper, and of one beta.
   static constexpr uint32_t kind = 34 | beta_numerator << 8 | beta_denominator << 16;
   static constexpr double beta = static_cast<double>(beta_numerator) / beta_denominator;
@@ -217,8 +216,7 @@ struct Pointwise {
 
    private:
     // x (1 + C v), never negative: the contact does not pull.
-    template <class Shape>
-    constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
+    template <class Shape> constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
       if constexpr (ContactLaw::is_damped)
         return x *
                positive_part(strength<ContactLaw::is_damped_per_impact, Units>(units.one(), this->damping(plan) * v));

@@ -21,8 +21,7 @@ template <class Units, class State, class Value>
 // the right stop: x1 and dx1 grow, the others fall.
 //
 // `is_sudden` is true if a response may change the rate of penetration by more than a force over that step can.
-template <class Gain, class Unit>
-struct MainAnswer {
+template <class Gain, class Unit> struct MainAnswer {
   static constexpr bool is_sudden = false;
   GainOf<Gain, Unit, unit::Push> x1, dx1, dx1_by_moment;
 
@@ -32,8 +31,7 @@ struct MainAnswer {
     units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
   }
 };
-template <class Gain, class Unit>
-struct Answer : MainAnswer<Gain, Unit> {
+template <class Gain, class Unit> struct Answer : MainAnswer<Gain, Unit> {
   GainOf<Gain, Unit, unit::Push> x2, dx2;
 
   template <class Units, class State, class Reaction>
@@ -47,8 +45,7 @@ struct Answer : MainAnswer<Gain, Unit> {
 };
 
 // The change of the penetration and of its rate.
-template <class Gain, class Unit>
-struct Response : Answer<Gain, Unit> {
+template <class Gain, class Unit> struct Response : Answer<Gain, Unit> {
   GainOf<Gain, Unit, unit::Penetration> penetration, rate, rate_by_moment;
 };
 
@@ -59,8 +56,7 @@ inline constexpr double largest_share = 1 - 0x1p-31;
 // The same for an impulse and a moment in units of their changes of rate and penetration. The ball has its share of
 // them, and the main mass the rest, with the opposite sign; dx1 contains the effect of spring and damper meanwhile. In
 // Fixed32 the share of an impulse of zero may be rounded to one LSB, which then pushes the ball away from its stop.
-template <class Gain>
-struct SharedResponse {
+template <class Gain> struct SharedResponse {
   static constexpr bool is_sudden = false;
   GainOf<Gain, unit::Recoil, unit::Recoil> ball, dx1, dx1_by_moment;
   GainOf<Gain, unit::Recoil, unit::Penetration> penetration, rate, rate_by_moment;

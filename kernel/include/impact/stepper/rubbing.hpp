@@ -17,8 +17,7 @@
 namespace impact {
 
 // The friction of a step, in the coordinates of the stop. Friction counts as what it takes of the rate in a step.
-template <class Format>
-struct Rubbing {
+template <class Format> struct Rubbing {
   using Penetration = impact::Penetration<typename Format::Value>;
 
   Penetration full;   // 0: none
@@ -36,8 +35,7 @@ struct Rubbing {
 };
 
 // The friction in a part of the step.
-template <class Format>
-struct PartRubbing {
+template <class Format> struct PartRubbing {
   using Value = typename Format::Value;
   using Penetration = impact::Penetration<Value>;
 

@@ -12,8 +12,7 @@
 
 namespace impact {
 
-template <class Format>
-struct EnergyLinear : ContactDefaults {
+template <class Format> struct EnergyLinear : ContactDefaults {
   static constexpr ContactTraits traits = constant_force_traits();
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;

@@ -9,8 +9,7 @@
 
 namespace impact {
 
-template <class Format, bool is_real = Format::is_real>
-struct MeanShape {
+template <class Format, bool is_real = Format::is_real> struct MeanShape {
   using Value = typename Format::Value;
   using Root = typename Format::Root;
   using Factor = decltype(Format::constant(0));
@@ -32,14 +31,10 @@ struct MeanShape {
   }
   // n as d^(3/2), and d^(3/2) as n.
   static constexpr Factor shape(Factor n) { return n; }
-  template <class Shape>
-  static constexpr Factor of(Shape shape) {
-    return Format::factor(shape);
-  }
+  template <class Shape> static constexpr Factor of(Shape shape) { return Format::factor(shape); }
 };
 
-template <class Format>
-struct MeanShape<Format, true> {
+template <class Format> struct MeanShape<Format, true> {
   using Real = typename Format::Value;
   static constexpr double unit = 0.4;
 

@@ -16,8 +16,7 @@ namespace impact {
 // share of it, and the main mass the rest; spring and damper slightly reduce dx1 meanwhile. The ball ends where the
 // penetration is smaller by j1. A position correction makes j1 differ from j0/2: it moves only the ball and changes no
 // rate. In a stiff contact the correction is the reaction's shift.
-template <class Format>
-struct ConstantForceGains {
+template <class Format> struct ConstantForceGains {
   using Value = typename Format::Value;
 
   GainOf<typename Format::Weight, unit::Push, unit::Push> ball, dx1;

@@ -31,8 +31,7 @@
 
 namespace impact {
 
-template <class Format, class ContactLaw>
-struct StiffContact {
+template <class Format, class ContactLaw> struct StiffContact {
   static constexpr bool is_damped = ContactLaw::is_damped, is_per_impact = ContactLaw::is_damped_per_impact;
   using Damping = typename ImpactDamping<Format, is_per_impact>::Damping;
   using Value = typename Format::Value;
@@ -75,8 +74,7 @@ struct StiffContact {
   Value press;          // p
   Value field;          // g
 
-  template <bool is_in_field = false>
-  [[gnu::always_inline]] constexpr End end() const {
+  template <bool is_in_field = false> [[gnu::always_inline]] constexpr End end() const {
     // In a unit of the step's own, of which lengths are less than an eighth: the correction is at most 5.7 times the
     // longest of them.
     const int quarters =
@@ -123,13 +121,11 @@ struct StiffContact {
         return damping * x;
     }
     [[gnu::always_inline]] constexpr Value unscaled(Value x) const { return unit.common(x); }
-    template <bool is_precise>
-    [[gnu::always_inline]] constexpr Value depth_of(Value v1) const {
+    template <bool is_precise> [[gnu::always_inline]] constexpr Value depth_of(Value v1) const {
       return step.plan.depth * without_sign(Format::template power_four_fifths<is_precise>(v1));
     }
 
-    template <bool is_in_field>
-    [[gnu::always_inline]] constexpr End end() const {
+    template <bool is_in_field> [[gnu::always_inline]] constexpr End end() const {
       const Value damped = is_damped ? number(d) : Value{}, base = one + damped;  // A, 1 + A
       if (is_damped && !is_positive(base)) return left_behind();
       End end{};
@@ -141,8 +137,7 @@ struct StiffContact {
       const Value v1 = step.plan.rate_at(step.trial);
       return {Value{}, is_positive(step.rate - v1) ? v1 : step.rate, step.trial, true};
     }
-    template <bool is_in_field>
-    [[gnu::always_inline]] constexpr bool stays(End& end, Value base) const {
+    template <bool is_in_field> [[gnu::always_inline]] constexpr bool stays(End& end, Value base) const {
       if (step.is_inside && !is_positive(step.trial)) return false;
       const Value most = unscaled(v + Format::value(half(is_positive(d) ? d : Value{})));
       const Value deepest = is_positive(most) ? depth_of<false>(most) : Value{};
@@ -193,8 +188,7 @@ struct StiffContact {
 
     // So shallow that the force is below an LSB: none. In a field the stored energy stays that of the penetration, or
     // the next correction would lift the ball; a force of an LSB does no less work than it gains by that.
-    template <bool is_in_field>
-    constexpr bool flies_on(End& end) const {
+    template <bool is_in_field> constexpr bool flies_on(End& end) const {
       end = {Value{}, step.rate, step.trial, true};
       if constexpr (is_in_field) {
         const Value v1 = step.plan.rate_at(step.trial), most = Format::value(d * scaled(Format::lsb()));
@@ -306,8 +300,7 @@ struct StiffContact {
       return Format::value(x * (Format::rough_quotient(upper, lower) + Format::constant(n0 / 12)));
     }
 
-    template <bool is_in_field>
-    [[gnu::always_inline]] constexpr End leave(Value damped, Value base) const {
+    template <bool is_in_field> [[gnu::always_inline]] constexpr End leave(Value damped, Value base) const {
       const Value elastic = Format::value(Format::root_of_product(square(half(d)) + square(v)));
       Value half_rate = elastic;  // -w1/2
       if constexpr (is_damped) {

@@ -15,8 +15,7 @@
 
 namespace impact {
 
-template <class Format>
-struct MomentLinear : ContactDefaults {
+template <class Format> struct MomentLinear : ContactDefaults {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Units = typename Format::Units;
@@ -214,8 +213,7 @@ struct MomentLinear : ContactDefaults {
     if (phase == Phase::touching) phase = Phase::released;
     return impulse;
   }
-  template <class Number, class Time>
-  static constexpr Number slope(const Number* x, Time t) {
+  template <class Number, class Time> static constexpr Number slope(const Number* x, Time t) {
     return x[1] + Format::value((x[2] + Format::value(half(x[3] * t))) * t);
   }
   static constexpr Penetration twice_value(Penetration x) { return x + x; }

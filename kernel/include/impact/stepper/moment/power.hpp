@@ -278,8 +278,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
       return Recoil(Format::product_of_sum(steepness, plan.damping, shape, missed));
   }
   // (1/6) K C dv d^(3/2)
-  template <class Shape>
-  constexpr Recoil damped_sixth(const Plan& plan, Recoil dv, Shape shape) const {
+  template <class Shape> constexpr Recoil damped_sixth(const Plan& plan, Recoil dv, Shape shape) const {
     if constexpr (ContactLaw::is_damped_per_impact)
       return Recoil(
           Format::value(this->own_damping * bare(travel(plan, dv)) * Format::short_constant(1.0 / 6) * shape));

@@ -20,8 +20,7 @@
 namespace impact {
 
 // `named` is the number of sub-steps; by default the shortest contact determines it (parts_for).
-template <int named = 0>
-struct SubsteppedMoment {
+template <int named = 0> struct SubsteppedMoment {
   static constexpr int most = named == 0 ? 16384 : named;
   static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0,
                 "SubsteppedMoment<most>: the largest number of sub-steps must be a power of two from 2 to 16384");
@@ -51,8 +50,7 @@ struct SubsteppedMoment {
     return Moment::restitution_error(contact, step / parts_for(contact, step));
   }
 
-  template <class Format, class ContactLaw>
-  struct Contact : Moment::Contact<Format, ContactLaw> {
+  template <class Format, class ContactLaw> struct Contact : Moment::Contact<Format, ContactLaw> {
     using Inner = Moment::Contact<Format, ContactLaw>;
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
@@ -383,19 +381,16 @@ struct SubsteppedMoment {
         half_acceleration = half_acceleration + (rate_change + rate_change - curving - curving - curving);
         bend = bend + (rate_change - curving - curving);
       }
-      template <class Share>
-      constexpr Penetration at(Share s) const {
+      template <class Share> constexpr Penetration at(Share s) const {
         const Penetration bent = bend - Format::value(s * quartic),
                           slope = rate - Format::value(s * (half_acceleration - Format::value(s * bent)));
         return end - Format::value(s * slope);
       }
-      template <class Share>
-      constexpr Penetration rate_at(Share s) const {
+      template <class Share> constexpr Penetration rate_at(Share s) const {
         const Penetration by_quartic = Format::value(s * quartic), bent = bend - by_quartic;
         return rate - Format::value(s * (acceleration() - Format::value(s * (bent + bent + bent - by_quartic))));
       }
-      template <class Share>
-      constexpr Penetration acceleration_at(Share s) const {
+      template <class Share> constexpr Penetration acceleration_at(Share s) const {
         const Penetration bent = Format::value(s * (bend - Format::value(s * (quartic + quartic)))),
                           three = bent + bent + bent;
         return acceleration() - three - three;

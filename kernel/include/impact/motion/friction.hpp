@@ -72,13 +72,12 @@ struct DryFriction : ScenePart {
     const double friction = scene.ball_friction, both = increment(main, ball), full = friction * both;
     const double main_momentum = scene.main_mass * main.constant_increment() / main.e12,
                  momentum_ratio = main_momentum / (scene.ball_mass * ball.constant_increment());
-    const Scaled<Format> in{unit};
-    const Scaled<Format> gain{unit};
-    return {{in(full), in(full + at_once + constant::power_of_two(unit.position - 29)),
-             gain(main.constant_increment() / both), gain(main.constant_start() / both),
-             gain(ball.constant_start() / both), gain(main.constant_start() / main.e12 / both),
-             gain(-main.e11 * main.constant_increment() / both), gain(full > 0 ? 0.5 / full : 0),
-             gain(momentum_ratio - 1), unit.penetration - constant::exponent_above(2 * full),
+    const Scaled<Format> scaled{unit};
+    return {{scaled(full), scaled(full + at_once + constant::power_of_two(unit.position - 29)),
+             scaled(main.constant_increment() / both), scaled(main.constant_start() / both),
+             scaled(ball.constant_start() / both), scaled(main.constant_start() / main.e12 / both),
+             scaled(-main.e11 * main.constant_increment() / both), scaled(full > 0 ? 0.5 / full : 0),
+             scaled(momentum_ratio - 1), unit.penetration - constant::exponent_above(2 * full),
              units.state(friction * main.constant_increment()), units.state(-friction * ball.constant_increment()),
              friction}};
   }
@@ -100,6 +99,13 @@ struct DryFriction : ScenePart {
   // spring and damper act meanwhile.
   template <class Plan, class Value> static constexpr Value rubbing_rate(const Plan& plan, Value sliding, Value main) {
     return sliding - plan.friction.excess * main;
+  }
+  // What half of an impulse takes of that rate, and of the rate of sliding.
+  template <class Plan, class Value> static constexpr Value rubbed(const Plan& plan, Value impulse) {
+    return rubbing_rate(plan, half_taken(plan, impulse), -(plan.friction.main_rate_ahead * impulse));
+  }
+  template <class Plan, class Value> static constexpr Value half_taken(const Plan& plan, Value impulse) {
+    return plan.friction.main_rate_ahead * impulse + plan.friction.ball_ahead * impulse;
   }
   // Half of the energy that the last impulse dissipates at such a rate, over R.
   template <class Plan, class State, class Value>
@@ -147,8 +153,7 @@ struct DryFriction : ScenePart {
     using Format = typename Plan::FormatType;
     const Value half_full = Format::value(half(plan.friction.full));
     // An impulse as large as the rate takes s of it, a little more than all; 1/s is no less than 2 - s.
-    const Value main = plan.friction.main_rate_ahead * rate, ball = plan.friction.ball_ahead * rate;
-    const Value half_more = rubbing_rate(plan, main + ball, -main) - Format::value(half(rate));
+    const Value half_more = rubbed(plan, rate) - Format::value(half(rate));
     const Value half_most = clamped(Passive<Value>{-half_full, half_full}, rate - half_more - half_more);
     const Value most = half_most + half_most;
     return is_negative(most) ? Passive<Value>{most, Value{}} : Passive<Value>{Value{}, most};
@@ -198,10 +203,6 @@ struct DryFriction : ScenePart {
     const Value full = plan.friction.full, missing = size(full - size(impulse));
     if (is_positive(missing - full * Plan::FormatType::short_constant(0x1p-10))) return 0;
     return back ? -1 : 1;
-  }
-  // What half of an impulse takes of the rate of sliding.
-  template <class Plan, class Value> static constexpr Value half_taken(const Plan& plan, Value impulse) {
-    return plan.friction.main_rate_ahead * impulse + plan.friction.ball_ahead * impulse;
   }
   // When the motion begins, and after a correction: a ball that slides has the full friction.
   template <class Plan, class State, class Value>

@@ -44,9 +44,7 @@ template <class Model> struct FrictionImpulse {
   }
   // What the half of the last impulse that acts in the step ahead takes of that rate.
   static constexpr Penetration rubbed_ahead(const Model& m) {
-    const Penetration impulse = m.state.impulse;
-    const Penetration main = m.plan.friction.main_rate_ahead * impulse, ball = m.plan.friction.ball_ahead * impulse;
-    return Friction::rubbing_rate(m.plan, main + ball, -main);
+    return Friction::rubbed(m.plan, Penetration(m.state.impulse));
   }
 
   // Half of the impulse acts in the coming step. The impulse exceeds that of a first step by `excess`. Only its change

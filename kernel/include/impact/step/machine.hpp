@@ -149,10 +149,11 @@ template <class Source, class... Features> struct Machine : Source {
     return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.displacement) &&
            ((plan.left_stop && plan.right_stop) || plan.units.is_within(state.x2, limits.ball)) &&
            (!moves_ball_in_flight || plan.units.is_within(state.dx2, limits.displacement)) &&
-           (!plan.checks_speeds || speeds_are_in_range());
+           !is_fast();
   }
   // The displacements of the coming step do not show a speed where the forces change it too much in a step, or where
   // the bound is only some LSBs of a position.
+  [[gnu::always_inline]] constexpr bool is_fast() const { return plan.checks_speeds && !speeds_are_in_range(); }
   [[gnu::noinline]] constexpr bool speeds_are_in_range() const {
     const Speeds now = speeds();
     return plan.units.is_within_speed_limit(now.main) && plan.units.is_within_speed_limit(now.ball);
@@ -176,9 +177,9 @@ template <class Source, class... Features> struct Machine : Source {
                is_main_fast = units.clamp(state.dx1, limits.displacement),
                is_ball_fast = units.clamp(state.dx2, limits.displacement);
     const bool is_far = is_main_far || is_ball_far,
-               is_fast = is_main_fast || is_ball_fast || (plan.checks_speeds && !speeds_are_in_range());
-    raise(is_far ? Fault::displacement : is_fast ? Fault::speed : Fault::penetration);
-    if (!is_far && !is_fast) return false;
+               is_beyond_speed = is_main_fast || is_ball_fast || is_fast();
+    raise(is_far ? Fault::displacement : is_beyond_speed ? Fault::speed : Fault::penetration);
+    if (!is_far && !is_beyond_speed) return false;
     end_contact();
     if (plan.checks_speeds) {
       const Speeds now = speeds();
@@ -189,7 +190,7 @@ template <class Source, class... Features> struct Machine : Source {
   }
   // Returns true if the state was beyond its limits.
   constexpr bool clamp_to_range() {
-    return (!is_in_range(state) || (plan.checks_speeds && !speeds_are_in_range())) && clamp();
+    return (!is_in_range(state) || is_fast()) && clamp();
   }
   constexpr void end_contact() {
     state.contact.phase = Phase::apart;

@@ -153,14 +153,14 @@ template <int named = 0> struct SubsteppedMoment {
     static constexpr UnitExponents units(const ContactTerms& terms, UnitExponents unit) {
       const ContactTerms sub = in_a_part(terms);
       const double n = terms.step / sub.step;
-      const double way_unit = constant::power_of_two(unit.penetration);
+      const double unit_of_step = constant::power_of_two(unit.penetration);
       const int depth = Format::exponent_of(2 * (limit_of(terms.largest_penetration) + terms.largest_rate * sub.step));
       if (!is_linear && depth < unit.penetration) unit.penetration = depth;
       UnitBounds largest{};
       largest.penetration = 0.999 * constant::power_of_two(unit.penetration);
       largest.increment = constant::power_of_two(unit.increment) / n;
       Inner::room(sub, largest);
-      const double noise = bending_noise * way_unit / (n * n);
+      const double noise = bending_noise * unit_of_step / (n * n);
       const int impulse =
                     Format::exponent_of(constant::larger(largest.push * (is_linear ? both_masses(sub) : 0.5), noise)),
                 finest = unit.recoil - Format::exponent_of(0.5 * n);

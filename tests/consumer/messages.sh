@@ -90,9 +90,9 @@ scene 1 'Rig::scene.restitution is stated, but this law does not read it' 's.res
 scene 1 'Rig::scene.restitution is stated, but this law does not read it' 's.restitution = 0.7; s.contact_damping = 0;' Hertz
 scene 1 'Rig::step: from 1e-9 s to the longest_step_in_nanoseconds' 's.restitution = 0.7;' Exact 0.1
 # A field that is too large, and a weight by which the spring sags beyond the bounds.
-scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2, and at most 0.06 Bounds::displacement/step^2. In Fixed32' '' HuntCrossley 1e-3 \
+scene 1 'Bounds::base_acceleration: 0 to 1e6 m/s^2, and at most 0.06 Bounds::displacement/step^2 together' '' HuntCrossley 1e-3 \
   'b.base_acceleration = 1e6;' BaseAcceleration
-scene 1 'Rig::scene.gravity: -1e6 to 1e6 m/s^2. In Fixed32 it is too large for these Bounds' 's.gravity = -1e6;' HuntCrossley 1e-3 '' Gravity
+scene 1 'In Fixed32 it may also be too large for these Bounds' 's.gravity = -1e6;' HuntCrossley 1e-3 '' Gravity
 scene 1 'Bounds::displacement: no less than main_mass * gravity / main_stiffness' 's.gravity = -9.81; s.main_stiffness = 90;' \
   HuntCrossley 1e-4 '' Gravity
 # A part's value without the part, and a part without its value.

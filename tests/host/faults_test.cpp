@@ -603,14 +603,22 @@ TYPED_TEST(Faults, AStopThatIsNotThereDoesNotAct) {
   }
 }
 
-// The check of x1 is wider by the share of a sample, h^2 a/6. A plan is rejected if that is more than 1 % of the bound.
-// It used to be accepted: at a step of 13 ms a base of 1000 m/s^2 moved x1 to 2.6 times a bound of 15 mm without a
-// fault.
+// The check of x1 is wider by the share of base and weight, h^2 a/6. A plan is rejected if that is more than 1 % of the
+// bound. It used to be accepted: at a step of 13 ms a base of 1000 m/s^2 moved x1 to 2.6 times a bound of 15 mm without
+// a fault, and a weight beside a base to 1.06 times a bound.
 TEST(Faults, OfADisplacementOnABaseThatShakes) {
   using Shaken = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Float64, BaseAcceleration>::PlanType;
-  const auto status = [](double most) { return Shaken::make(Scene{}, Bounds{0.05, 2, 0, 0, most}, 1e-3).status; };
-  EXPECT_EQ(status(0.06 * 0.05 / 1e-6 * 0.999), PlanStatus::ok);
-  EXPECT_EQ(status(0.06 * 0.05 / 1e-6 * 1.001), PlanStatus::base_acceleration_bound);
+  const auto status = [](double base, double gravity) {
+    Scene scene;
+    scene.gravity = gravity;
+    return Shaken::make(scene, Bounds{0.05, 2, 0, 0, base}, 1e-3).status;
+  };
+  const double most = 0.06 * 0.05 / 1e-6;
+  EXPECT_EQ(status(most * 0.999, 0), PlanStatus::ok);
+  EXPECT_EQ(status(most * 1.001, 0), PlanStatus::base_acceleration_bound);
+  EXPECT_EQ(status(most * 0.399, -most * 0.6), PlanStatus::ok);
+  EXPECT_EQ(status(most * 0.401, -most * 0.6), PlanStatus::gravity);
+  EXPECT_EQ(status(most * 0.6, most * 0.401), PlanStatus::base_acceleration_bound);
 }
 
 // After a fault the ball may be inside a stop without a contact. When it leaves, no impact is counted.

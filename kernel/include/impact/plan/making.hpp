@@ -41,14 +41,17 @@ template <class Plan> class PlanMaking {
       Bounds still = bounds;
       calm.gravity = still.base_acceleration = 0;
       if (has_no_room && made(calm, still, h).status == PlanStatus::ok)
-        return Plan::refused(bounds.base_acceleration > constant::magnitude(scene.gravity)
-                                 ? PlanStatus::base_acceleration_bound
-                                 : PlanStatus::gravity);
+        return Plan::refused(larger_of_field(scene, bounds));
     }
     return plan;
   }
 
  private:
+  static constexpr PlanStatus larger_of_field(const Scene& scene, const Bounds& bounds) {
+    return bounds.base_acceleration > constant::magnitude(scene.gravity) ? PlanStatus::base_acceleration_bound
+                                                                         : PlanStatus::gravity;
+  }
+
   struct Basis {
     LinearFlow flow, ball;
     ContactTerms terms;
@@ -110,8 +113,8 @@ template <class Plan> class PlanMaking {
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));
     basis.terms.deepest = Contact::deepest(basis.terms);
     // A bound above what the other bounds allow is of use only where free flight goes deeper than that.
-    constexpr bool is_of_flight = Contact::traits.is_instantaneous || Contact::traits.keeps_force;
-    if (!(bounds.penetration > 0) || !is_of_flight) basis.terms.largest_penetration = basis.terms.deepest;
+    constexpr bool flies_deeper = Contact::traits.is_instantaneous || Contact::traits.keeps_force;
+    if (!(bounds.penetration > 0) || !flies_deeper) basis.terms.largest_penetration = basis.terms.deepest;
     return basis;
   }
 
@@ -129,11 +132,11 @@ template <class Plan> class PlanMaking {
         return PlanStatus::step;
       if (!(basis.friction_displacement <= displacement)) return PlanStatus::ball_friction;
     }
-    // The state is a position minus the share of a sample, h^2 a/6. The check of its bound is wider by that, at most 1
-    // %.
+    // The state is a position minus the share of the field, h^2 a/6. The check of its bound is wider by that, which is
+    // at most 1 %.
     if (Field::is_sampled &&
-        bounds.base_acceleration * basis.terms.step * basis.terms.step / 6 > 0.01 * bounds.displacement)
-      return PlanStatus::base_acceleration_bound;
+        Field::largest(scene, bounds) * basis.terms.step * basis.terms.step / 6 > 0.01 * bounds.displacement)
+      return larger_of_field(scene, bounds);
     // Rejects a ball that is deeper than any ball that starts apart. Impacts that take no time store no energy and
     // place the ball on its stop.
     if (!Contact::traits.is_instantaneous && initial_penetration(scene) > basis.terms.deepest_start)

@@ -79,11 +79,13 @@ template <class Rig, class PlanType, PlanStatus status> constexpr bool accepts()
                 "Bounds::penetration: 1e-9 to 1e6 m, or 0 for the deepest that the other bounds allow");
   static_assert(
       together != PlanStatus::gravity,
-      "Rig::scene.gravity: -1e6 to 1e6 m/s^2. In Fixed32 it is too large for these Bounds: take a shorter step");
+      "Rig::scene.gravity: -1e6 to 1e6 m/s^2. With BaseAcceleration it is, together with Bounds::base_acceleration, at "
+      "most 0.06 Bounds::displacement/step^2. In Fixed32 it may also be too large for these Bounds: take a shorter "
+      "step");
   static_assert(
       together != PlanStatus::base_acceleration_bound,
-      "Bounds::base_acceleration: 0 to 1e6 m/s^2, and at most 0.06 Bounds::displacement/step^2. In Fixed32 it may "
-      "also be too large for the other Bounds: take a shorter step");
+      "Bounds::base_acceleration: 0 to 1e6 m/s^2, and at most 0.06 Bounds::displacement/step^2 together with gravity. "
+      "In Fixed32 it may also be too large for the other Bounds: take a shorter step");
   static_assert(
       together != PlanStatus::ball_friction,
       "Rig::scene.ball_friction: 0 to 1e9 N. In one step it may change the sliding speed by at most 2 Bounds::speed, "

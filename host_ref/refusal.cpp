@@ -42,6 +42,9 @@ std::string limit_of_step(const Settled& settled) {
              short_text(request.bounds->speed) + " m/s";
     case PlanStatus::steps_per_contact:
       if (const std::string limit = limit_of_crossing(request); !limit.empty()) return limit;
+      if (request.stepper == Stepper::impulsive &&
+          Impulsive::is_instant(resolution(request), Impulsive::longest_main_phase))
+        return "with friction the main mass may turn by at most 0.5 rad in a step";
       return "a contact lasts " + short_text(resolution(request).contact_time) + " s, and " +
              std::string(name_of(request.stepper)) +
              " requires more steps in it; auto takes a stepper that suits the step";

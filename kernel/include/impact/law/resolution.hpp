@@ -12,7 +12,7 @@
 namespace impact {
 
 struct Resolution {
-  bool is_linear;
+  bool is_linear, has_friction;
   double contact_time;        // s
   double restitution;         // the law's own, 0 to 1
   double shortest_part;       // s; the moment-fitted step's error depends on the steps in it, for e from 0.05 to 1
@@ -60,6 +60,7 @@ template <class ContactLaw> constexpr Resolution resolution_of(const Scene& scen
   const double press = largest_acceleration(scene, bounds, constant::larger(scene.drive_amplitude, bounds.force));
   contact.main_phase = w0 * contact.contact_time;
   contact.main_pulsation = w0;
+  contact.has_friction = scene.ball_friction > 0;
   if (!ContactLaw::is_linear && !ContactLaw::is_damped_per_impact) contact.lasting_damping = terms.damping_under(press);
   contact.field_share = (1 + scene.ball_mass / scene.main_mass) * field * contact.contact_time / terms.largest_rate;
   contact.swing = 0.5 * terms.largest_rate * terms.reduced_mass() / scene.main_mass / constant::larger(w0, 1);

@@ -24,8 +24,9 @@ template <int64_t longest_step_in_nanoseconds, bool is_in_range> struct Step {
 template <int64_t longest_step_in_nanoseconds, bool is_in_range> struct StepsPerContact {
   static_assert(
       is_in_range,
-      "Rig::step: too few steps per contact for this stepper, or with sub-steps per crossing of the clearance. "
-      "At 2 Bounds::speed it allows at most the longest_step_in_nanoseconds named here. Take a shorter step or "
+      "Rig::step: too few steps per contact for this stepper, or with sub-steps per crossing of the clearance, or "
+      "with Impulsive and friction per turn of the main mass. At 2 Bounds::speed it allows at most the "
+      "longest_step_in_nanoseconds named here. Take a shorter step or "
       "impact::Chosen<>");
 };
 

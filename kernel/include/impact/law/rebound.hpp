@@ -84,7 +84,10 @@ template <class Format, class ContactLaw> struct Rebound<Format, ContactLaw, tru
   // y of an impact's speed > 0.
   [[gnu::always_inline]] constexpr auto damped_share(Value speed) const {
     const auto share = without_sign(speed_share * speed);
-    return Format::quotient(share, share + damping_share);
+    if constexpr (Format::is_real)
+      return share / (share + damping_share);  // not 0/0, since damping_share is above 0
+    else
+      return Format::quotient(share, share + damping_share);
   }
   constexpr Bounce<Value> at(Value speed) const {
     const auto y = damped_share(speed);

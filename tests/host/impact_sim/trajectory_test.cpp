@@ -260,6 +260,10 @@ TEST_F(ImpactSim, TheRulesOwnNumberIsPrinted) {
   const std::string rounded = said("--step 2e-3 --contact-stiffness 1e12 --restitution 0.7 --numeric float32");
   EXPECT_THAT(rounded, HasSubstr("impact-sim: impulsive, "));
   EXPECT_THAT(rounded, testing::ContainsRegex("because [0-9]+ sub-steps round too often, and at most 512 are allowed"));
+  const std::string turning = " --main-stiffness 640000 --contact-stiffness 1e15 --restitution 0.7 --step 1e-3";
+  EXPECT_THAT(said(turning), HasSubstr("impact-sim: impulsive, "));
+  EXPECT_THAT(said(turning + " --ball-friction 10"),
+              HasSubstr("because with friction w0 h is 0.8 and may be at most 0.5"));
 }
 
 }  // namespace

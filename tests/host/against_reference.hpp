@@ -1,13 +1,8 @@
 #pragma once
 // Compares the kernel with the reference.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <impact/fault.hpp>
-
-#include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
+#include "kernel_test.hpp"
 
 namespace impact {
 
@@ -24,7 +19,7 @@ double largest_difference(const host::Case& run, const Absorber& absorber, doubl
     reference.advance(n * step);
     const auto now = absorber.reading();
     const host::Sample right = reference.sample();
-    worst = host::larger(worst, host::larger(std::abs(now.x1 - right.x1), std::abs(now.x2 - right.x2)));
+    worst = larger(worst, larger(std::abs(now.x1 - right.x1), std::abs(now.x2 - right.x2)));
   }
   EXPECT_EQ(absorber.fault(), Fault::none);
   return worst;

@@ -1,13 +1,9 @@
 // The tool's drive and field are selected at run time. They must give the bits of a kernel with Sine or Sampled, and
 // with Gravity or BaseAcceleration.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <impact/absorber.hpp>
-
 #include "host_ref/any_drive.hpp"
 #include "host_ref/any_field.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 namespace {

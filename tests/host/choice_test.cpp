@@ -2,18 +2,8 @@
 // impact of two free masses, the rule's stepper gains no energy. Its restitution is within 1 % of the law's and within
 // the stepper's stated error.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <impact/absorber.hpp>
 #include <impact/choice.hpp>
-#include <string>
-#include <type_traits>
-#include <vector>
 
-#include "host_ref/closed_form.hpp"
-#include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
 #include "kinds.hpp"
 

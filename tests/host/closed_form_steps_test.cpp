@@ -1,13 +1,7 @@
 // Single steps of a contact against their closed forms, in double. In a long run the method's error hides a wrong or
 // missing small term.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <impact/absorber.hpp>
-#include <vector>
-
-#include "host_ref/extremes.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 namespace {
@@ -28,8 +22,7 @@ struct Oscillation {
 };
 
 Scene free_pair(const Oscillation& motion) {
-  Scene scene;
-  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+  Scene scene = free_scene();
   const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
   scene.contact_stiffness = mu * motion.pulsation * motion.pulsation;
   scene.contact_damping = 2 * mu * motion.ratio * motion.pulsation;
@@ -97,8 +90,7 @@ TEST(ClosedFormSteps, ImpulsiveSetsAMassSwingingAsInClosedForm) {
   constexpr double step = 1e-2, speed = 1;
   for (const double turn : {0.2, 0.5, 0.8})
     for (const double share : {0.3, 0.6, 0.95}) {
-      Scene scene;
-      scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+      Scene scene = undriven_scene();
       const double w = turn / step, t = share * step;
       scene.main_stiffness = scene.main_mass * w * w;
       scene.contact_stiffness = 1e17;
@@ -125,9 +117,8 @@ TEST(ClosedFormSteps, ImpulsiveSetsAMassSwingingAsInClosedForm) {
 // error of (0.74/200)^2/24 rad in each.
 TEST(LongestStep, APressedContactVibratesAsItShouldAtTheLongestStep) {
   using Kernel = Absorber<AtRunTime, Hertz, Moment, NoDrive, Float64>;
-  Scene scene;
+  Scene scene = undriven_scene();
   scene.main_stiffness = 900;
-  scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
   scene.ball_mass = 1e4;
   scene.clearance = 0.01;
   scene.contact_stiffness = 1e8;

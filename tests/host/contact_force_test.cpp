@@ -1,14 +1,9 @@
 // contact_force() is the force of the law at any step. The first impact of a driven rig at four rates is compared with
 // the reference, and free pairs with closed forms.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <impact/absorber.hpp>
-
-#include "accepted.hpp"
 #include "host_ref/closed_form.hpp"
 #include "host_ref/reference.hpp"
+#include "kernel_test.hpp"
 
 namespace impact {
 namespace {
@@ -126,8 +121,7 @@ template <class Format, class ContactLaw> void expect_closed_form(double stiffne
     const host::Impact impact{ContactLaw::law, stiffness, damping, 0.3 / 1.3, speed};
     const double e = *host::restitution(impact);
     if (e < 0.05) continue;
-    Scene scene;
-    scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+    Scene scene = free_scene();
     scene.contact_stiffness = stiffness;
     scene.contact_damping = damping;
     scene.x1 = 0;

@@ -2,17 +2,7 @@
 // damping per impact would be too large after it. The motion then gains no energy. A correction of 0 does not change
 // it.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <impact/absorber.hpp>
-#include <type_traits>
-
-#include "accepted.hpp"
-#include "host_ref/energies.hpp"
-#include "host_ref/extremes.hpp"
-#include "random.hpp"
+#include "kernel_test.hpp"
 
 namespace impact {
 namespace {
@@ -174,8 +164,7 @@ TEST(Corrections, PutABallInAStopOntoIt) {
 // and gains no energy.
 template <class Kernel> void expect_placement_at_the_other_stop(double depth) {
   using Format = typename Kernel::Format;
-  Scene scene;
-  scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = 0;
+  Scene scene = undriven_scene();
   scene.x2 = 0.01;
   scene.v2 = 0.5;
   auto kernel = accepted<Kernel>(scene, {}, 1e-4);
@@ -211,8 +200,7 @@ TEST(Corrections, PutABallInContactOntoTheOtherStop) {
 // deeper, the spring would push it out with energy that no motion has stored.
 template <class Stepper, class Format> void expect_ball_not_deeper() {
   using Kernel = Absorber<AtRunTime, HookeNewton, Stepper, NoDrive, Format>;
-  Scene scene;
-  scene.drive_amplitude = scene.main_stiffness = scene.main_damping = 0;
+  Scene scene = free_scene();
   scene.contact_stiffness = 16300;
   scene.contact_damping = 40;
   scene.stops = Stops::right;

@@ -4,31 +4,19 @@
 
 #include "host_ref/coupled_scenes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <host_ref/tool/options.hpp>
-#include <initializer_list>
-#include <random>
 #include <sstream>
 
 #include "coupled_limits.hpp"
-#include "host_ref/closed_form.hpp"
-#include "host_ref/energies.hpp"
 #include "host_ref/reference.hpp"
 #include "kinds.hpp"
 
 namespace impact::host {
 namespace {
 
-unsigned scenes() {
-  const char* asked = std::getenv("IMPACT_COUPLED_SCENES");
-  return asked ? static_cast<unsigned>(std::strtoul(asked, nullptr, 10)) / 12 : 160;
-}
+unsigned scenes() { return static_cast<unsigned>(number_of_runs("IMPACT_COUPLED_SCENES", 160 * 12)) / 12; }
 
 class CoupledScenes : public testing::TestWithParam<Kind> {
  protected:
@@ -103,7 +91,7 @@ TEST(CoupledSceneOfSubSteps, ThatGainsEnergyIsWarnedOf) {
 // Stiff stops with strong damping, on a main mass that oscillates by 0.4 to 0.9 rad per step. There EnergyConsistent
 // conserves the energy but not the law's damping. A ball that is pressed onto its stop then creeps into it.
 TEST(CoupledScenesOfTheEnergyStep, StayWithinTheirBoundsUnderStrongDamping) {
-  std::mt19937_64 engine(1);
+  Random random(1);
   constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::none, DriveKind::sampled};
   unsigned run = 0;
   const auto holds = [&](CoupledScene found, Numeric numeric) {
@@ -118,7 +106,7 @@ TEST(CoupledScenesOfTheEnergyStep, StayWithinTheirBoundsUnderStrongDamping) {
   holds(coupled_scene(Law::hunt_crossley, Edge::none, 1651), Numeric::float64);
   for (unsigned index = 0; index < 4000; ++index) {
     Place place;
-    for (double& coordinate : place) coordinate = static_cast<double>(engine() >> 11) * 0x1p-53;
+    for (double& coordinate : place) coordinate = random.share();
     place[3] = 0.2 + 0.3 * place[3];    // the main mass's phase per step
     place[4] = 0.45 + 0.55 * place[4];  // the stiffness
     place[10] *= 0.4;                   // the restitution

@@ -2,14 +2,8 @@
 // for e = 0.7 at 0.8 m/s. Motions diverge after a few impacts, so averages over many starts are compared with the
 // reference: the root mean square of x1, the dissipated energy, and the impacts per second.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
-#include "host_ref/closed_form.hpp"
 #include "host_ref/reference.hpp"
+#include "kinds.hpp"
 
 namespace impact::host {
 namespace {

@@ -2,10 +2,7 @@
 // drives, and damping per impact.
 
 #include <cstring>
-#include <impact/absorber.hpp>
 
-#include "accepted.hpp"
-#include "host_ref/closed_form.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {
@@ -23,7 +20,7 @@ std::vector<double> sampled_sine(double step, double duration) {
 }
 
 // Left and right are exchanged. In floating point all bits are the same, since it rounds symmetrically. Fixed point
-// rounds down on both sides, so two runs differ by at most twice what rounding_test.cpp allows.
+// rounds down on both sides, so two runs differ by at most twice what accuracy_test.cpp allows.
 TEST(Edges, LeftIsTheMirrorImageOfRight) {
   for (const Law law : laws)
     for (const Stepper stepper : steppers)
@@ -227,8 +224,7 @@ TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
 TEST(Edges, AFastSinesStateIsRestored) {
   Scene scene;
   scene.drive_pulsation = 2.9e4;
-  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, Fixed32>;
-  auto absorber = accepted<Kernel>(scene, Bounds{}, 1e-4);
+  auto absorber = accepted<Absorber<AtRunTime, HuntCrossley, Moment, Sine, Fixed32>>(scene, Bounds{}, 1e-4);
   for (int n = 0; n < 2000; ++n) {
     absorber.step();
     ASSERT_TRUE(absorber.restore(absorber.save())) << n;

@@ -1,8 +1,6 @@
 // The energy ledger over half a second of the paper's scene. Dissipation by contact and work of the drive are compared
 // with the reference, and their balance with the energies of the motion.
 
-#include "host_ref/energies.hpp"
-#include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {

@@ -1,16 +1,6 @@
 // Scenes at the limits of a plan, for every law, format and passive stepper: a start inside a stop, both stops in one
 // step, one stop only, and resonance without damping. None may raise a fault or gain energy.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include "host_ref/closed_form.hpp"
-#include "host_ref/energies.hpp"
-#include "host_ref/extremes.hpp"
-#include "host_ref/simulation.hpp"
 #include "kinds.hpp"
 
 namespace impact::host {

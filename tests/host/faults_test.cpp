@@ -1,17 +1,7 @@
 // Every fault is raised in every format that has it, and remains, and the motion continues. Also NaNs, states that no
 // step produces, and rejected plans.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <impact/absorber.hpp>
-#include <limits>
-#include <type_traits>
-
-#include "accepted.hpp"
-#include "host_ref/energies.hpp"
-#include "host_ref/extremes.hpp"
+#include "kernel_test.hpp"
 
 namespace impact {
 namespace {
@@ -137,9 +127,8 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
 
 // A ball flies away from the only stop. Another ball is hit by a heavier mass and becomes faster than its bound.
 TYPED_TEST(Faults, ABallBeyondItsBounds) {
-  Scene scene;
+  Scene scene = free_scene();
   scene.stops = Stops::right;
-  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
   scene.contact_stiffness = 1;
   scene.contact_damping = 0;
   scene.v2 = -1;
@@ -203,10 +192,9 @@ TYPED_TEST(Faults, ASpeedThatAForceAddsInAStep) {
 // In Fixed32 a step at this bound is shorter than an LSB of a position. The speed passed six times its bound in
 // silence.
 TYPED_TEST(Faults, ASpeedBelowAnLsb) {
-  Scene scene;
+  Scene scene = free_scene();
   scene.stops = Stops::none;
   scene.main_mass = 4;
-  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
   scene.contact_stiffness = 3.6e9;
   const Bounds bounds{2, 0.006, 0, 5};
   const double h = 1e-7, limit = 1.01 * bounds.speed, in_a_step = bounds.force / scene.main_mass * h;
@@ -227,9 +215,8 @@ TYPED_TEST(Faults, ASpeedBelowAnLsb) {
 // Friction acts at the end of a step. A speed that it takes beyond a bound raises the fault in that step: until then
 // every state is one that restore() accepts.
 TYPED_TEST(Faults, ASpeedThatFrictionMakes) {
-  Scene scene;
+  Scene scene = free_scene();
   scene.main_mass = 34;
-  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
   scene.ball_mass = 0.375;
   scene.clearance = 1e-4;
   scene.v1 = -0.04;
@@ -254,8 +241,8 @@ TYPED_TEST(Faults, ASpeedThatFrictionMakes) {
 TYPED_TEST(Faults, ASpeedThatAClassicalSchemeMakes) {
   for (const double stiffness : {1e6, 1e8, 1e10}) {
     SCOPED_TRACE(stiffness);
-    Scene scene;
-    scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.contact_damping = 0;
+    Scene scene = free_scene();
+    scene.contact_damping = 0;
     scene.contact_stiffness = stiffness;
     scene.v2 = 1.9;
     for (int n = 0; n < 20; ++n) {
@@ -303,8 +290,8 @@ template <class Law, class Stepper, class Format> void expect_fault_at_depth() {
   const double speed = 1.4, mu = 0.3 / 1.3, k1 = 32600,
                depth = Law::is_linear ? speed * std::sqrt(mu / k1) : std::pow(1.25 * mu * speed * speed / k1, 0.4);
   const double time = depth / speed * (Law::is_linear ? 3.1416 : 2.943), h = time / 25;
-  Scene scene;
-  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.contact_damping = 0;
+  Scene scene = free_scene();
+  scene.contact_damping = 0;
   scene.contact_stiffness = k1;
   for (const bool left : {false, true}) {
     scene.v1 = left ? 0.7 : -0.7;
@@ -345,21 +332,13 @@ TYPED_TEST(Faults, APenetrationBeyondItsBound) {
 // A ball of 663 main masses moves deeper into the stop than the stated bound. Each step that gains energy raises a
 // fault.
 TYPED_TEST(Faults, AnUnstableContactIsNotSilent) {
-  Scene scene;
-  scene.main_mass = 1.3748;
-  scene.ball_mass = 911.29;
-  scene.main_stiffness = 20814212;
-  scene.main_damping = scene.drive_amplitude = 0;
-  scene.clearance = 0.00018452;
-  scene.contact_stiffness = 181028338;
-  scene.contact_damping = 2549600921;
-  scene.x2 = -2.9475e-05;
-  scene.v2 = -0.192904;
+  constexpr Scene scene =
+      scene_of(1.3748, 20814212, 0, 911.29, 0.00018452, 181028338, 2549600921, 0, 0, 0, 0, -2.9475e-05, -0.192904);
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double penetration : {1e-5, 3e-5, 1e-4}) {
-    const auto plan = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>::PlanType::make(
-        scene, {0.01, 1.5, penetration, 0}, 2.4671e-05);
+    const auto plan = Kernel::PlanType::make(scene, {0.01, 1.5, penetration, 0}, 2.4671e-05);
     if (plan.status != PlanStatus::ok) continue;
-    Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam> absorber(plan);
+    Kernel absorber(plan);
     const auto energy = [&] { return host::mechanical_energy(scene, absorber.reading()); };
     const double start = energy();
     for (int n = 0; n < 2000 && absorber.fault() == Fault::none; ++n) {

@@ -2,15 +2,9 @@
 // down to 1 % of the largest, and contacts have up to 200 steps. The limits are those of the README, which each stepper
 // nearly reaches. With Moment rounding only loses energy, more with more sub-steps.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <impact/absorber.hpp>
 #include <optional>
 
-#include "host_ref/extremes.hpp"
-#include "random.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 namespace {

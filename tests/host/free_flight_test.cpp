@@ -1,10 +1,9 @@
 // The free flight of the main mass by Moment's exact flow: resonance, no spring, overdamping and every drive, in every
 // format.
 //
-// In double the tolerance is 10^4 roundings of 1e-16 of the amplitude. In 32 bits it is that of rounding_test.cpp for
+// In double the tolerance is 10^4 roundings of 1e-16 of the amplitude. In 32 bits it is that of accuracy_test.cpp for
 // bounds of 62.5 mm, and proportional to the bound.
 
-#include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {

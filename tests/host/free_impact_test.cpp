@@ -3,11 +3,6 @@
 // whole number of steps per contact hides errors. At 10, 20, 40 and 80 steps per contact it must fall with the scheme's
 // order.
 
-#include <cstdio>
-#include <impact/absorber.hpp>
-
-#include "host_ref/closed_form.hpp"
-#include "host_ref/extremes.hpp"
 #include "known_impacts.hpp"
 #include "paper_runs.hpp"
 
@@ -82,7 +77,7 @@ class FreeImpact : public testing::TestWithParam<Scheme> {};
 // the contact, where it sums six terms of a series: order 5. Its ledger assumes a linear rate in the step in which the
 // force jumps: order 2. The classical schemes have order 2. With Hooke-Newton they see the force's jump up to a step
 // late: order 1. That is an impulse of at most c1 v0 h, or 2 zeta omega h of the restitution. The other classical
-// schemes equal the textbook's within rounding (pointwise_textbook_test.cpp). textbook_newmark_test.cpp measures their
+// schemes equal the textbook's within rounding. textbook_newmark_test.cpp compares both, and measures their
 // orders.
 TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const auto& [known, stepper] = GetParam();
@@ -184,8 +179,7 @@ TEST(SubsteppedMoment, FollowsSamplesThatJump) {
   using Coarse = Absorber<AtRunTime, Hertz, SubsteppedMoment<4>, Sampled, Float64>;
   using Fine = Absorber<AtRunTime, Hertz, Moment, Sampled, Float64>;
   for (int i = 0; i < phases; ++i) {
-    Scene scene;
-    scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+    Scene scene = free_scene();
     scene.contact_damping = 0;
     scene.main_mass = scene.ball_mass = 1;
     scene.stops = Stops::right;

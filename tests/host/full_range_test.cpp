@@ -3,14 +3,7 @@
 // stiff impact of few steps this changes the speed by a few per cent. A number that wraps, or is clamped too early,
 // changes it by 10 % or more.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <impact/absorber.hpp>
-
-#include "accepted.hpp"
-#include "host_ref/extremes.hpp"
-#include "random.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 namespace {
@@ -101,8 +94,7 @@ template <class Law> void expect_double_under_wide_bounds(double speed, double s
   int accepted = 0;
   for (const double bound : {0.1, 1.0, 10.0, 100.0, 1000.0})
     for (int i = 0; i < 50; ++i) {
-      Scene scene;
-      scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = 0;
+      Scene scene = undriven_scene();
       scene.main_stiffness = stiffness;
       scene.contact_stiffness = 3.26e10;
       scene.contact_damping = Law::is_damped_per_impact ? 0 : 1.956e10;
@@ -190,8 +182,7 @@ TEST(FullRange, ThePapersSceneAtItsBounds) {
   scene.v2 = 1.8;
   for (int i = 0; i < 500; ++i) {
     const double h = 1e-4 * std::pow(40, i / 500.0);
-    using Narrow = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Fixed32>;
-    auto absorber = accepted<Narrow>(scene, Bounds{}, h);
+    auto absorber = accepted<Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Fixed32>>(scene, Bounds{}, h);
     for (int n = 0; n < static_cast<int>(0.06 / h); ++n) absorber.step();
     const auto now = absorber.reading();
     EXPECT_EQ(absorber.fault(), Fault::none) << h;
@@ -202,10 +193,9 @@ TEST(FullRange, ThePapersSceneAtItsBounds) {
 // The main mass oscillates by 0.1 rad per step, and the clearance is up to 10^4 times the spring's deflection. LSBs of
 // increments and impulses are up to some 10^3 times those of penetrations.
 template <class Stepper> void expect_double_with_wide_displacements(double step, double most_off) {
-  Scene scene;
+  Scene scene = undriven_scene();
   scene.main_mass = 10;
   scene.ball_mass = 1.5;
-  scene.main_damping = scene.drive_amplitude = 0;
   scene.contact_stiffness = 1.8e12;
   scene.contact_damping = 0;
   scene.main_stiffness = scene.main_mass * 0.01 / (step * step);
@@ -218,9 +208,7 @@ template <class Stepper> void expect_double_with_wide_displacements(double step,
     const Bounds bounds{scene.clearance / 2 + 1e-4, 0.8, 2e-5, 0};
     using Narrow = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Fixed32>;
     using Wide = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64>;
-    const auto plan = Narrow::PlanType::make(scene, bounds, step);
-    ASSERT_EQ(plan.status, PlanStatus::ok) << width;
-    Narrow narrow(plan);
+    auto narrow = accepted<Narrow>(scene, bounds, step);
     Wide wide(Wide::PlanType::make(scene, bounds, step));
     for (int n = 0; n < static_cast<int>(1.2e-4 / step); ++n) {
       narrow.step();

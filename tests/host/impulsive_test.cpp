@@ -1,17 +1,9 @@
 // Impulsive has the law's restitution at any phase of the impact, gains no energy, settles, and works at both stops.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <impact/absorber.hpp>
-#include <type_traits>
 
-#include "accepted.hpp"
 #include "host_ref/closed_form.hpp"
-#include "host_ref/energies.hpp"
-#include "random.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 namespace {
@@ -19,29 +11,12 @@ namespace {
 template <class Format, class ContactLaw, class Drive = NoDrive>
 using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, Drive, Format, EnergyLedger, ImpactLog>;
 
-template <class Format> constexpr bool is_double = sizeof(typename Format::Value) == 8;
-
 template <class Format> class ImpulsiveStep : public testing::Test {};
-using Formats = testing::Types<Float64, Float32, Float32Plain, Fixed32>;
-TYPED_TEST_SUITE(ImpulsiveStep, Formats);
-
-Scene free_scene() {
-  Scene scene;
-  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
-  return scene;
-}
+TYPED_TEST_SUITE(ImpulsiveStep, EveryFormat);
 
 template <class ContactLaw> Impact impact_of(const Scene& scene, double speed) {
   const double reduced_mass = scene.ball_mass * scene.main_mass / (scene.ball_mass + scene.main_mass);
   return {ContactLaw::law, scene.contact_stiffness, scene.contact_damping, reduced_mass, speed};
-}
-
-template <class Simulated> double energy_of(const Scene& scene, const Simulated& simulated) {
-  return host::mechanical_energy(scene, simulated.reading());
-}
-template <class Simulated> double dissipated_by(const Simulated& simulated) {
-  const auto& plan = simulated.plan;
-  return simulated.state().dissipated.total() * plan.force_scale * plan.units.si_penetration_unit();
 }
 
 // Contacts of up to 8 steps, at 64 phases each. An LSB of a rate is 2^-31 of up to 2^5 times the approach in Fixed32,
@@ -69,14 +44,14 @@ template <class Format, class ContactLaw> void expect_restitution_of_the_law() {
     for (int phase = 0; phase < 64; ++phase) {
       scene.x2 = clearance / 2 - speed * h * (1 + phase / 64.0);
       auto absorber = accepted<Kernel<Format, ContactLaw>>(scene, {2 * clearance, 2 * speed, clearance, 1}, h);
-      const double before = energy_of(scene, absorber);
+      const double before = mechanical_energy(scene, absorber.reading());
       for (int i = 0; i < run; ++i) absorber.step();
       const auto after = absorber.reading();
       const double law = *restitution(impact);
       ASSERT_EQ(absorber.fault(), Fault::none);
       ASSERT_NEAR((after.v1 - after.v2) / speed, law, tolerance) << steps << " steps per contact, phase " << phase;
       const double approach = impact.reduced_mass * speed * speed / 2;
-      ASSERT_LE(energy_of(scene, absorber) - before, (is_double<Format> ? 1e-12 : 1e-5) * approach);
+      ASSERT_LE(mechanical_energy(scene, absorber.reading()) - before, (is_double<Format> ? 1e-12 : 1e-5) * approach);
       // The error of the loss is twice the restitution's. In Fixed32 the energy of the approach is 2^-13 of the unit,
       // and an LSB 2^-30.
       ASSERT_NEAR(dissipated_by(absorber) / approach, (1 - law) * (1 + law),
@@ -126,7 +101,7 @@ template <class Format, class ContactLaw> void expect_no_energy_from_impacts() {
     scene.v1 = random.wide(0.01, 1);
     scene.v2 = -random.wide(0.01, 1);
     scene.clearance = i % 7 == 0 ? 0 : random.wide(1e-5, 1e-2);  // down to a hundredth of a step's flight
-    const double whole = host::kinetic_energy(scene, scene);
+    const double whole = kinetic_energy(scene, scene);
     const double speed = 3 * std::sqrt(2 * whole / std::min(scene.main_mass, scene.ball_mass));
     const double place = 16 * speed * h / turn + scene.clearance;
     const auto plan = Kernel<Format, ContactLaw>::PlanType::make(scene, {place, speed, 4 * speed * h, 1}, h);
@@ -134,11 +109,11 @@ template <class Format, class ContactLaw> void expect_no_energy_from_impacts() {
     ASSERT_EQ(plan.status, PlanStatus::ok);
     ++springs;
     Kernel<Format, ContactLaw> absorber(plan);
-    double before = energy_of(scene, absorber);
+    double before = mechanical_energy(scene, absorber.reading());
     const double largest = before * (1 + 100 * tolerance);
     for (int n = 0; n < 4000; ++n) {
       absorber.step();
-      const double now = energy_of(scene, absorber);
+      const double now = mechanical_energy(scene, absorber.reading());
       ASSERT_LE(now, before + tolerance * whole) << "step " << n << ", w0 h " << turn;
       ASSERT_LE(now, largest);
       before = now;
@@ -350,11 +325,11 @@ TYPED_TEST(ImpulsiveStep, ReturnsNoEnergyThatTheDamperTook) {
           scene.v1 = -1;
           scene.x2 = scene.clearance / 2 - h * (phase + 0.5) / 64;
           auto absorber = accepted<Kernel<TypeParam, Hertz>>(scene, {0.1, 2, 0, 0}, h);
-          const double at_first = energy_of(scene, absorber);
+          const double at_first = mechanical_energy(scene, absorber.reading());
           for (int n = 0; n < 20; ++n) {
-            const double before = energy_of(scene, absorber);
+            const double before = mechanical_energy(scene, absorber.reading());
             absorber.step();
-            ASSERT_LE(energy_of(scene, absorber) - before, rounding * at_first)
+            ASSERT_LE(mechanical_energy(scene, absorber.reading()) - before, rounding * at_first)
                 << turn << " " << damping << " " << ratio << " " << phase << ", step " << n;
           }
           impacts += absorber.state().impacts;

@@ -2,12 +2,8 @@
 // The parameters of suites with random scenes: every law with given steppers and formats. Hunt-Crossley also has a
 // damping per impact.
 
-#include <initializer_list>
-#include <memory>
-#include <ostream>
-#include <vector>
-
 #include "host_ref/simulation.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 

@@ -1,7 +1,7 @@
 #pragma once
 // One impact of 1 kg and 0.3 kg at k1 = 32600 and 0.8 m/s under each law, computed with 30 digits and given to ten.
 
-#include <impact/scene.hpp>
+#include "host_ref/closed_form.hpp"
 
 namespace impact::host {
 

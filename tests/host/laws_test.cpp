@@ -1,16 +1,6 @@
 // Every law with a damping per impact: its formula, and its restitution in the kernel at any speed against the closed
 // form. Also the accepted range of e, and laws of a user.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <impact/absorber.hpp>
-#include <limits>
-#include <type_traits>
-
-#include "accepted.hpp"
-#include "host_ref/closed_form.hpp"
-#include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
 #include "host_ref/names.hpp"
 #include "kinds.hpp"
@@ -113,9 +103,8 @@ TEST(Laws, ReboundAsTheirFormulasSayAtAnySpeed) {
 }
 
 // The kernel's types with a free pair of 1 kg and 0.3 kg, at several shares of the largest speed of one plan.
-Scene free_scene(double e) {
-  Scene scene;
-  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.drive_pulsation = 0;
+Scene free_pair(double e) {
+  Scene scene = free_scene();
   scene.contact_stiffness = 1e9;
   scene.stops = Stops::right;
   scene.restitution = e;
@@ -143,7 +132,7 @@ template <class ContactLaw, class Stepper, class Format> double rebound(const Sc
 template <class ContactLaw, class Stepper, class Format> void expect_one_restitution(double step, double tolerance) {
   for (const double e : {0.05, 0.5, 0.9})
     for (const double speed : {1.9, 0.3, 0.05}) {
-      Scene scene = free_scene(e);
+      Scene scene = free_pair(e);
       scene.v2 = speed;
       scene.x2 = scene.clearance / 2 - 1.37 * speed * step;
       EXPECT_NEAR((rebound<ContactLaw, Stepper, Format>(scene, step)), true_restitution(ContactLaw::damping_ratio(e)),
@@ -214,7 +203,7 @@ TEST(Laws, AcceptTheRestitutionsOfTheirRangeOnly) {
     }
   }
   const auto status_at = [](double e) {
-    return Kernel<Flores, Impulsive, Fixed32>::PlanType::make(free_scene(e), bounds, 1e-3).status;
+    return Kernel<Flores, Impulsive, Fixed32>::PlanType::make(free_pair(e), bounds, 1e-3).status;
   };
   EXPECT_EQ(status_at(0.0158), PlanStatus::ok);
   EXPECT_EQ(status_at(0.0157), PlanStatus::restitution);
@@ -235,7 +224,7 @@ struct Linear : HookeNewton {};
 // A law that derives from another is that law, with every stepper.
 template <class Own, class Known, class Stepper> void expect_the_same(double step) {
   for (const double speed : {1.9, 0.05}) {
-    Scene scene = free_scene(0.5);
+    Scene scene = free_pair(0.5);
     scene.contact_damping = Own::is_linear ? 4000 : 1e9;
     scene.v2 = speed;
     scene.x2 = scene.clearance / 2 - 1.37 * speed * step;
@@ -248,9 +237,9 @@ TEST(Laws, OfYourOwn) {
   expect_one_restitution<Mine, EnergyConsistent, Fixed32>(1e-3, 2e-3);
   expect_one_restitution<Mine, Impulsive, Fixed32>(1e-3, 1e-5);
   using NoPlan = Kernel<NoNumber, Impulsive, Fixed32>::PlanType;
-  EXPECT_EQ(NoPlan::make(free_scene(0.5), bounds, 1e-3).status, PlanStatus::restitution);
+  EXPECT_EQ(NoPlan::make(free_pair(0.5), bounds, 1e-3).status, PlanStatus::restitution);
   using NegativePlan = Kernel<Negative, Impulsive, Fixed32>::PlanType;
-  EXPECT_EQ(NegativePlan::make(free_scene(0.5), bounds, 1e-3).status, PlanStatus::restitution);
+  EXPECT_EQ(NegativePlan::make(free_pair(0.5), bounds, 1e-3).status, PlanStatus::restitution);
 
   expect_the_same<Renamed, HuntCrossley, Moment>(3e-6);
   expect_the_same<Renamed, HuntCrossley, SubsteppedMoment<4>>(3e-6);
@@ -265,7 +254,7 @@ TEST(Laws, OfYourOwn) {
 // A saved state is not restored with a law that has another damping ratio.
 TEST(Laws, AreDistinguishedInASavedState) {
   const auto identity_of = [](auto law) {
-    return Kernel<decltype(law), Impulsive, Fixed32>::PlanType::make(free_scene(0.5), bounds, 1e-3).identity;
+    return Kernel<decltype(law), Impulsive, Fixed32>::PlanType::make(free_pair(0.5), bounds, 1e-3).identity;
   };
   EXPECT_NE(identity_of(Flores{}), identity_of(HuGuo{}));
   EXPECT_NE(identity_of(Exact{}), identity_of(HuntCrossleyPerImpact{}));

@@ -2,15 +2,8 @@
 // drive no motion gains energy, and none raises a fault within the bounds. IMPACT_MEASURED_SCENES sets the number of
 // scenes.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <random>
-#include <string>
-
-#include "host_ref/energies.hpp"
 #include "host_ref/tool/run.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 namespace {
@@ -72,8 +65,7 @@ Request random_request(unsigned seed) {
 }
 
 TEST(MeasuredBounds, AreKeptWithoutAGain) {
-  const char* const asked = std::getenv("IMPACT_MEASURED_SCENES");
-  const unsigned scenes = asked ? static_cast<unsigned>(std::atol(asked)) : 300;
+  const auto scenes = static_cast<unsigned>(number_of_runs("IMPACT_MEASURED_SCENES", 300));
   unsigned runs = 0;
   for (unsigned seed = 1; seed <= scenes; ++seed) {
     const Request request = random_request(seed);

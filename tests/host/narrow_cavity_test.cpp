@@ -3,14 +3,7 @@
 // this is up to 0.02 % in 2000 steps and falls with the fourth power of w0 h. With Hooke-Newton it is up to 0.1 % and
 // falls with the second power (kernel/docs/moment.md); the limit here is 0.3 %.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <impact/absorber.hpp>
-
-#include "host_ref/energies.hpp"
-#include "host_ref/extremes.hpp"
-#include "random.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 namespace {
@@ -49,9 +42,7 @@ template <class Law> Cavity random_cavity(unsigned seed, double phase) {
 }
 
 template <class Law, class Reading> double energy(const Scene& scene, const Reading& at) {
-  const double inside = larger(std::abs(at.x2 - at.x1) - scene.clearance / 2, 0.0), k = scene.contact_stiffness;
-  const double stored = Law::is_linear ? k * inside * inside / 2 : 0.4 * k * std::pow(inside, 2.5);
-  return mechanical_energy(scene, at) + stored;
+  return mechanical_energy(scene, at) + stored_at(scene, depth_of(scene, at), Law::is_linear);
 }
 
 // The average relative gain of energy over the last steps, or NaN if the plan is rejected.

@@ -2,17 +2,7 @@
 // begin inside the stop. They have drives, weight, a shaken base, friction, corrections and changes of plan. In two
 // scenes the main mass retreats from its ball, and the motion is compared with the reference.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <impact/absorber.hpp>
-
-#include "accepted.hpp"
 #include "against_reference.hpp"
-#include "host_ref/extremes.hpp"
-#include "host_ref/reference.hpp"
-#include "random.hpp"
 
 namespace impact::host {
 namespace {

@@ -1,15 +1,9 @@
 // Calls between two steps, in native numbers: outputs, converters, corrections and snapshots. Also a rejected plan, and
 // a state saved by another absorber.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstring>
-#include <impact/absorber.hpp>
-#include <limits>
-#include <type_traits>
 
-#include "host_ref/extremes.hpp"
+#include "kernel_test.hpp"
 
 namespace impact {
 namespace {

@@ -11,8 +11,6 @@
 // After some 3 s the motion with Hertz and Hooke-Newton depends on rounding. Claims about them are tested on 33 starts
 // of the ball within 0.16 mm of the middle, by median or by number.
 
-#include "host_ref/closed_form.hpp"
-#include "host_ref/extremes.hpp"
 #include "paper_runs.hpp"
 
 namespace impact::host {

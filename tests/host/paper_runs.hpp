@@ -2,16 +2,10 @@
 // The paper's scene with each contact law, from rest, driven at 40 rad/s: its samples by the kernel and by the
 // reference.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include "host_ref/error_measures.hpp"
-#include "host_ref/paper_scene.hpp"
 #include "host_ref/reference.hpp"
 #include "host_ref/simulation.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 

@@ -2,16 +2,7 @@
 // friction, the balance includes the field's work and the friction's dissipation. A run has 2e6 steps, or
 // IMPACT_SOAK_STEPS.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <impact/absorber.hpp>
-#include <type_traits>
-
-#include "host_ref/energies.hpp"
-#include "host_ref/extremes.hpp"
+#include "kernel_test.hpp"
 
 namespace impact {
 namespace {
@@ -32,11 +23,6 @@ template <class Format> struct Soak : testing::Test {};
 using Formats = testing::Types<Fixed32, Float32>;
 TYPED_TEST_SUITE(Soak, Formats);
 
-long steps_of_a_run() {
-  const char* const asked = std::getenv("IMPACT_SOAK_STEPS");
-  return asked ? std::atol(asked) : 2000000;
-}
-
 // The ledger's rounding over a run, J. In a step two products of the drive round by half an LSB each, and so do the
 // additions. In Float32 they are at most 10 N times the displacement at 2 m/s. A contact has two more products and the
 // stored energy, in its own unit. Rounding to nearest grows with the square root of the steps, and stays within 8 times
@@ -51,7 +37,7 @@ template <class Format, class Plan> double rounding_of(const Plan& plan, double 
 
 TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
   using Kernel = Absorber<Rig, HuntCrossley, AverageAcceleration, Sine, TypeParam, EnergyLedger>;
-  const long steps = steps_of_a_run();
+  const long steps = number_of_runs("IMPACT_SOAK_STEPS", 2000000);
   const auto& plan = Kernel::plan;
   const Scene& scene = Rig::scene;
   Kernel absorber;
@@ -64,9 +50,8 @@ TYPED_TEST(Soak, TheLedgerClosesAndTheDriveKeepsTime) {
 
   const auto now = absorber.reading();
   const auto& state = absorber.state();
-  const double unit = plan.units.si_penetration_unit();
-  const double work = state.drive_work.total() * plan.drive_scale * unit;
-  const double dissipated = state.dissipated.total() * plan.force_scale * unit;
+  const double work = state.drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit();
+  const double dissipated = dissipated_by(absorber);
   const double energy = host::mechanical_energy(scene, now);
   const double total = static_cast<double>(steps + extra), bound = rounding_of<TypeParam>(plan, total, Rig::step);
   EXPECT_NEAR(energy + dissipated, work, bound);
@@ -129,7 +114,7 @@ struct RigWithParts {
 TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
   using Kernel =
       Absorber<RigWithParts, HuntCrossley, Moment, Sine, TypeParam, BaseAcceleration, DryFriction, EnergyLedger>;
-  const long steps = steps_of_a_run();
+  const long steps = number_of_runs("IMPACT_SOAK_STEPS", 2000000);
   const auto& plan = Kernel::plan;
   const Scene& scene = RigWithParts::scene;
   constexpr double h = RigWithParts::step, pi = 3.14159265358979323846;
@@ -172,10 +157,9 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
   ASSERT_EQ(absorber.fault(), Fault::none);
   ASSERT_FALSE(absorber.is_touching());
 
-  const auto& state = absorber.state();
-  const double unit = plan.units.si_penetration_unit(), total = static_cast<double>(n);
-  const double by_drive = state.drive_work.total() * plan.drive_scale * unit;
-  const double by_contact = state.dissipated.total() * plan.force_scale * unit;
+  const double total = static_cast<double>(n);
+  const double by_drive = absorber.state().drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit();
+  const double by_contact = dissipated_by(absorber);
   const double by_friction = absorber.friction_dissipated();
   const double missing = by_drive + by_field - by_contact - by_friction - (energy_of(before) - at_start);
   const double rounding = rounding_of<TypeParam>(plan, total, h);

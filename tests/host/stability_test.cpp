@@ -3,15 +3,6 @@
 // There is no fault and no gain of energy, and the restitution is the law's. The scenes are all corners of the range,
 // and a low-discrepancy sequence inside it, whose length is IMPACT_STABILITY_CELLS.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
-
-#include "host_ref/extremes.hpp"
 #include "host_ref/free_pair.hpp"
 #include "host_ref/settled.hpp"
 #include "kinds.hpp"
@@ -57,10 +48,7 @@ FreePair cell(Law law, int index) {
   return cell_at(law, u);
 }
 
-int cells() {
-  const char* asked = std::getenv("IMPACT_STABILITY_CELLS");
-  return corners + (asked ? std::atoi(asked) : 200);
-}
+int cells() { return corners + static_cast<int>(number_of_runs("IMPACT_STABILITY_CELLS", 200)); }
 
 std::string text_of(const FreePair& free) {
   char text[256];

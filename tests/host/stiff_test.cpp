@@ -1,15 +1,11 @@
 // Stops from soft to steel against the reference, which locates every touch. With the rule's stepper each law and
 // format has one error bound for any stiffness.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <impact/absorber.hpp>
 #include <impact/choice.hpp>
 #include <impact/law/per_impact.hpp>
 
-#include "host_ref/extremes.hpp"
 #include "host_ref/reference.hpp"
+#include "kernel_test.hpp"
 
 namespace impact {
 namespace {
@@ -68,9 +64,7 @@ template <class ContactLaw> host::Case with_stop(const Scene& scene, double stif
 template <class Format, class ContactLaw, class Stepper, class... Parts>
 double error(const host::Case& run, double h, double duration) {
   using Driven = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format, Gravity, Parts...>;
-  const auto plan = Driven::PlanType::make(run.scene, bounds_of(run.scene), h);
-  EXPECT_EQ(plan.status, PlanStatus::ok) << run.scene.contact_stiffness << " at " << h;
-  Driven absorber(plan);
+  auto absorber = accepted<Driven>(run.scene, bounds_of(run.scene), h);
   host::Reference reference(run);
   double worst = 0;
   for (int n = 1; n * h <= duration * (1 + 1e-12); ++n) {

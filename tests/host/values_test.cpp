@@ -1,12 +1,11 @@
 // Every value of the table in values.hpp is read wherever it has an effect. A value that is forgotten anywhere fails
 // here.
 
-#include <gtest/gtest.h>
-
-#include <impact/absorber.hpp>
 #include <impact/explain.hpp>
 
+#include "../../kernel/c/impact_c.h"
 #include "host_ref/scene_values.hpp"
+#include "kernel_test.hpp"
 
 namespace impact::host {
 namespace {
@@ -72,6 +71,33 @@ TEST(Values, OfAPartChangeTheMotionInTheTool) {
     const double with = end_of(other);
     EXPECT_TRUE(with < without || with > without) << row.name << " " << with;
   }
+}
+
+// The C library casts the kernel's faults to its own, so their numbers must be equal. If C lacks a fault, this file
+// does not compile, because no case handles it.
+
+constexpr impact_fault in_c(Fault fault) {
+  switch (fault) {
+    case Fault::none:
+      return impact_fault_none;
+    case Fault::displacement:
+      return impact_fault_displacement;
+    case Fault::speed:
+      return impact_fault_speed;
+    case Fault::penetration:
+      return impact_fault_penetration;
+    case Fault::sample:
+      return impact_fault_sample;
+    case Fault::plan:
+      return impact_fault_plan;
+  }
+  return impact_fault_none;
+}
+
+TEST(FaultsInC, OfCAreThoseOfTheKernel) {
+  for (const Fault fault :
+       {Fault::none, Fault::displacement, Fault::speed, Fault::penetration, Fault::sample, Fault::plan})
+    EXPECT_EQ(static_cast<int>(fault), static_cast<int>(in_c(fault)));
 }
 
 }  // namespace

@@ -3,18 +3,14 @@
 // IMPACT_WATCHED_SCENES=1000 sets the number of scenes for each combination.
 
 #include <execinfo.h>
-#include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdlib>
 #include <map>
-#include <string>
 
 #include "host_ref/coupled_scenes.hpp"
 #include "host_ref/free_pair.hpp"
 #include "host_ref/simulation_of.hpp"
+#include "kernel_test.hpp"
 #include "kinds.hpp"
-#include "random.hpp"
 
 namespace impact::host {
 
@@ -26,10 +22,7 @@ void note_broken(const char* condition) {
 
 namespace {
 
-int scenes() {
-  const char* asked = std::getenv("IMPACT_WATCHED_SCENES");
-  return asked ? std::atoi(asked) : 40;
-}
+int scenes() { return static_cast<int>(number_of_runs("IMPACT_WATCHED_SCENES", 40)); }
 
 // Conditions that failed without a fault, by call stack, with an example of each.
 std::map<std::string, std::string> found;
@@ -183,48 +176,23 @@ std::vector<double> forces_in(const Scene& scene, const Bounds& bounds, double h
   }
   return forces;
 }
-Scene pair(double main_mass, double ball_mass, double clearance, double stiffness, double damping) {
-  Scene scene;
-  scene.main_mass = main_mass;
-  scene.ball_mass = ball_mass;
-  scene.main_stiffness = scene.main_damping = scene.drive_amplitude = 0;
-  scene.clearance = clearance;
-  scene.contact_stiffness = stiffness;
-  scene.contact_damping = damping;
-  return scene;
-}
-
 // A drive of three samples per cycle accelerates the main mass in a step by more than its speed.
 TEST(WatchedScenes, AnImpulsiveContactThatLastsMuchLongerThanAStep) {
-  Scene scene = pair(0.0618, 0.00355, 1.6345e-05, 1547.96, 264.4);
-  scene.drive_amplitude = 1524.43;
-  scene.drive_pulsation = 6875.28;
-  scene.x1 = 0.0010668;
-  scene.v1 = -0.318386;
-  scene.x2 = 0.00107287;
-  scene.v2 = 0.401718;
-  scene.stops = Stops::right;
+  constexpr Scene scene{0.0618,  0,       0,         0.00355,   1.6345e-05, 1547.96,  264.4,
+                        1524.43, 6875.28, 0.0010668, -0.318386, 0.00107287, 0.401718, Stops::right};
   forces_in<HuntCrossley, Impulsive, Sine>(scene, {0.00571, 0.701874, 0, 0}, 4.67576e-05, std::vector<int32_t>(4));
 }
 // In a step the force changes the rate, and so the damper's force, by twice the bound of the rate.
 TEST(WatchedScenes, AHookeNewtonContactAsTheForceTurns) {
-  Scene scene = pair(0.352996, 14.2256, 6.907e-07, 26657.56, 206.32);
-  scene.main_damping = 6.09e-05;
-  scene.x1 = -9.55467e-05;
-  scene.v1 = 0.00782696;
-  scene.x2 = -9.5869e-05;
-  scene.v2 = 0.00359095;
+  constexpr Scene scene{0.352996, 0,  6.09e-05,     14.2256,    6.907e-07,   26657.56,  206.32,
+                        0,        40, -9.55467e-05, 0.00782696, -9.5869e-05, 0.00359095};
   forces_in<HookeNewton, Moment, Sampled>(scene, {9.87984e-05, 0.0110391, 4.12165e-06, 55.2716}, 0.000135744,
                                           {-2147483647, 2147483647});
 }
 // Sub-steps reverse the rate of a ball and a main mass that approach each other at their bounds.
 TEST(WatchedScenes, SubStepsOfABallAsFastAsItsBound) {
-  Scene scene = pair(3.44038, 8.80236, 2.37409e-07, 4.92607e17, 1.39216e17);
-  scene.main_damping = 0.0342844;
-  scene.v1 = 0.637378;
-  scene.x2 = -8.34852e-08;
-  scene.v2 = -0.740076;
-  scene.stops = Stops::left;
+  constexpr Scene scene{3.44038, 0,  0.0342844, 8.80236,  2.37409e-07,  4.92607e17, 1.39216e17,
+                        0,       40, 0,         0.637378, -8.34852e-08, -0.740076,  Stops::left};
   forces_in<HuntCrossley, SubsteppedMoment<8>, Sampled>(scene, {8.57508e-07, 0.89358, 0, 3034257}, 3.91739e-07,
                                                         {2147483647});
 }
@@ -239,12 +207,8 @@ TEST(WatchedScenes, SubStepsOfAStepThatIsShortBesideItsContact) {
 // The damping of a touch without speed is large. If the ball is then pressed in fast, the contact force exceeds its
 // unit and is clamped. It used to be read as a pull.
 TEST(WatchedScenes, AForceBeyondItsUnitIsClamped) {
-  Scene scene = pair(1697.23, 1341.56, 0.001071, 7530.42, 0);
-  scene.main_stiffness = 71.3067;
-  scene.main_damping = 1.19986;
-  scene.x2 = -0.0005355;
-  scene.restitution = 0.486298;
-  scene.stops = Stops::right;
+  constexpr Scene scene{1697.23, 71.3067, 1.19986,    1341.56, 0.001071,     7530.42,        0,       0, 40,
+                        0,       0,       -0.0005355, 0,       Stops::right, Tension::clamp, 0.486298};
   std::vector<int32_t> samples(31, -2147483647);
   std::fill(samples.begin(), samples.begin() + 11, 0);
   samples[1] = -2147483647;
@@ -275,17 +239,10 @@ template <class Kernel> Fault fault_after(const Kernel& absorber, double dx, dou
 }
 // A correction may take a ball to its deepest and its fastest at once. No motion does that.
 TEST(WatchedScenes, ACorrectionOfADeepContact) {
-  Scene scene = pair(0.313255, 0.00126229, 2.31166e-06, 103933330, 0);
-  scene.main_stiffness = 0.224357;
-  scene.v1 = -0.327348;
-  scene.x2 = -6.77101e-07;
-  scene.v2 = -0.872083;
-  scene.stops = Stops::left;
+  constexpr Scene scene{0.313255, 0.224357, 0, 0.00126229, 2.31166e-06,  103933330, 0,
+                        0,        40,       0, -0.327348,  -6.77101e-07, -0.872083, Stops::left};
   const Bounds bounds{0.000122687, 1.63276, 7.22647e-06, 0};
-  using Deep = Absorber<AtRunTime, Hertz, EnergyConsistent, NoDrive, Fixed32>;
-  const auto plan = Deep::PlanType::make(scene, bounds, 6.39641e-07);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Deep absorber(plan);
+  auto absorber = accepted<Absorber<AtRunTime, Hertz, EnergyConsistent, NoDrive, Fixed32>>(scene, bounds, 6.39641e-07);
   for (int n = 0; n < 60; ++n) {
     absorber.step();
     for (const double dv : {0.3, 0.6, 0.9, 1.2}) fault_after(absorber, 0, dv);
@@ -294,9 +251,7 @@ TEST(WatchedScenes, ACorrectionOfADeepContact) {
 // The stated bound of penetration is 150 times what the bound of speed allows. So deep, the force was beyond its unit.
 // And a penetration far beyond its unit was no fault where the limit was the unit's end.
 TEST(WatchedScenes, ACorrectionBeyondWhatTheBoundsAllow) {
-  Scene scene = pair(4487.77, 0.0139426, 0.635784, 4806.94, 899.601);
-  scene.v2 = 0.4;
-  scene.x2 = 0.3175;
+  constexpr Scene scene{4487.77, 0, 0, 0.0139426, 0.635784, 4806.94, 899.601, 0, 40, 0, 0, 0.3175, 0.4};
   const Bounds bounds{6.57823, 0.817068, 3.72689, 0};
   using Wide = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Fixed32>;
   const auto wide = Wide::PlanType::make(scene, bounds, 0.00027984);
@@ -306,28 +261,19 @@ TEST(WatchedScenes, ACorrectionBeyondWhatTheBoundsAllow) {
   EXPECT_EQ(fault_after(absorber, -0.47, 0), Fault::penetration);
   EXPECT_EQ(fault_after(absorber, -1e-3, 0), Fault::none);
 
-  Scene stiff = pair(5.67027e-05, 0.00372174, 0, 27236079832.8, 5975.2);
-  stiff.v2 = 0.037;
-  stiff.stops = Stops::right;
+  constexpr Scene stiff{5.67027e-05, 0, 0, 0.00372174, 0, 27236079832.8, 5975.2, 0, 40, 0, 0, 0, 0.037, Stops::right};
   using Stiff = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Fixed32>;
-  const auto plan = Stiff::PlanType::make(stiff, {0.00408054, 3.73654, 0.00114728, 15.3707}, 1.41095e-07);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Stiff touching(plan);
+  auto touching = accepted<Stiff>(stiff, {0.00408054, 3.73654, 0.00114728, 15.3707}, 1.41095e-07);
   while (!touching.is_touching()) touching.step();
   EXPECT_EQ(fault_after(touching, -0.0036, 0), Fault::penetration);
 }
 // A correction may make a classical scheme's force pull. The pull is limited like a push, and the speed that it makes
 // is compared with its bound at once. It was 27 times that bound.
 TEST(WatchedScenes, ACorrectionThatMakesAForcePull) {
-  Scene scene = pair(0.0474726, 0.000498077, 4.68386e-05, 6369.6, 22.7745);
-  scene.tension = Tension::allow;
-  scene.x1 = 0.000478078;
-  scene.x2 = 0.000501497;
-  scene.v2 = 0.445583;
+  constexpr Scene scene{0.0474726, 0,           0, 0.000498077, 4.68386e-05, 6369.6,      22.7745,       0,
+                        40,        0.000478078, 0, 0.000501497, 0.445583,    Stops::both, Tension::allow};
   using Pulling = Absorber<AtRunTime, HookeNewton, CentralDifference, NoDrive, Fixed32>;
-  const auto plan = Pulling::PlanType::make(scene, {0.00117396, 0.537284, 0, 0}, 0.00163923);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Pulling absorber(plan);
+  auto absorber = accepted<Pulling>(scene, {0.00117396, 0.537284, 0, 0}, 0.00163923);
   int touching = 0;
   for (int n = 0; n < 200 && absorber.fault() == Fault::none; ++n) {
     absorber.step();
@@ -343,10 +289,7 @@ TEST(WatchedScenes, ACorrectionThatMakesAForcePull) {
 }
 // A force that pulls, of a law that may, is compared with the largest that pushes.
 TEST(WatchedScenes, APullIsRestored) {
-  Scene scene = pair(1, 1, 1e-3, 1e6, 0);
-  scene.contact_damping = 1500;
-  scene.tension = Tension::allow;
-  scene.v2 = 1;
+  constexpr Scene scene{1, 0, 0, 1, 1e-3, 1e6, 1500, 0, 40, 0, 0, 0, 1, Stops::both, Tension::allow};
   using Pulling = Absorber<AtRunTime, HookeNewton, CentralDifference, NoDrive, Fixed32>;
   const auto plan = Pulling::PlanType::make(scene, {0.1, 1, 0, 0}, 2e-4);
   ASSERT_EQ(plan.status, PlanStatus::ok);

@@ -1,0 +1,117 @@
+#pragma once
+// What the tests of the kernel share: scenes to begin with, absorbers of accepted plans, energies and random numbers.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <impact/absorber.hpp>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "host_ref/energies.hpp"
+#include "host_ref/extremes.hpp"
+
+namespace impact {
+
+using host::energy_with_weight;
+using host::kinetic_energy;
+using host::larger;
+using host::mechanical_energy;
+using host::smaller;
+
+using EveryFormat = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
+template <class Format> constexpr bool is_double = std::is_same_v<Format, Float64>;
+
+// A scene that a search has found: M, k, c, m, d, k1, c1, F0, w, x1, v1, x2, v2, in the order of Scene's members.
+template <class... Numbers> constexpr Scene scene_of(Numbers... numbers) { return {static_cast<double>(numbers)...}; }
+
+// The paper's scene without a drive and without a main damper.
+constexpr Scene undriven_scene() {
+  Scene scene;
+  scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = 0;
+  return scene;
+}
+// The same without a main spring, so that only a contact moves the masses.
+constexpr Scene free_scene() {
+  Scene scene = undriven_scene();
+  scene.main_stiffness = 0;
+  return scene;
+}
+
+// The absorber of a scene whose plan must be accepted. A rejected plan ends the test, which then fails.
+template <class Kernel> Kernel accepted(const Scene& scene, const Bounds& bounds, double step) {
+  const auto plan = Kernel::PlanType::make(scene, bounds, step);
+  if (plan.status != PlanStatus::ok)
+    throw std::runtime_error("the plan at a step of " + std::to_string(step) + " s is rejected with PlanStatus " +
+                             std::to_string(static_cast<int>(plan.status)));
+  return Kernel(plan);
+}
+
+// How deep the ball is in either stop, m. Negative while it is apart.
+template <class Motion> double depth_of(const Scene& scene, const Motion& at) {
+  return std::abs(at.x2 - at.x1) - scene.clearance / 2;
+}
+// The energy that a stop stores at this depth, J.
+inline double stored_at(const Scene& scene, double depth, bool is_linear = false) {
+  if (depth <= 0) return 0;
+  return scene.contact_stiffness * (is_linear ? depth * depth / 2 : 0.4 * depth * depth * std::sqrt(depth));
+}
+// What contacts have dissipated by the ledger, J.
+template <class Kernel> double dissipated_by(const Kernel& absorber) {
+  const auto& plan = absorber.plan;
+  return absorber.state().dissipated.total() * plan.force_scale * plan.units.si_penetration_unit();
+}
+
+// Each number of a motion is near that of another.
+template <class Motion> void expect_near(const Motion& found, const Motion& right, double place, double speed) {
+  EXPECT_NEAR(found.x1, right.x1, place);
+  EXPECT_NEAR(found.x2, right.x2, place);
+  EXPECT_NEAR(found.v1, right.v1, speed);
+  EXPECT_NEAR(found.v2, right.v2, speed);
+}
+
+// The last place from `from` on at which a property holds that is lost somewhere before `to`.
+template <class Property> double end_of(double from, double to, const Property& holds) {
+  for (int pass = 0; pass < 100; ++pass) {
+    const double middle = (from + to) / 2;
+    (holds(middle) ? from : to) = middle;
+  }
+  return from;
+}
+
+// The number that an environment variable states, or else `usual`.
+inline long number_of_runs(const char* variable, long usual) {
+  const char* const asked = std::getenv(variable);
+  return asked ? std::atol(asked) : usual;
+}
+
+// Random numbers for scenes, the same on every machine.
+class Random {
+ public:
+  explicit Random(unsigned long seed = 1) : bits_(seed) {}
+  double share() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }  // from 0 to 1
+  double between(double least, double most) { return least + (most - least) * share(); }
+  double wide(double least, double most) { return least * std::pow(most / least, share()); }  // log-uniform
+  bool is(double chance) { return share() < chance; }
+  template <class Value, size_t size> Value one_of(const Value (&values)[size]) { return values[bits_() % size]; }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+// Sets the stiffness at which an undamped impact at `speed` takes `contact_time`. Returns the penetration, m.
+inline double set_contact_time(Scene& scene, bool is_linear, double contact_time, double speed) {
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), pi = 3.141592653589793;
+  scene.contact_stiffness = is_linear ? mu * pi * pi / (contact_time * contact_time)
+                                      : mu * std::pow(3.218 / contact_time, 2.5) / std::sqrt(speed);
+  return is_linear ? speed * contact_time / pi : std::pow(1.25 * mu * speed * speed / scene.contact_stiffness, 0.4);
+}
+
+}  // namespace impact

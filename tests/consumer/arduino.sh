@@ -4,11 +4,9 @@
 # macros of ARM cores instead: those of their platform.txt, and an Arduino.h with what theirs define. The sketch is
 # compiled behind #include <Arduino.h>, the library from its src folder. A core with an older compiler or C++ gets a
 # message.
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$1
-command -v arm-none-eabi-g++ >/dev/null || { echo "skipped: arm-none-eabi-g++ is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs arm-none-eabi-g++
 mkdir "$folder/core"
 cp -r "$project/kernel/include" "$folder/src"
 cat >"$folder/core/Arduino.h" <<'END'

@@ -2,13 +2,9 @@
 # A C program with the library of one scene: c_library.sh PROJECT
 # It compiles as C11 without a warning, and the C compiler links it without a C++ runtime. It runs on this machine and
 # on an emulated Cortex-M3, with the same bits.
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$(cd "$1" && pwd)
-for tool in arm-none-eabi-gcc qemu-system-arm; do
-  command -v $tool >/dev/null || { echo "skipped: $tool is not installed" && exit 77; }
-done
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs arm-none-eabi-gcc qemu-system-arm
 cd "$folder"
 mkdir readme
 cat >rig.hpp <<'END'

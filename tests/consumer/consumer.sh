@@ -1,12 +1,10 @@
 #!/bin/sh
 # A project that uses the kernel in one of the README's three ways, with the README's program:
 #   consumer.sh WAY PROJECT [TOOLCHAIN_FILE]
-set -eu
+. "$(dirname "$0")/../folder.sh"
 way=$1 project=$2 toolchain=${3-}
-[ -z "$toolchain" ] || command -v arm-none-eabi-g++ >/dev/null || { echo "skipped: arm-none-eabi-g++ is not installed" && exit 77; }
+[ -z "$toolchain" ] || needs arm-none-eabi-g++
 here=$project/tests/consumer
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
 sh "$here/from_readme.sh" "$project" "$folder"
 # All programs of the READMEs, except start.cpp, which is for a target, and exact.cpp, which is for the host.
 for example in "$folder"/*.cpp; do

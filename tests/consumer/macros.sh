@@ -2,11 +2,9 @@
 # Macros of a firmware's other headers do not break the kernel's headers: macros.sh COMPILER PROJECT
 # The kernel is compiled after each name below has been defined as a stray character. It is also compiled after every
 # header of newlib and X11's own where they are installed.
-set -eu
+. "$(dirname "$0")/../folder.sh"
 compiler=$1 project=$2
-command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs "$compiler"
 cd "$project/kernel/include"
 headers=$(find impact -name '*.hpp' | LC_ALL=C sort)
 include_kernel() { echo "$headers" | sed 's|.*|#include <&>|'; }

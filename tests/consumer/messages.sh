@@ -2,11 +2,9 @@
 # Wrong programs, and the first message that each gets: messages.sh COMPILER PROJECT
 # A mistake in a value or a call gets exactly one message. One in an argument gets its own message first, in under ten
 # lines.
-set -eu
+. "$(dirname "$0")/../folder.sh"
 compiler=$1 project=$2
-command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs "$compiler"
 failures=0
 # The programs' common header is precompiled, for those that are compiled without flags of their own.
 mkdir "$folder/impact"

@@ -3,11 +3,9 @@
 # The package systems themselves are not run. Every manifest parses, has what its system requires, and names files that
 # exist. It states the version of kernel/CMakeLists.txt and the licence. ESP-IDF's branch of CMakeLists.txt runs as
 # CMake, with a stand-in for idf_component_register. The Arduino layout compiles.
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$1
-command -v python3 >/dev/null || { echo "skipped: python3 is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs python3
 cp -r "$project/kernel" "$folder/kernel"
 cd "$folder"
 

@@ -1,10 +1,7 @@
 # For the tests that run the README's image, which read this file. Makes a folder with a copy of kernel/ and the
 # manual's files of "First image", and changes to it. Requires $project.
-for tool in arm-none-eabi-g++ qemu-system-arm; do
-  command -v $tool >/dev/null || { echo "skipped: $tool is not installed" && exit 77; }
-done
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+. "$project/tests/folder.sh"
+needs arm-none-eabi-g++ qemu-system-arm
 sh "$project/tests/consumer/from_readme.sh" "$project" "$folder"
 cp -r "$project/kernel" "$folder/kernel"
 cd "$folder"

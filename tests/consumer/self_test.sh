@@ -1,11 +1,9 @@
 #!/bin/sh
 # The power-on self-test passes as the README compiles. If a multiply-add is contracted, which no header can see, it
 # reports that: self_test.sh COMPILER PROJECT
-set -eu
+. "$(dirname "$0")/../folder.sh"
 compiler=$1 project=$2
-command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs "$compiler"
 cat >"$folder/main.cpp" <<'END'
 #include <impact/self_test.hpp>
 #include <stdio.h>

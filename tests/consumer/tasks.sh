@@ -1,11 +1,9 @@
 #!/bin/sh
 # The example with an interrupt and tasks requires of its system only what it states. It has no lock, no atomic
 # read-modify-write, and no code that runs before main: tasks.sh PROJECT
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$1
-command -v arm-none-eabi-g++ >/dev/null || { echo "skipped: arm-none-eabi-g++ is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs arm-none-eabi-g++
 for core in cortex-m0 cortex-m3 cortex-m7; do
   arm-none-eabi-g++ -mcpu=$core -mthumb -std=c++17 -O2 -ffp-contract=off -ffreestanding -fno-exceptions -fno-rtti -Wall -Wextra \
     -Wconversion -Werror -I "$project/kernel/include" -c "$project/kernel/examples/tasks/tasks.cpp" -o "$folder/tasks.o"

@@ -1,11 +1,9 @@
 #!/bin/sh
 # Two files of one program step two machines, each with its own rig of the same name: two_rigs.sh COMPILER PROJECT
 # In one program they print what each prints in its own program.
-set -eu
+. "$(dirname "$0")/../folder.sh"
 compiler=$1 project=$2
-command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs "$compiler"
 cd "$folder"
 for name in a:40 b:20; do
   cat >"${name%:*}.cpp" <<END

@@ -3,11 +3,9 @@
 # all of them in either order, in two translation units that are linked together.
 #
 #   headers.sh PROJECT COMPILER STANDARD
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$(cd "$1" && pwd) compiler=$2 standard=$3
-command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs "$compiler"
 
 compile() {
   "$compiler" -std="$standard" -I "$project/kernel/include" -ffp-contract=off -fno-exceptions -fno-rtti \

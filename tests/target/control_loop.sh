@@ -6,10 +6,8 @@
 # main.cpp,
 #   - no step overruns at 31.25 million instructions per second, about those of a Cortex-M0 at 48 MHz,
 #   - steps in contact overrun on a processor that is slow enough.
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$1 target=$2 image=$3
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
 
 run() { sh "$project/toolchains/emulate.sh" "$target" "$image" "$1"; }
 outputs() { grep '^output' "$1"; }

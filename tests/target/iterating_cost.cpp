@@ -8,14 +8,8 @@ namespace impact::target {
 namespace {
 
 template <class Numeric> struct Iterating : Configuration<HuntCrossley, EnergyConsistent, Numeric, Sine> {
-  static constexpr Scene stiffened() {
-    Scene scene;
-    scene.contact_stiffness *= 1e4;
-    scene.contact_damping *= 1e4;
-    return scene;
-  }
   template <int microseconds> struct Rig {
-    static constexpr Scene scene = stiffened();
+    static constexpr Scene scene = scene_of<HuntCrossley, StiffEnergyConsistent, Sine>();
     static constexpr Bounds bounds{};
     static constexpr double step = microseconds * 1e-6;
   };

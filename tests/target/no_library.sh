@@ -1,11 +1,9 @@
 #!/bin/sh
 # The compiled kernel calls, in every format, only the compiler's own helpers, memcpy, memset and memmove. It does not
 # call libm: no_library.sh PROJECT COMPILER FLAG...
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$1 compiler=$2 && shift 2
-command -v "$compiler" >/dev/null || { echo "skipped: $compiler is not installed" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
+needs "$compiler"
 cat >"$folder/kernel.cpp" <<'END'
 #include <impact/absorber.hpp>
 using namespace impact;

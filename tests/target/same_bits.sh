@@ -1,15 +1,11 @@
 #!/bin/sh
 # The trajectories and the self-test on a host, with any compiler and any flags. Those of a big-endian PowerPC run in an
 # emulator: same_bits.sh PROJECT COMPILER FLAG...
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$1 compiler=$2 && shift 2
 emulator="" && [ "$compiler" != powerpc-linux-gnu-g++ ] || emulator=qemu-ppc
-for command in "$compiler" $emulator; do
-  command -v "$command" >/dev/null || { echo "skipped: $command is not installed" && exit 77; }
-done
+needs "$compiler" $emulator
 case "$*" in *-mfma*) grep -qw fma /proc/cpuinfo || { echo "skipped: this processor has no FMA" && exit 77; } ;; esac
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
 "$compiler" "$@" -std=c++17 -ffp-contract=off \
   -DIMPACT_NUMERICS=impact::Fixed32,impact::Float32,impact::Float32Plain -I "$project/kernel/include" \
   -I "$project/toolchains" "$project/tests/target/trajectory_test.cpp" \

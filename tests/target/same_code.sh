@@ -2,10 +2,8 @@
 # A Cortex-M0+ runs a Cortex-M0's code. The same image compiled for either has the same bytes, and budgets.csv has the
 # same rows, except for cycles. sed -n s/^cortex-m0,/cortex-m0plus,/p makes them.
 #   same_code.sh TOOLS BUDGETS IMAGE IMAGE_FOR_CORTEX_M0PLUS
-set -eu
+. "$(dirname "$0")/../folder.sh"
 tools=$1 budgets=$2 image=$3 other=$4
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
 "${tools}objcopy" -O binary "$image" "$folder/image"
 "${tools}objcopy" -O binary "$other" "$folder/other"
 [ -s "$folder/image" ]

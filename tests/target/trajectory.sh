@@ -1,10 +1,8 @@
 #!/bin/sh
 # Runs trajectory_test on a target. If a trajectory differs from its golden value, finds the first step at which the
 # target and this machine differ, and prints the state of both: trajectory.sh PROJECT NUMERIC COMMAND...
-set -eu
+. "$(dirname "$0")/../folder.sh"
 project=$1 numeric=$2 && shift 2
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
 
 "$@" >"$folder/target" && status=0 || status=$?
 cat "$folder/target"

@@ -40,24 +40,10 @@ class Bytes {
       const double share = bits<uint16_t>() / 65535.0, size = least * std::pow(range.most / least, share);
       return range.least < 0 && kind % 2 == 1 ? -size : size;
     }
-    switch (kind % 8) {
-      case 0:
-        return range.least;
-      case 1:
-        return range.most;
-      case 2:
-        return 0;
-      case 3:
-        return 1;
-      case 4:
-        return std::numeric_limits<double>::infinity();
-      case 5:
-        return std::numeric_limits<double>::quiet_NaN();
-      case 6:
-        return bits<double>();
-      default:
-        return bits<float>();
-    }
+    using Double = std::numeric_limits<double>;
+    const double special[] = {range.least, range.most, 0, 1, Double::infinity(), Double::quiet_NaN()};
+    if (kind % 8 < 6) return special[kind % 8];
+    return kind % 8 == 6 ? bits<double>() : static_cast<double>(bits<float>());
   }
 
  private:

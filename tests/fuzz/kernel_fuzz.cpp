@@ -163,57 +163,33 @@ template <class Law, class Stepper, class Drive, class... Features> void kernel(
   check(absorber);
 }
 
+using Run = void (*)(Bytes&);
+template <class Law>
+constexpr Run without_parts[] = {kernel<Law, Moment, Sampled>,
+                                 kernel<Law, Moment, Sine, EnergyLedger, ImpactLog, ContactForce, Snapshots>,
+                                 kernel<Law, EnergyConsistent, Sine>, kernel<Law, AverageAcceleration, Sampled>};
 // Weight, a base that shakes, friction.
-template <class Law> void with_parts(Bytes& bytes, int kind) {
-  switch (kind) {
-    case 0:
-      return kernel<Law, Moment, Sampled, BaseAcceleration, DryFriction>(bytes);
-    case 1:
-      return kernel<Law, Moment, Sine, Gravity, DryFriction, EnergyLedger, ImpactLog, ContactForce, Snapshots>(bytes);
-    case 2:
-      return kernel<Law, EnergyConsistent, Sine, BaseAcceleration, DryFriction>(bytes);
-    case 3:
-      return kernel<Law, Impulsive, NoDrive, BaseAcceleration, DryFriction, EnergyLedger>(bytes);
-    default:
-      return kernel<Law, AverageAcceleration, Sine, Gravity, DryFriction>(bytes);
-  }
-}
+template <class Law>
+constexpr Run with_parts[] = {
+    kernel<Law, Moment, Sampled, BaseAcceleration, DryFriction>,
+    kernel<Law, Moment, Sine, Gravity, DryFriction, EnergyLedger, ImpactLog, ContactForce, Snapshots>,
+    kernel<Law, EnergyConsistent, Sine, BaseAcceleration, DryFriction>,
+    kernel<Law, Impulsive, NoDrive, BaseAcceleration, DryFriction, EnergyLedger>,
+    kernel<Law, AverageAcceleration, Sine, Gravity, DryFriction>};
 
 template <class Law> void with_law(Bytes& bytes) {
   const uint8_t kind = bytes.byte();
   // The highest kinds, so that the kept inputs mean what they did.
   if (kind >= 240) return kernel<Law, SubsteppedMoment<8>, Sampled, Gravity, DryFriction>(bytes);
-  if (kind >= 128) return with_parts<Law>(bytes, kind % 5);
-  switch (kind % 4) {
-    case 0:
-      return kernel<Law, Moment, Sampled>(bytes);
-    case 1:
-      return kernel<Law, Moment, Sine, EnergyLedger, ImpactLog, ContactForce, Snapshots>(bytes);
-    case 2:
-      return kernel<Law, EnergyConsistent, Sine>(bytes);
-    default:
-      return kernel<Law, AverageAcceleration, Sampled>(bytes);
-  }
+  (kind >= 128 ? with_parts<Law>[kind % 5] : without_parts<Law>[kind % 4])(bytes);
 }
+constexpr Run with_laws[] = {with_law<HookeNewton>, with_law<Hertz>, with_law<HuntCrossley>, with_law<Flores>};
 
 }  // namespace
 }  // namespace impact::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  using namespace impact;
-  fuzz::Bytes bytes(data, size);
-  switch (bytes.below(4)) {
-    case 0:
-      fuzz::with_law<HookeNewton>(bytes);
-      break;
-    case 1:
-      fuzz::with_law<Hertz>(bytes);
-      break;
-    case 2:
-      fuzz::with_law<HuntCrossley>(bytes);
-      break;
-    default:
-      fuzz::with_law<Flores>(bytes);
-  }
+  impact::fuzz::Bytes bytes(data, size);
+  impact::fuzz::with_laws[bytes.below(4)](bytes);
   return 0;
 }

@@ -1,14 +1,9 @@
 // A change of plan between two steps. Nothing jumps, the drive keeps its phase, and the motion that follows is the new
 // scene's.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstring>
-#include <impact/absorber.hpp>
-#include <initializer_list>
 
-#include "host_ref/extremes.hpp"
+#include "../host/kernel_test.hpp"
 
 namespace impact {
 namespace {
@@ -36,8 +31,7 @@ template <class Kernel> typename Kernel::PlanType plan_of(const Scene& scene) {
 template <class T> bool same_bits(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 template <class Format> class Tuning : public testing::Test {};
-using Formats = testing::Types<Fixed32, Float32, Float32Plain, Float64>;
-TYPED_TEST_SUITE(Tuning, Formats);
+TYPED_TEST_SUITE(Tuning, EveryFormat);
 
 // The rounding of a velocity, m/s. It is that of the reading's 32-bit terms, and in floating point also of dx1 and of
 // the increment.
@@ -89,7 +83,7 @@ TYPED_TEST(Tuning, KeepsTheDrivesPhase) {
       ++changes;
     }
     const double force = 2 * kernel.plan.units.fraction(kernel.state().drive.force(kernel.plan.drive));
-    worst = host::larger(worst, std::fabs(force - std::sin(phase)));
+    worst = larger(worst, std::fabs(force - std::sin(phase)));
   }
   // A change rounds sine and cosine, each from two products, and the oscillator's value and slope. These are eight
   // roundings of half an LSB with random signs. The oscillator of a plain float adds 6e-8 sqrt(steps).
@@ -105,8 +99,8 @@ TYPED_TEST(Tuning, KeepsTheDrivesPhase) {
 // bits. EnergyConsistent may lose some energy, since its prediction restarts.
 template <class Kernel> void expect_energy_kept(double softer, double harder) {
   const auto scene_of = [](double stiffness) {
-    Scene scene;
-    scene.main_stiffness = scene.main_damping = scene.drive_amplitude = scene.contact_damping = 0;
+    Scene scene = free_scene();
+    scene.contact_damping = 0;
     scene.contact_stiffness = stiffness;
     scene.v2 = 0.2;
     return scene;
@@ -115,20 +109,12 @@ template <class Kernel> void expect_energy_kept(double softer, double harder) {
     for (int changed_at = 0; changed_at < 200; ++changed_at) {
       const Scene before = scene_of(hardens ? softer : harder), after = scene_of(hardens ? harder : softer);
       Kernel kernel(plan_of<Kernel>(before));
-      const auto motion = [&kernel, &before] {
-        const auto now = kernel.reading();
-        return (before.main_mass * now.v1 * now.v1 + before.ball_mass * now.v2 * now.v2) / 2;
-      };
-      const auto stored = [&kernel](const Scene& scene) {
-        const auto now = kernel.reading();
-        const double d = now.x2 - now.x1 - scene.clearance / 2;
-        return Kernel::ContactLaw::is_linear ? scene.contact_stiffness * d * d / 2
-                                             : 0.4 * scene.contact_stiffness * std::pow(d, 2.5);
-      };
+      const auto motion = [&] { return kinetic_energy(before, kernel.reading()); };
       while (!kernel.is_touching()) kernel.step();
       for (int n = 0; n < changed_at && kernel.is_touching(); ++n) kernel.step();
       if (!kernel.is_touching()) break;
-      const double energy = motion() + stored(after);
+      const double energy =
+          motion() + stored_at(after, depth_of(after, kernel.reading()), Kernel::ContactLaw::is_linear);
       ASSERT_TRUE(kernel.retune(plan_of<Kernel>(after)));
       while (kernel.is_touching()) kernel.step();
       ASSERT_EQ(kernel.fault(), Fault::none);
@@ -221,15 +207,12 @@ TEST(TuningInFreeFlight, FollowsTheNewScene) {
   Scene scenes[] = {first_scene(), second_scene()};
   for (Scene& scene : scenes) scene.clearance = 0.4;
   using Kernel = Tunable<Float64>;
-  const typename Kernel::PlanType plans[] = {plan_of<Kernel>(scenes[0]), plan_of<Kernel>(scenes[1])};
-  ASSERT_EQ(plans[0].status, PlanStatus::ok);
-  ASSERT_EQ(plans[1].status, PlanStatus::ok);
-  Kernel kernel(plans[0]);
+  auto kernel = accepted<Kernel>(scenes[0], {}, h);
   double x = 0, v = 0, phase = 0;
   for (int i = 0; i < 5000; ++i) {
     const Scene& scene = scenes[i / 1000 % 2];
     if (i % 1000 == 0) {
-      ASSERT_TRUE(kernel.retune(plans[i / 1000 % 2]));
+      ASSERT_TRUE(kernel.retune(plan_of<Kernel>(scene)));
     }
     kernel.step();
     constexpr int fine = 8;
@@ -238,14 +221,7 @@ TEST(TuningInFreeFlight, FollowsTheNewScene) {
       const double force = scene.drive_amplitude * std::sin(phase + scene.drive_pulsation * time);
       return (force - scene.main_damping * speed - scene.main_stiffness * at) / scene.main_mass;
     };
-    for (int j = 0; j < fine; ++j) {
-      const double t = j * dt, a1 = acceleration(x, v, t);
-      const double v2 = v + dt / 2 * a1, a2 = acceleration(x + dt / 2 * v, v2, t + dt / 2);
-      const double v3 = v + dt / 2 * a2, a3 = acceleration(x + dt / 2 * v2, v3, t + dt / 2);
-      const double v4 = v + dt * a3, a4 = acceleration(x + dt * v3, v4, t + dt);
-      x += dt / 6 * (v + 2 * v2 + 2 * v3 + v4);
-      v += dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-    }
+    for (int j = 0; j < fine; ++j) step_by_runge_kutta(x, v, j * dt, dt, acceleration);
     phase += scene.drive_pulsation * h;
     // The error of Runge-Kutta is (w dt)^4 of the amplitude, 1e-13. The amplitude after a change has an error of some
     // ten times 2^-53.

@@ -41,20 +41,13 @@ struct Contact {
   double e;
   Tension tension = Tension::clamp;
 };
-constexpr Contact contacts[] = {{Law::hertz, 1},
-                                {Law::hunt_crossley, 0.05},
-                                {Law::hunt_crossley, 0.1},
-                                {Law::hunt_crossley, 0.3},
-                                {Law::hunt_crossley, 0.5},
-                                {Law::hunt_crossley, 0.7},
-                                {Law::hunt_crossley, 0.95},
-                                {Law::hunt_crossley, 0.999},
-                                {Law::hooke_newton, 0.05},
-                                {Law::hooke_newton, 0.3},
-                                {Law::hooke_newton, 0.7},
-                                {Law::hooke_newton, 0.999},
-                                {Law::hooke_newton, 0.05, Tension::allow},
-                                {Law::hooke_newton, 0.7, Tension::allow}};
+const std::vector<Contact> contacts = [] {
+  std::vector<Contact> all = {{Law::hertz, 1}};
+  for (const double e : {0.05, 0.1, 0.3, 0.5, 0.7, 0.95, 0.999}) all.push_back({Law::hunt_crossley, e});
+  for (const double e : {0.05, 0.3, 0.7, 0.999}) all.push_back({Law::hooke_newton, e});
+  for (const double e : {0.05, 0.7}) all.push_back({Law::hooke_newton, e, Tension::allow});
+  return all;
+}();
 std::string name_of(const Contact& contact) {
   return std::string(host::name_of(contact.law)) + " " + std::to_string(contact.e) +
          (contact.tension == Tension::allow ? " tension" : "");

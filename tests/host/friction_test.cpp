@@ -49,7 +49,7 @@ TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
   const Bounds bounds{0.1, 0.3};
   for (const double step : {1e-3, 1e-4}) {
     using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, DryFriction, EnergyLedger>;
-    Absorber absorber(Absorber::PlanType::make(slide.scene, bounds, step));
+    auto absorber = accepted<Absorber>(slide.scene, bounds, step);
     int n = 0;
     for (; (n + 1) * step < slide.time; ++n) {
       absorber.step();
@@ -199,7 +199,7 @@ template <class Law, class Stepper, class Format> double error(double gravity, d
   run.scene.x1 = run.scene.x2 = gravity / 1000;
   const Bounds bounds{0.2, 3};
   using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity, DryFriction>;
-  Absorber absorber(Absorber::PlanType::make(run.scene, bounds, step));
+  auto absorber = accepted<Absorber>(run.scene, bounds, step);
   const int ratio = static_cast<int>(std::lround(2e-3 / step));
   return largest_difference(run, absorber, step, ratio, 0.4, [&](int) { absorber.step(); });
 }
@@ -282,7 +282,7 @@ template <class Stepper, class Format> void expect_own_line(double friction_off,
   run.scene.x1 = run.scene.x2 = -0.00981;
   const Bounds bounds{0.2, 3};
   using Absorber = Absorber<AtRunTime, HuntCrossley, Stepper, Sine, Format, Gravity, DryFriction, EnergyLedger>;
-  Absorber absorber(Absorber::PlanType::make(run.scene, bounds, 1e-4));
+  auto absorber = accepted<Absorber>(run.scene, bounds, 1e-4);
   for (int n = 0; n < 4000; ++n) absorber.step();
   host::Reference reference(run);
   reference.advance(0.4);
@@ -306,7 +306,7 @@ TEST(Friction, LedgerClosesByTheAverageAcceleration) {
   const Bounds bounds{0.2, 3};
   using Absorber =
       Absorber<AtRunTime, HuntCrossley, AverageAcceleration, Sine, Float64, Gravity, DryFriction, EnergyLedger>;
-  Absorber absorber(Absorber::PlanType::make(scene, bounds, 1e-3));
+  auto absorber = accepted<Absorber>(scene, bounds, 1e-3);
   const auto energy = [&] { return energy_with_weight(scene, absorber.reading()); };
   const double at_start = energy();
   for (int n = 0; n < 2000 || absorber.is_touching(); ++n) absorber.step();
@@ -485,7 +485,7 @@ TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {
   slide.scene.ball_friction = 20;
   const double deceleration = 20 * (1 / slide.scene.main_mass + 1 / slide.scene.ball_mass), step = 1e-4;
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, DryFriction, EnergyLedger>;
-  Absorber absorber(Absorber::PlanType::make(slide.scene, bounds, step));
+  auto absorber = accepted<Absorber>(slide.scene, bounds, step);
   const auto energy = [&] { return kinetic_energy(slide.scene, absorber.reading()); };
   for (int n = 0; n < 3; ++n) absorber.step();
   absorber.correct({}, TypeParam::sample(0.4 / absorber.velocity_unit()));
@@ -506,7 +506,7 @@ TYPED_TEST(FrictionIn, HeldBallDoesNotCreepUnderCorrections) {
   Scene scene = half_way_up();
   scene.drive_amplitude = 0;
   using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
-  Absorber absorber(Absorber::PlanType::make(scene, Bounds{}, 1e-4));
+  auto absorber = accepted<Absorber>(scene, Bounds{}, 1e-4);
   for (int n = 0; n < 100000; ++n) {
     absorber.step();
     absorber.correct({}, {});

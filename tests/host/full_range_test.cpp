@@ -209,7 +209,7 @@ template <class Stepper> void expect_double_with_wide_displacements(double step,
     using Narrow = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Fixed32>;
     using Wide = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64>;
     auto narrow = accepted<Narrow>(scene, bounds, step);
-    Wide wide(Wide::PlanType::make(scene, bounds, step));
+    auto wide = accepted<Wide>(scene, bounds, step);
     for (int n = 0; n < static_cast<int>(1.2e-4 / step); ++n) {
       narrow.step();
       wide.step();

@@ -175,15 +175,10 @@ TYPED_TEST(ImpulsiveStep, SettlesUnderAConstantForceAndStaysPut) {
 // into the stop. The fourth-order Runge-Kutta method integrates p'' = A - (k1 p + c1 p')/mu until the force is 0.
 double pressed_rebound(const Impact& impact, double acceleration) {
   const auto force = [&](double p, double v) { return impact.contact_stiffness * p + impact.contact_damping * v; };
-  const auto change = [&](double p, double v) { return acceleration - force(p, v) / impact.reduced_mass; };
+  const auto change = [&](double p, double v, double) { return acceleration - force(p, v) / impact.reduced_mass; };
   const double dt = *contact_time(impact) / 1000;
   double p = 0, v = impact.speed;
-  for (int i = 0; i < 2000 && force(p, v) > 0; ++i) {
-    const double a1 = change(p, v), v2 = v + dt / 2 * a1, a2 = change(p + dt / 2 * v, v2);
-    const double v3 = v + dt / 2 * a2, a3 = change(p + dt / 2 * v2, v3), v4 = v + dt * a3, a4 = change(p + dt * v3, v4);
-    p += dt / 6 * (v + 2 * v2 + 2 * v3 + v4);
-    v += dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
+  for (int i = 0; i < 2000 && force(p, v) > 0; ++i) step_by_runge_kutta(p, v, 0, dt, change);
   return std::sqrt(v * v - 2 * acceleration * p);
 }
 

@@ -70,7 +70,8 @@ template <class Kernel> double dissipated_by(const Kernel& absorber) {
 }
 
 // Each number of a motion is near that of another.
-template <class Motion> void expect_near(const Motion& found, const Motion& right, double place, double speed) {
+template <class Motion>
+void expect_near(const Motion& found, const std::common_type_t<Motion>& right, double place, double speed) {
   EXPECT_NEAR(found.x1, right.x1, place);
   EXPECT_NEAR(found.x2, right.x2, place);
   EXPECT_NEAR(found.v1, right.v1, speed);
@@ -84,6 +85,17 @@ template <class Property> double end_of(double from, double to, const Property& 
     (holds(middle) ? from : to) = middle;
   }
   return from;
+}
+
+// A step h of the classical Runge-Kutta method for x' = v, v' = acceleration(x, v, t).
+template <class Acceleration>
+void step_by_runge_kutta(double& x, double& v, double t, double h, const Acceleration& acceleration) {
+  const double a1 = acceleration(x, v, t);
+  const double v2 = v + h / 2 * a1, a2 = acceleration(x + h / 2 * v, v2, t + h / 2);
+  const double v3 = v + h / 2 * a2, a3 = acceleration(x + h / 2 * v2, v3, t + h / 2);
+  const double v4 = v + h * a3, a4 = acceleration(x + h * v3, v4, t + h);
+  x += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
+  v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
 }
 
 // The number that an environment variable states, or else `usual`.

@@ -7,6 +7,10 @@
 
 namespace impact::host {
 
+inline constexpr Law every_law[] = {Law::hooke_newton, Law::hertz, Law::hunt_crossley};
+inline constexpr Numeric every_format[] = {Numeric::float64, Numeric::float32, Numeric::float32_plain,
+                                           Numeric::fixed32};
+
 struct Kind {
   Law law;
   Stepper stepper;
@@ -24,8 +28,7 @@ inline std::vector<Kind> kinds(std::initializer_list<Stepper> varied, Damping pe
   std::vector<Kind> result;
   for (const Stepper stepper : varied)
     for (const Numeric numeric : formats) {
-      for (const Law law : {Law::hooke_newton, Law::hertz, Law::hunt_crossley})
-        result.push_back({law, stepper, numeric});
+      for (const Law law : every_law) result.push_back({law, stepper, numeric});
       result.push_back({Law::hunt_crossley, stepper, numeric, per_impact});
     }
   return result;

@@ -80,7 +80,7 @@ TEST(Laws, ReboundAsTheirFormulasSayAtAnySpeed) {
     for (const double e : {0.1, 0.3, 0.7, 0.95})
       for (const double speed : {0.02, 0.8, 20.0})
         for (const Cell& cell : cells)
-          for (const Numeric numeric : {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32}) {
+          for (const Numeric numeric : every_format) {
             FreePair free;
             free.damping = law.damping;
             free.restitution = e;

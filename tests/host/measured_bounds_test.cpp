@@ -2,8 +2,9 @@
 // drive no motion gains energy, and none raises a fault within the bounds. IMPACT_MEASURED_SCENES sets the number of
 // scenes.
 
+#include "host_ref/coupled_scenes.hpp"
 #include "host_ref/tool/run.hpp"
-#include "kernel_test.hpp"
+#include "kinds.hpp"
 
 namespace impact::host {
 namespace {
@@ -91,6 +92,94 @@ TEST(MeasuredBounds, AreKeptWithoutAGain) {
   RecordProperty("runs", static_cast<int>(runs));
   EXPECT_GT(runs, scenes / 2);
 }
+
+// No motion within the bounds exceeds the deepest penetration that law/depth.hpp derives from them. The scenes are
+// random coupled machines, with exactly the bounds that their motion reaches.
+
+constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
+constexpr unsigned scenes_an_edge = 600;
+// Within a step a mass may be slightly faster than at its ends.
+constexpr double seen = 1.01;
+
+class DeepestPenetration : public testing::TestWithParam<Law> {};
+
+TEST_P(DeepestPenetration, BoundsEveryMotionWithinItsBounds) {
+  int contacts = 0;
+  double closest = 0;
+  for (const Edge edge : edges)
+    for (unsigned index = 0; index < scenes_an_edge; ++index) {
+      CoupledScene found = coupled_scene(GetParam(), edge, index, index % 3 ? Parts::some : Parts::none);
+      if (found.request.drive == DriveKind::sampled) continue;
+      found.request.numeric = Numeric::float64;
+      found.request.stepper = Stepper::moment;  // which rejects unresolved contacts
+      found.request.step /= 32;
+      const auto simulation = make_simulation(found.request).simulation;
+      if (!simulation) continue;
+      impact::Random random(index);
+      Reached reached;
+      for (long i = 0; i < 4 * found.steps; ++i) {
+        simulation->step(0, random.between(-1, 1) * found.base);
+        const Sample now = simulation->sample();
+        reached.see(now.x1, now.v1, now.x2, now.v2, now.penetration);
+      }
+      if (!(reached.penetration > 0)) continue;
+      ++contacts;
+      const Bounds bounds{seen * reached.displacement, seen * reached.speed, 0, 0, found.base};
+      const double bound = deepest_penetration(found.request.scene, bounds, GetParam() == Law::hooke_newton, 0, 0);
+      EXPECT_LE(reached.penetration, bound) << text_of(found.request);
+      closest = larger(closest, reached.penetration / bound);
+    }
+  EXPECT_GT(contacts, 200);
+  std::printf("  %d scenes with a contact, the deepest at %.2f of its bound\n", contacts, closest);
+}
+// A ball that starts inside a stop has stored energy, and no impact has set its damping.
+template <class ContactLaw> void expect_start_inside_to_hold() {
+  using Kernel = Absorber<AtRunTime, ContactLaw, Moment, NoDrive, Fixed32>;
+  impact::Random random;
+  int started = 0;
+  for (int n = 0; n < 4000; ++n) {
+    Scene scene = undriven_scene();
+    scene.main_mass = random.wide(0.1, 10);
+    scene.ball_mass = 1;
+    scene.main_stiffness = 1e3 * random.share();
+    scene.contact_stiffness = random.wide(1e5, 1e6);
+    scene.contact_damping = ContactLaw::is_damped ? 300 * random.share() : 0;
+    scene.restitution = random.share();
+    scene.clearance = 0.01;
+    scene.v1 = -0.999 * random.share();
+    scene.v2 = 0.999 * random.share();
+    const Bounds bounds{0.05, 1, 0, 1e-9};
+    const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
+    scene.x2 = scene.clearance / 2 + terms.deepest_start * 0.999 * random.share();
+    const auto plan = Kernel::PlanType::make(scene, bounds, 1e-4);
+    if (plan.status != PlanStatus::ok) continue;
+    ++started;
+    Kernel absorber(plan);
+    for (int step = 0; step < 400; ++step) {
+      absorber.step();
+      const auto now = absorber.reading();
+      const bool is_within =
+          std::abs(now.v1) <= 1 && std::abs(now.v2) <= 1 && std::abs(now.x1) <= 0.05 && std::abs(now.x2) <= 0.05;
+      if (!is_within) break;
+      ASSERT_NE(absorber.fault(), Fault::penetration) << n << ' ' << step;
+    }
+  }
+  EXPECT_GT(started, 1000);
+}
+TEST(DeepestPenetrationFromInside, IsNotPassed) {
+  expect_start_inside_to_hold<HookeNewton>();
+  expect_start_inside_to_hold<Hertz>();
+  expect_start_inside_to_hold<HuntCrossley>();
+  expect_start_inside_to_hold<Exact>();
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, DeepestPenetration, testing::Values(Law::hooke_newton, Law::hertz, Law::hunt_crossley),
+                         [](const auto& law) {
+                           std::string name(name_of(law.param));
+                           for (char& letter : name)
+                             if (letter == '-') letter = '_';
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace impact::host

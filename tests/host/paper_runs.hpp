@@ -4,10 +4,16 @@
 
 #include "host_ref/error_measures.hpp"
 #include "host_ref/reference.hpp"
-#include "host_ref/simulation.hpp"
-#include "kernel_test.hpp"
+#include "kinds.hpp"
 
 namespace impact::host {
+
+inline Case paper_case(Law law, Tension tension = Tension::clamp) {
+  Case run;
+  run.law = law;
+  run.scene = paper_scene(law, tension);
+  return run;
+}
 
 inline Request paper_request(Law law, Stepper stepper, double step, Tension tension = Tension::clamp) {
   Request request;

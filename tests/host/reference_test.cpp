@@ -1,15 +1,8 @@
-#include "host_ref/reference.hpp"
+// The reference against closed forms, an independent integration and itself, and the measures of error.
 
-#include <gtest/gtest.h>
+#include <Eigen/Core>
 
-#include <cmath>
-#include <cstdio>
-
-#include "host_ref/closed_form.hpp"
-#include "host_ref/energies.hpp"
-#include "host_ref/error_measures.hpp"
-#include "host_ref/extremes.hpp"
-#include "host_ref/paper_scene.hpp"
+#include "paper_runs.hpp"
 
 namespace impact::host {
 namespace {
@@ -26,12 +19,7 @@ constexpr Variant variants[] = {{"hooke-newton, clamped", Law::hooke_newton, Ten
                                 {"hunt-crossley, clamped", Law::hunt_crossley, Tension::clamp},
                                 {"hunt-crossley, tension allowed", Law::hunt_crossley, Tension::allow}};
 
-Case paper_case(const Variant& variant) {
-  Case run;
-  run.law = variant.law;
-  run.scene = paper_scene(variant.law, variant.tension);
-  return run;
-}
+Case paper_case(const Variant& variant) { return host::paper_case(variant.law, variant.tension); }
 
 // A pair without spring, damper or drive. The ball starts 10 mm from its only stop, at `side`, and approaches it at 0.8
 // m/s.
@@ -294,23 +282,14 @@ TEST(ReferenceContact, EnergyIsAccountedFor) {
 class SteppedRungeKutta {
  public:
   using Real = long double;
-  explicit SteppedRungeKutta(const Case& run)
-      : law_(run.law),
-        clamped_(run.scene.tension == Tension::clamp),
-        M_(real(run.scene.main_mass)),
-        k_(real(run.scene.main_stiffness)),
-        c_(real(run.scene.main_damping)),
-        m_(real(run.scene.ball_mass)),
-        half_(real(run.scene.clearance) / 2),
-        k1_(real(run.scene.contact_stiffness)),
-        c1_(run.law == Law::hertz ? 0 : real(run.scene.contact_damping)),
-        F0_(real(run.scene.drive_amplitude)),
-        w_(real(run.scene.drive_pulsation)),
-        state_{real(run.scene.x1), real(run.scene.v1), real(run.scene.x2), real(run.scene.v2)} {}
+  explicit SteppedRungeKutta(const Case& run) : law_(run.law), scene_(run.scene) {
+    state_ << scene_.x1, scene_.v1, scene_.x2, scene_.v2;
+    if (law_ == Law::hertz) scene_.contact_damping = 0;
+  }
 
   double advance_step(Real h) {
     for (Real left = h; left > 0;) {
-      State end = step(left);
+      const State end = step(left);
       if (!past_event(end)) {
         state_ = end;
         t_ += left;
@@ -326,43 +305,39 @@ class SteppedRungeKutta {
       left -= after;
       change_phase();
     }
-    return static_cast<double>(state_.x1);
+    return static_cast<double>(state_[0]);
   }
 
  private:
   enum class Phase { apart, touching, released };
-  struct State {
-    Real x1, v1, x2, v2;
-  };
+  using State = Eigen::Matrix<Real, 4, 1>;
 
   static Real real(double x) { return static_cast<Real>(x); }
-  State plus(const State& z, const State& rate, Real h) const {
-    return {z.x1 + h * rate.x1, z.v1 + h * rate.v1, z.x2 + h * rate.x2, z.v2 + h * rate.v2};
-  }
-  Real delta(const State& z, int side) const { return static_cast<Real>(side) * (z.x2 - z.x1) - half_; }
+  Real delta(const State& z, int side) const { return real(side) * (z[2] - z[0]) - real(scene_.clearance) / 2; }
   // The factor of delta^(3/2), or the whole force of Hooke-Newton.
   Real factor(const State& z) const {
-    const Real rate = static_cast<Real>(side_) * (z.v2 - z.v1);
-    return law_ == Law::hooke_newton ? k1_ * delta(z, side_) + c1_ * rate : k1_ + c1_ * rate;
+    const Real depth = law_ == Law::hooke_newton ? delta(z, side_) : 1;
+    return real(scene_.contact_stiffness) * depth + real(scene_.contact_damping) * real(side_) * (z[3] - z[1]);
   }
   State rates(Real t, const State& z) const {
-    Real force = 0;
+    Real force = real(scene_.drive_amplitude) * std::sin(real(scene_.drive_pulsation) * t), contact = 0;
     if (phase_ == Phase::touching) {
       const Real depth = std::max(delta(z, side_), Real{0});
-      force = static_cast<Real>(side_) * factor(z) * (law_ == Law::hooke_newton ? 1 : depth * std::sqrt(depth));
+      contact = real(side_) * factor(z) * (law_ == Law::hooke_newton ? 1 : depth * std::sqrt(depth));
     }
-    return {z.v1, (F0_ * std::sin(w_ * t) + force - c_ * z.v1 - k_ * z.x1) / M_, z.v2, -force / m_};
+    force += contact - real(scene_.main_damping) * z[1] - real(scene_.main_stiffness) * z[0];
+    return {z[1], force / real(scene_.main_mass), z[3], -contact / real(scene_.ball_mass)};
   }
   State step(Real h) const {
-    const State a = rates(t_, state_), b = rates(t_ + h / 2, plus(state_, a, h / 2)),
-                c = rates(t_ + h / 2, plus(state_, b, h / 2)), d = rates(t_ + h, plus(state_, c, h));
-    return plus(plus(plus(plus(state_, a, h / 6), b, h / 3), c, h / 3), d, h / 6);
+    const State a = rates(t_, state_), b = rates(t_ + h / 2, state_ + h / 2 * a),
+                c = rates(t_ + h / 2, state_ + h / 2 * b), d = rates(t_ + h, state_ + h * c);
+    return state_ + h / 6 * (a + 2 * b + 2 * c + d);
   }
   bool past_event(const State& z) const {
     const bool inside = delta(z, side_) > 0;
     if (phase_ == Phase::apart) return delta(z, 1) > 0 || delta(z, -1) > 0;
     if (phase_ == Phase::released) return !inside || factor(z) > 0;
-    return clamped_ ? !inside || factor(z) < 0 : !inside;
+    return !inside || (scene_.tension == Tension::clamp && factor(z) < 0);
   }
   void change_phase() {
     if (phase_ == Phase::apart) {
@@ -376,8 +351,7 @@ class SteppedRungeKutta {
   }
 
   Law law_;
-  bool clamped_;
-  Real M_, k_, c_, m_, half_, k1_, c1_, F0_, w_;
+  Scene scene_;
   State state_;
   Real t_ = 0;
   Phase phase_ = Phase::apart;

@@ -203,7 +203,7 @@ TEST(Fixed32Damper, TakesItsShareOfASmallVibration) {
     scene.drive_amplitude = scene.contact_damping = 0;
     scene.main_damping = damping;
     scene.x1 = 1e-5;
-    Kernel absorber(Kernel::PlanType::make(scene, {0.1, 2, 0, 0}, h));
+    auto absorber = accepted<Kernel>(scene, {0.1, 2, 0, 0}, h);
     const auto energy = [&] {
       const auto now = absorber.reading();
       return now.v1 * now.v1 + 1000 * now.x1 * now.x1 + damping * now.v1 * now.x1;

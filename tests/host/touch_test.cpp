@@ -50,13 +50,10 @@ template <class Format, class ContactLaw, class Stepper> void expect_rate_at_tou
     const auto depth = [&](double t) {
       return scene.x2 + speed * t - amplitude * std::sin(pulsation * t) - scene.clearance / 2;
     };
-    double before = 0, after = 0;
-    while (depth(after) < 0) before = after, after += 1e-4;
-    for (int pass = 0; pass < 60; ++pass) {
-      const double middle = (before + after) / 2;
-      (depth(middle) < 0 ? before : after) = middle;
-    }
-    const double right = speed - amplitude * pulsation * std::cos(pulsation * before);
+    double after = 0;
+    while (depth(after) < 0) after += 1e-4;
+    const double touch = end_of(0, after, [&](double t) { return depth(t) < 0; });
+    const double right = speed - amplitude * pulsation * std::cos(pulsation * touch);
     auto absorber = accepted<Absorber<AtRunTime, ContactLaw, Stepper, NoDrive, Format, ImpactLog>>(scene, bounds, h);
     for (int n = 0; n * h < after + 2 * h; ++n) absorber.step();
     ASSERT_EQ(absorber.state().impacts, 1u);

@@ -42,9 +42,7 @@ TEST_F(ImpactSim, NoFileHasTwoUses) {
                {"--drive-file link --plot $PWD/forces", "--plot "},
                {"--sweep forces --output ./forces", "--output ./forces: allowed: another file than --sweep"}};
   for (const auto& [arguments, refused] : cases) {
-    const Result result = run(arguments);
-    EXPECT_EQ(result.code, 2) << arguments;
-    EXPECT_THAT(result.err, HasSubstr(refused));
+    expect_refusal(arguments, refused);
     EXPECT_EQ(read(file("forces")), "1\n2\n");
     EXPECT_FALSE(fs::exists(file("new.csv")) || fs::exists(file("o.csv"))) << arguments;
   }
@@ -58,13 +56,11 @@ TEST_F(ImpactSim, AnEmptyRecordIsARunOfNoSteps) {
   for (const char* option : {"--drive-file", "--base-file", "--base-acceleration-file"}) {
     const std::string record = std::string(option) + " empty";
     for (const char* numeric : {"float32", "float32-plain", "fixed32", "float64"}) {
-      const Result result = run(record + " --newmark moment --numeric " + numeric);
-      EXPECT_EQ(result.code, 0) << result.err;
+      const Result result = succeed(record + " --newmark moment --numeric " + numeric);
       EXPECT_THAT(lines_of(result.out), SizeIs(2)) << record << " " << numeric;
     }
-    const Result longer = run(record + " --duration 0.01 --output data.csv");
-    EXPECT_EQ(longer.code, 2);
-    EXPECT_THAT(longer.err, HasSubstr("empty with 0 lines: allowed: a line for each of the 100 steps"));
+    expect_refusal(record + " --duration 0.01 --output data.csv",
+                   "empty with 0 lines: allowed: a line for each of the 100 steps");
     EXPECT_FALSE(fs::exists(file("data.csv")));
     write(file("sweep"), "x1\n0\n0.001\n");
     EXPECT_EQ(run(record + " --sweep sweep").code, 0);
@@ -82,7 +78,7 @@ TEST_F(ImpactSim, ASignalThatEndsARunLeavesTheOldFileAndNoRemains) {
     EXPECT_THAT(read(file("seen")), HasSubstr("partial"));
     EXPECT_EQ(read(file("data.csv")), "old\n");
     for (const auto& entry : fs::directory_iterator(folder))
-      EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr("partial"))) << signal;
+      EXPECT_THAT(entry.path().string(), Not(HasSubstr("partial"))) << signal;
   }
 }
 
@@ -109,8 +105,7 @@ TEST_F(ImpactSim, AFullDiskLeavesTheOldFileAndNoRemains) {
 
 TEST_F(ImpactSim, PlotsWithAndWithoutAbsorber) {
   if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "no gnuplot on this machine";
-  const Result result = run("--newmark moment --plot 'it'\\''s a plot.svg' --output data.csv");
-  EXPECT_EQ(result.code, 0) << result.err;
+  const Result result = succeed("--newmark moment --plot 'it'\\''s a plot.svg' --output data.csv");
   const std::string svg = read(file("it's a plot.svg"));
   EXPECT_THAT(svg, HasSubstr("<svg"));
   EXPECT_THAT(svg, HasSubstr("without absorber"));
@@ -129,26 +124,21 @@ TEST_F(ImpactSim, APlotThatWasCutShortReplacesNothing) {
 }
 
 TEST_F(ImpactSim, WithoutGnuplotThePlotOptionSaysSoAndTheRunSucceeds) {
-  const Result result = run("--newmark moment --duration 0.01 --plot plot.svg", "PATH=" + folder.string());
-  EXPECT_EQ(result.code, 0);
+  const Result result = succeed("--newmark moment --duration 0.01 --plot plot.svg", "PATH=" + folder.string());
   EXPECT_THAT(result.err, HasSubstr("gnuplot"));
   EXPECT_THAT(lines_of(result.out), SizeIs(102));
   EXPECT_FALSE(fs::exists(file("plot.svg")));
 }
 
 TEST_F(ImpactSim, ADashIsStandardInputOrOutput) {
-  std::string forces;
-  for (int n = 0; n < 50; ++n) forces += "+1\n";
-  write(file("forces"), forces);
+  write_samples("forces", 50, [](int) { return "+1"; });
   write(file("scenes"), "clearance\n0.01\n0.02\n");
   const std::string from = "> " + file("stdout") + " < ";
-  const Result named = run("--drive-file forces --output -"), piped = run("--drive-file -", "", from + "forces");
-  EXPECT_EQ(named.code, 0) << named.err;
+  const Result named = succeed("--drive-file forces --output -"), piped = run("--drive-file -", "", from + "forces");
   EXPECT_THAT(lines_of(named.out), SizeIs(52));
   EXPECT_EQ(piped.out, named.out) << piped.err;
   EXPECT_FALSE(fs::exists(file("-")));
-  const Result sweep = run("--sweep - --duration 0.01", "cat scenes |");
-  EXPECT_EQ(sweep.code, 0) << sweep.err;
+  const Result sweep = succeed("--sweep - --duration 0.01", "cat scenes |");
   EXPECT_THAT(lines_of(sweep.out), SizeIs(3));
   const Result rig = run("--duration 0.01 --output data.csv --rig -");
   EXPECT_THAT(rig.out, StartsWith("#pragma once"));
@@ -168,6 +158,154 @@ TEST_F(ImpactSim, FilesOfDifferentLengthAreRefused) {
   EXPECT_THAT(run("--base-file two --base-acceleration-file three").err, HasSubstr("--base-file two with 2 lines"));
   EXPECT_EQ(run("--drive-file three --base-acceleration-file two --duration 2e-4").code, 0);
   EXPECT_EQ(run("--drive-file three --base-acceleration-file three").code, 0);
+}
+
+// The header that --rig writes compiles for a constant plan, and its absorber computes the bits of the run.
+
+// Steps the absorber of a rig and writes the tool's columns, except for the time.
+const char* const program_head = R"(
+#include <impact/absorber.hpp>
+#include <cstdio>
+
+template <class Absorber, class Rig, bool is_sampled>
+void run(const char* path, int steps, int digits) {
+  std::FILE* file = std::fopen(path, "w");
+  static Absorber absorber;
+  for (int n = 0; n <= steps; ++n) {
+    const auto now = absorber.reading();
+    std::fprintf(file, "%.*g,%.*g,%.*g,%.*g\n", digits, now.x1, digits, now.v1, digits, now.x2, digits, now.v2);
+    if constexpr (is_sampled) {
+      using Format = typename Absorber::Format;
+      absorber.step(Format::sample((n % 100 < 50 ? 5 : -5) / Format::sample_unit(Rig::bounds.force)));
+    } else {
+      absorber.step();
+    }
+  }
+  std::fclose(file);
+}
+)";
+
+TEST_F(ImpactSim, ARigMakesTheRunsBits) {
+  if (std::system("command -v " IMPACT_COMPILER " > /dev/null") != 0) GTEST_SKIP() << "no compiler on this machine";
+  write_samples("it's forces", 2000, [](int n) { return (n - 1) % 100 < 50 ? 5 : -5; });
+  const struct {
+    const char* options;
+    int digits;
+  } runs[] = {{"--numeric fixed32", 13},
+              {"--law hertz --numeric float64 --newmark moment-4 --step 2e-3 --x1 0.01 --v2 -0.3", 17},
+              {"--law hooke-newton --restitution 0.7 --tension allow --numeric float32 --step 1e-3 --stops left", 9},
+              {"--numeric float32-plain --step 1e-3 --newmark energy --drive none --v2 0.9 --contact-stiffness 1e7", 9},
+              {"--numeric fixed32 --step 1e-3 --newmark impulsive --contact-stiffness 1e9 --drive-amplitude 3", 13},
+              {"--numeric fixed32 --step 1e-3 --newmark average --bound-speed 4", 13},
+              {"--numeric float64 --step 1e-4 --damping per-impact --restitution 0.6 --newmark moment", 17},
+              {"--numeric fixed32 --drive-file \"it's forces\" --step 1e-3 --duration 2", 13},
+              {"--numeric float32 --drive-file \"it's forces\" --step 1e-3 --duration 2", 9},
+              {"--numeric fixed32 --gravity -9.81 --x1 -0.01 --x2 -0.01", 13},
+              {"--numeric fixed32 --ball-friction 0.5 --drive none --v2 0.9", 13},
+              {"--numeric float32 --newmark energy --step 1e-3 --gravity 5 --ball-friction 0.7", 9}};
+  std::string program = program_head, calls;
+  for (size_t i = 0; i < std::size(runs); ++i) {
+    const std::string name = "rig" + std::to_string(i), options = runs[i].options;
+    const bool is_sampled = options.find("--drive-file") != options.npos;
+    const Result result =
+        succeed(options + (is_sampled ? "" : " --duration 2") + " --rig " + name + ".hpp --output " + name + ".csv");
+    program += "namespace " + name + " {\n#include \"" + name + ".hpp\"\n}\n";
+    calls += "  run<" + name + "::Absorber, " + name + "::Rig, " + (is_sampled ? "true" : "false") + ">(\"" + name +
+             ".bits\", " + std::to_string(lines_of(read(file(name + ".csv"))).size() - 2) + ", " +
+             std::to_string(runs[i].digits) + ");\n";
+  }
+  write(file("main.cpp"), program + "int main() {\n" + calls + "}\n");
+  ASSERT_EQ(
+      std::system(("cd " + folder.string() +
+                   " && " IMPACT_COMPILER " -std=c++17 -O1 -ffp-contract=off -Wall -Wextra -Werror -I " IMPACT_KERNEL
+                   " main.cpp -o main && ./main")
+                      .c_str()),
+      0);
+  for (size_t i = 0; i < std::size(runs); ++i) {
+    const std::string name = "rig" + std::to_string(i);
+    const auto rows = lines_of(read(file(name + ".csv"))), bits = lines_of(read(file(name + ".bits")));
+    ASSERT_EQ(rows.size(), bits.size() + 1) << runs[i].options;
+    double largest = 0;
+    for (size_t n = 0; n < bits.size(); ++n) {
+      const auto cells = split(rows[n + 1], ',');
+      ASSERT_EQ(cells[1] + "," + cells[2] + "," + cells[3] + "," + cells[4], bits[n])
+          << runs[i].options << " step " << n;
+      largest = larger(largest, std::abs(std::stod(cells[2])));
+    }
+    EXPECT_GT(largest, 0.1) << "nothing moved: " << runs[i].options;
+  }
+  // The rig states only values that the run reads.
+  EXPECT_THAT(read(file("rig2.hpp")), Not(HasSubstr("scene.restitution")));
+  EXPECT_THAT(read(file("rig6.hpp")), HasSubstr("scene.restitution = 0."));
+  EXPECT_THAT(read(file("rig0.hpp")), HasSubstr("bounds.force = 0;"));
+  EXPECT_THAT(read(file("rig7.hpp")),
+              HasSubstr("--drive-file='it'\\''s forces' --step=1e-3 --duration=2 --rig=rig7.hpp"));
+}
+
+// Two translation units of one program each have their own rig. One steps the absorber, the other reads the rig's
+// values.
+TEST_F(ImpactSim, TwoRigsInOneProgramAreTwo) {
+  if (std::system("command -v " IMPACT_COMPILER " > /dev/null") != 0) GTEST_SKIP() << "no compiler on this machine";
+  std::string expected;
+  for (const char* pulsation : {"40", "20"}) {
+    const std::string name = std::string("rig") + pulsation;
+    ASSERT_EQ(run(std::string("--numeric fixed32 --step 1e-4 --drive-pulsation ") + pulsation +
+                  " --duration 0.1 --rig " + name + ".hpp --output run.csv")
+                  .code,
+              0);
+    expected += std::string(pulsation) + " " + split(lines_of(read(file("run.csv"))).back(), ',')[1] + "\n";
+    write(file(name + ".cpp"),
+          "#include \"" + name + ".hpp\"\n#include <cstdio>\nvoid " + name +
+              "() {\n  static Absorber absorber;\n  for (int n = 0; n < 1000; ++n) absorber.step();\n"
+              "  const auto* scene = &Rig::scene;\n  std::printf(\"%g %.13g\\n\", "
+              "scene->drive_pulsation, absorber.reading().x1);\n}\n");
+  }
+  write(file("main.cpp"), "void rig40();\nvoid rig20();\nint main() {\n  rig40();\n  rig20();\n}\n");
+  for (const char* options : {"-O0", "-Os", "-O2 -flto"}) {
+    const std::string command = std::string(" -std=c++17 -ffp-contract=off -Wall -Wextra -Werror ") + options +
+                                " -I " IMPACT_KERNEL " main.cpp rig40.cpp rig20.cpp -o main && ./main >found";
+    ASSERT_EQ(std::system(("cd " + folder.string() + " && " IMPACT_COMPILER + command).c_str()), 0);
+    EXPECT_EQ(read(file("found")), expected) << options;
+  }
+}
+
+double bound_in(const std::string& rig, const std::string& name) {
+  const std::string statement = "bounds." + name + " = ";
+  const size_t place = rig.find(statement);
+  return place == rig.npos ? 0 : std::stod(rig.substr(place + statement.size()));
+}
+
+// At resonance an estimate grows with the duration, but the ball's impacts limit the motion.
+TEST_F(ImpactSim, ARigHasTheBoundsThatTheRunNeedsInEveryFormat) {
+  for (const char* duration : {"1", "2", "10"}) {
+    double in_fixed32 = 0;
+    for (const char* numeric : {"fixed32", "float32", "float32-plain", "float64"}) {
+      const std::string options =
+          "--main-damping 0 --main-mass 2 --main-stiffness 3200 --drive-pulsation 40 "
+          "--drive-amplitude 5 --step 1e-3 --newmark moment";
+      const Result result =
+          succeed(options + " --numeric " + numeric + " --duration " + duration + " --rig rig.hpp --output run.csv");
+      const double speed = bound_in(read(file("rig.hpp")), "speed");
+      if (in_fixed32 == 0) in_fixed32 = speed;
+      EXPECT_EQ(speed, in_fixed32) << numeric << ", " << duration << " s";
+      double largest = 0;
+      for (const auto& row : rows_of(read(file("run.csv"))))
+        largest = larger(largest, larger(std::abs(row[2]), std::abs(row[4])));
+      EXPECT_GT(speed, 1.3 * largest) << numeric << ", " << duration << " s";
+      EXPECT_LT(speed, 1.7 * largest) << numeric << ", " << duration << " s";
+    }
+  }
+  ASSERT_EQ(run("--numeric float32 --bound-speed 5 --rig rig.hpp").code, 0);
+  EXPECT_EQ(bound_in(read(file("rig.hpp")), "speed"), 5);
+}
+
+TEST_F(ImpactSim, ARigIsNotWrittenForARefusedRun) {
+  write(file("rig.hpp"), "precious\n");
+  EXPECT_EQ(run("--step 0.05 --newmark moment --rig rig.hpp").code, 2);
+  EXPECT_EQ(run("--sweep scenes.csv --rig rig.hpp").code, 2);
+  EXPECT_EQ(run("--rig rig.hpp --output ./rig.hpp").code, 2);
+  EXPECT_EQ(read(file("rig.hpp")), "precious\n");
+  EXPECT_EQ(run("--duration 0.01 --rig missing/rig.hpp").code, 1);
 }
 
 }  // namespace

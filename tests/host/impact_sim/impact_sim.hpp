@@ -5,18 +5,23 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "host_ref/extremes.hpp"
 
 namespace impact::host {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 using testing::StartsWith;
 
@@ -40,6 +45,17 @@ inline std::vector<std::string> split(const std::string& text, char separator) {
 
 inline std::vector<std::string> lines_of(const std::string& text) { return split(text, '\n'); }
 
+// The numbers of each row after the header.
+inline std::vector<std::vector<double>> rows_of(const std::string& csv) {
+  std::vector<std::vector<double>> rows;
+  for (const std::string& line : lines_of(csv)) {
+    if (line == header) continue;
+    rows.emplace_back();
+    for (const std::string& cell : split(line, ',')) rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
 struct Result {
   int code;
   std::string out, err;
@@ -62,7 +78,27 @@ class ImpactSim : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(file("stdout")), read(file("stderr"))};
   }
 
+  // The same with a run that must succeed, which else ends the test, or be refused with these words.
+  Result succeed(const std::string& arguments, const std::string& before = "", const std::string& after = "") const {
+    const Result result = run(arguments, before, after);
+    if (result.code != 0) throw std::runtime_error(arguments + ": " + result.err);
+    return result;
+  }
+  void expect_refusal(const std::string& arguments, const std::string& words) const {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(words)) << arguments;
+  }
+
   std::string file(const std::string& name) const { return (folder / name).string(); }
+
+  // A file of `count` samples, one per step.
+  template <class Sample> void write_samples(const std::string& name, int count, Sample sample_at) const {
+    std::ostringstream text;
+    text.precision(12);
+    for (int n = 1; n <= count; ++n) text << sample_at(n) << "\n";
+    write(file(name), text.str());
+  }
 
   fs::path folder;
 };

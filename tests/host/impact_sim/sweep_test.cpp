@@ -1,9 +1,7 @@
 // Sweeps: one row per scene. Finished rows survive an interruption.
 
 #include <algorithm>
-#include <cmath>
 
-#include "host_ref/extremes.hpp"
 #include "impact_sim.hpp"
 
 namespace impact::host {
@@ -38,13 +36,12 @@ TEST_F(ImpactSimSweep, WritesARowPerSceneInTheirOrder) {
 TEST_F(ImpactSimSweep, SummarizesWhatTheTrajectoriesShow) {
   const auto largest_and_rms = [&](const std::string& arguments) {
     double largest = 0, squares = 0;
-    const auto lines = lines_of(run("--newmark moment --numeric float64 --duration 0.5 " + arguments).out);
-    for (size_t i = 1; i < lines.size(); ++i) {
-      const double x1 = std::stod(split(lines[i], ',')[1]);
-      largest = impact::host::larger(largest, std::abs(x1));
-      squares += x1 * x1;
+    const auto rows = rows_of(run("--newmark moment --numeric float64 --duration 0.5 " + arguments).out);
+    for (const auto& row : rows) {
+      largest = larger(largest, std::abs(row[1]));
+      squares += row[1] * row[1];
     }
-    return std::pair(largest, std::sqrt(squares / static_cast<double>(lines.size() - 1)));
+    return std::pair(largest, std::sqrt(squares / static_cast<double>(rows.size())));
   };
   const auto [largest, rms] = largest_and_rms("--restitution 0.68 --clearance 0.02");
   const auto [bare, bare_rms] = largest_and_rms("--clearance 1000");
@@ -110,9 +107,7 @@ TEST_F(ImpactSimSweep, ShardsTogetherAreTheWhole) {
 TEST_F(ImpactSimSweep, RefusesAFileOfSomethingElse) {
   const auto refuses = [&](const std::string& text, const std::string& arguments) {
     write(file("other.csv"), text);
-    const Result result = run(arguments + " --output other.csv");
-    EXPECT_EQ(result.code, 2);
-    EXPECT_THAT(result.err, HasSubstr("--output other.csv"));
+    expect_refusal(arguments + " --output other.csv", "--output other.csv");
     EXPECT_EQ(read(file("other.csv")), text);
   };
   refuses("precious\n", sweep);
@@ -124,21 +119,17 @@ TEST_F(ImpactSimSweep, RefusesAFileOfSomethingElse) {
 
 // A finished row is valid only for its samples. A copy of their file with another time stamp is the same.
 TEST_F(ImpactSimSweep, RowsOfADriveFileThatHasChangedAreNotReused) {
-  const auto forces = [](double force) {
-    std::string text;
-    for (int n = 0; n < 100; ++n) text += std::to_string(force) + "\n";
-    return text;
-  };
-  write(file("forces"), forces(1));
+  const auto write_forces = [this](int force) { write_samples("forces", 100, [=](int) { return force; }); };
+  write_forces(1);
   write(file("driven.csv"), "drive-file,clearance\nforces,0.01\n,0.01\nforces,0.02\n");
   const std::string driven = "--sweep driven.csv --step 1e-4 --duration 0.01 --newmark moment --output rows.csv";
   EXPECT_EQ(run(driven).code, 0);
   const std::string rows = read(file("rows.csv"));
   EXPECT_THAT(rows, HasSubstr(",drive-file,clearance,drive_samples,max_x1,"));
-  write(file("forces"), forces(1));
+  write_forces(1);
   EXPECT_EQ(run(driven).code, 0);
   EXPECT_EQ(read(file("rows.csv")), rows);
-  write(file("forces"), forces(2));
+  write_forces(2);
   const Result result = run(driven);
   EXPECT_EQ(result.code, 2);
   EXPECT_THAT(result.err, HasSubstr("--output rows.csv line 2"));
@@ -170,17 +161,15 @@ TEST_F(ImpactSimSweep, ABadLineIsRefusedBeforeAnythingRuns) {
 
 TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
   write(file("few.csv"), "contact-stiffness\n3e4\n3e8\n");
-  const Result result = run("--sweep few.csv --duration 1");
-  EXPECT_EQ(result.code, 0);
+  const Result result = succeed("--sweep few.csv --duration 1");
   EXPECT_THAT(result.err, HasSubstr("steps of "));
   EXPECT_THAT(result.err, HasSubstr(" to 0.001 s"));
   auto scenes = lines_of(result.out);  // rows are in the order in which scenes finish
   std::sort(scenes.begin(), scenes.end());
   for (const char* scene : {"3e4", "3e8"}) {
-    const auto rows = lines_of(run(std::string("--duration 1 --contact-stiffness ") + scene).out);
     double largest = 0;
-    for (size_t n = 1; n < rows.size(); ++n)
-      largest = impact::host::larger(largest, std::abs(std::stod(split(rows[n], ',')[1])));
+    for (const auto& row : rows_of(run(std::string("--duration 1 --contact-stiffness ") + scene).out))
+      largest = larger(largest, std::abs(row[1]));
     const auto row = split(scenes[scene[2] == '4' ? 0 : 1], ',');
     EXPECT_EQ(std::stod(row[3]), largest) << scene;
   }
@@ -189,9 +178,8 @@ TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
 // The main mass oscillates by 0.5 rad per step. EnergyConsistent accepts that, and so must the mass without absorber.
 TEST_F(ImpactSimSweep, RunsWhatItsStepperTakes) {
   write(file("stiff.csv"), "main-stiffness\n1e6\n1000\n");
-  const Result result =
-      run("--sweep stiff.csv --newmark energy --contact-stiffness 1e11 --step 5e-4 --duration .1 --output rows.csv");
-  EXPECT_EQ(result.code, 0) << result.err;
+  const Result result = succeed(
+      "--sweep stiff.csv --newmark energy --contact-stiffness 1e11 --step 5e-4 --duration .1 --output rows.csv");
   const auto rows = lines_of(read(file("rows.csv")));
   ASSERT_THAT(rows, SizeIs(3));
   for (size_t n = 1; n < rows.size(); ++n) {
@@ -213,8 +201,7 @@ TEST_F(ImpactSimSweep, ANameWithACommaIsOneCell) {
 
 TEST_F(ImpactSimSweep, OptionsOfTheCommandLineApplyToEveryScene) {
   write(file("few.csv"), "restitution\n0.5\n0.9\n");
-  const Result result = run("--sweep few.csv --impact-speed 1.5 --duration 0.1");
-  EXPECT_EQ(result.code, 0) << result.err;
+  const Result result = succeed("--sweep few.csv --impact-speed 1.5 --duration 0.1");
   EXPECT_THAT(result.out, StartsWith("scene,impact-speed,duration,restitution,max_x1,"));
   EXPECT_THAT(result.out, HasSubstr("\n2,1.5,0.1,0.9,"));
 }
@@ -230,8 +217,7 @@ TEST_F(ImpactSimSweep, QuotedCellsAndAPlusAreRead) {
   write(file("quoted.csv"),
         "\"v2\",\"clearance\", \"law\"\r\n+0.5,\"+1e-2\",\"hertz\"\r\n\"\",0.02,\"hooke-newton\"\r\n");
   const auto results = [&](const char* name) {
-    const Result result = run(std::string("--duration 0.1 --output rows --sweep ") + name);
-    EXPECT_EQ(result.code, 0) << result.err;
+    const Result result = succeed(std::string("--duration 0.1 --output rows --sweep ") + name);
     const auto rows = lines_of(read(file("rows")));
     fs::remove(file("rows"));
     EXPECT_THAT(rows, SizeIs(3));

@@ -113,9 +113,7 @@ export class Controls {
 }
 
 // Where the kernel's name of a value is not the control's.
-function controlOf(option) {
-  return option === 'damping' || option === 'paper-damping' ? 'damping-by' : option;
-}
+function controlOf(option) { return option === 'damping' || option === 'paper-damping' ? 'damping-by' : option; }
 
 // The value nearest to what was asked that the words of a refusal allow; null where they name none.
 function allowedValue(value, { allowed }, asked) {
@@ -140,6 +138,4 @@ function valueAt({ least, most, log, zero }, position) {
   return Number(value.toPrecision(3));
 }
 
-export function element(tag, properties) {
-  return Object.assign(document.createElement(tag), properties);
-}
+export function element(tag, properties) { return Object.assign(document.createElement(tag), properties); }

@@ -54,64 +54,40 @@ export class Kernel {
     if (!isPlanned) return { refusal: { option: lines[0], value: lines[1], allowed: lines[2] } };
     return { stepper: lines[0], why: lines[1], contactDamping: Number(lines[2]) };
   }
-  discard(slot) {
-    this.calls.discard(slot);
-  }
+  discard(slot) { this.calls.discard(slot); }
 
   // Returns true if there is more to do.
-  advance(slot, steps) {
-    return this.calls.advance(slot, steps) !== 0;
-  }
+  advance(slot, steps) { return this.calls.advance(slot, steps) !== 0; }
   // A line is a faster run that records only the displacement. Returns true if it was planned.
   planLine(slot, options, withAbsorber) {
     this.#say(options);
     return this.calls.plan_line(slot, withAbsorber) !== 0;
   }
-  advanceLine(slot, steps) {
-    return this.calls.advance_line(slot, steps) !== 0;
-  }
-  line(slot) {
-    return this.#table(this.calls.line_rows(slot), this.calls.line_row_count(slot), lineWidth);
-  }
+  advanceLine(slot, steps) { return this.calls.advance_line(slot, steps) !== 0; }
+  line(slot) { return this.#table(this.calls.line_rows(slot), this.calls.line_row_count(slot), lineWidth); }
   lineExtremes(slot) {
     const [largest, least, most] = new Float64Array(this.calls.memory.buffer, this.calls.line_extremes(slot), 3);
     return { largest, leastX1: least, mostX1: most };
   }
-  fault(slot) {
-    return this.calls.fault(slot) ? this.#textAt(this.calls.text()) : '';
-  }
+  fault(slot) { return this.calls.fault(slot) ? this.#textAt(this.calls.text()) : ''; }
 
   // Views, which are invalid after the next call that records.
-  rows(slot) {
-    return this.#table(this.calls.rows(slot), this.calls.row_count(slot), rowWidth);
-  }
-  contacts(slot) {
-    return this.#table(this.calls.contacts(slot), this.calls.contact_count(slot), contactWidth);
-  }
-  impacts(slot) {
-    return this.#table(this.calls.impacts(slot), this.calls.impact_count(slot), impactWidth);
-  }
-  rowEvery(slot) {
-    return this.calls.row_every(slot);
-  }
+  rows(slot) { return this.#table(this.calls.rows(slot), this.calls.row_count(slot), rowWidth); }
+  contacts(slot) { return this.#table(this.calls.contacts(slot), this.calls.contact_count(slot), contactWidth); }
+  impacts(slot) { return this.#table(this.calls.impacts(slot), this.calls.impact_count(slot), impactWidth); }
+  rowEvery(slot) { return this.calls.row_every(slot); }
   totals(slot) {
     const [steps, largest, rms, dissipated, impacts, peakForce, energyError, rubbed, leastX1, mostX1, mostSupplied, mostFound, leastDissipated] =
       new Float64Array(this.calls.memory.buffer, this.calls.totals(slot), 13);
     return { steps, largest, rms, dissipated, impacts, peakForce, energyError, rubbed, leastX1, mostX1, mostSupplied, mostFound, leastDissipated };
   }
-  attenuation(slot, bareLine) {
-    return this.calls.attenuation(slot, bareLine);
-  }
-  lawRestitution(slot, speed) {
-    return this.calls.law_restitution(slot, speed);
-  }
+  attenuation(slot, bareLine) { return this.calls.attenuation(slot, bareLine); }
+  lawRestitution(slot, speed) { return this.calls.law_restitution(slot, speed); }
   rig(slot, options) {
     this.#say(options);
     return this.#textAt(this.calls.rig(slot));
   }
-  csv(slot) {
-    return this.#textAt(this.calls.csv(slot));
-  }
+  csv(slot) { return this.#textAt(this.calls.csv(slot)); }
 
   #say(options) {
     this.#put(() => this.calls.text(), options.map(([name, value]) => `${name} ${value}\n`).join('') + '\0');

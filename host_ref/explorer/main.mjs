@@ -8,9 +8,8 @@ import { Machine, machineDrawing } from './machine.mjs';
 import { short, tableFrom } from './numbers.mjs';
 import { readTheme } from './plot.mjs';
 import { DisplacementPlot, EnergyPlot, LoopPlot, RestitutionPlot, SweepPlot } from './plots.mjs';
-import { presets } from './presets.mjs';
 import { Run } from './run.mjs';
-import { argumentsOf, commandOf, filesOf, initialScene, usualDamping, valueNamed } from './scene.mjs';
+import { argumentsOf, commandOf, filesOf, initialScene, presets, usualDamping, valueNamed } from './scene.mjs';
 import { runTrajectories, verdictOf } from './self_test.mjs';
 import { Sweep } from './sweep.mjs';
 import { findingsOf, numbersRow, sentenceOf } from './words.mjs';
@@ -51,23 +50,16 @@ class Page {
     requestAnimationFrame((now) => this.#frame(now));
   }
 
-  get compares() {
-    return this.b !== null;
-  }
-  sceneOf(letter) {
-    return letter === 'a' ? this.a : { ...this.a, ...this.b };
-  }
-  get ready() {
-    return Object.values(this.runs).filter((run) => run.isReady);
-  }
+  get compares() { return this.b !== null; }
+  sceneOf(letter) { return letter === 'a' ? this.a : { ...this.a, ...this.b }; }
+  get ready() { return Object.values(this.runs).filter((run) => run.isReady); }
 
   // From the address, as a link states it.
   restore() {
     const state = stateFrom(location.hash, this.initial, this.kernel.files);
     Object.assign(this, { a: state.a, b: state.b });
     if (!this.compares) this.edited = 'a';
-    if (this.parts.some(({ target }) => target === state.part)) find('part').value = state.part;
-    else find('part').value = 'cortex-m4f';
+    find('part').value = this.parts.some(({ target }) => target === state.part) ? state.part : 'cortex-m4f';
     if (state.time !== null) {
       this.play(false);
       this.time = state.time;
@@ -121,8 +113,10 @@ class Page {
     for (const button of document.querySelectorAll('[data-preset]'))
       button.addEventListener('click', () => this.preset(button.dataset.preset));
     find('compare').addEventListener('change', ({ target }) => this.compare(target.checked));
-    for (const letter of ['a', 'b'])
+    for (const letter of ['a', 'b']) {
       find(`edit-${letter}`).addEventListener('change', () => { this.edited = letter; this.#showControls(); });
+      find(`csv-${letter}`).addEventListener('click', () => this.#save(letter));
+    }
     find('part').addEventListener('change', () => this.speak());
     find('play').addEventListener('click', () => this.play(!this.isPlaying));
     find('again').addEventListener('click', () => this.goTo(0));
@@ -138,8 +132,6 @@ class Page {
     // On paper the colours are the light ones: once they apply, draw at once.
     addEventListener('beforeprint', () => { document.documentElement.classList.add('printing'); redraw(); this.#draw(Infinity); });
     addEventListener('afterprint', () => { document.documentElement.classList.remove('printing'); redraw(); });
-    find('csv-a').addEventListener('click', () => this.#save('a'));
-    find('csv-b').addEventListener('click', () => this.#save('b'));
     for (const button of document.querySelectorAll('[data-copy]'))
       button.addEventListener('click', async () => {
         await navigator.clipboard.writeText(find(button.dataset.copy).textContent);
@@ -284,9 +276,7 @@ class Page {
   }
 
   #save(letter) {
-    const run = this.runs[letter];
-    if (!run.isReady) return;
-    saveFile(`impact_${letter}.csv`, this.kernel.csv(run.slot));
+    if (this.runs[letter].isReady) saveFile(`impact_${letter}.csv`, this.kernel.csv(this.runs[letter].slot));
   }
   #fileButton(name) {
     const button = element('button', { type: 'button', textContent: `Save ${name}` });

@@ -52,9 +52,7 @@ export class Plot {
     this.pen.clip();
     return true;
   }
-  end() {
-    this.pen.restore();
-  }
+  end() { this.pen.restore(); }
 
   // Of many points within a pixel's column the least and the most.
   line({ data, count, width }, x, y, style) {
@@ -138,12 +136,8 @@ export class Plot {
     this.cursor.style.transform = isSeen ? `translateX(${this.px(x)}px)` : 'translateX(-10px)';
   }
 
-  px(x) {
-    return this.scales.x0 + this.scales.xs * x;
-  }
-  py(y) {
-    return this.scales.y0 + this.scales.ys * y;
-  }
+  px(x) { return this.scales.x0 + this.scales.xs * x; }
+  py(y) { return this.scales.y0 + this.scales.ys * y; }
   xAt(clientX) {
     const share = (clientX - this.canvas.getBoundingClientRect().left - this.frame.left) / this.frame.width;
     return this.range.left + Math.min(1, Math.max(0, share)) * (this.range.right - this.range.left);

@@ -26,9 +26,7 @@ function roomy(least, most) {
 }
 
 export class DisplacementPlot extends Plot {
-  constructor(figure) {
-    super(figure, { x: { label: 't, s' }, y: { label: 'x1, mm', scale: 1e3 } });
-  }
+  constructor(figure) { super(figure, { x: { label: 't, s' }, y: { label: 'x1, mm', scale: 1e3 } }); }
   draw(runs, window, cursor) {
     const range = { ...window, ...this.#heights(runs) };
     if (this.begin(versionOf(runs), range)) {
@@ -49,9 +47,7 @@ export class DisplacementPlot extends Plot {
 // the energy that the start, the drive, the weight and the base have supplied. If it is not the sum of the areas, the step has
 // created or lost energy.
 export class EnergyPlot extends Plot {
-  constructor(figure) {
-    super(figure, { x: { label: 't, s' }, y: { label: 'energy, J' } });
-  }
+  constructor(figure) { super(figure, { x: { label: 't, s' }, y: { label: 'energy, J' } }); }
   draw(run, window, cursor) {
     // A stop that is far too stiff for the step exchanges more energy than all else. The picture cuts this off.
     const rows = run.rows(), { mostSupplied, mostFound, leastDissipated } = run.totals();
@@ -121,9 +117,7 @@ function lastBefore(loops, { data, width }, time) {
 
 // Each impact of the runs over its speed, and the law's own restitution as a line.
 export class RestitutionPlot extends Plot {
-  constructor(figure) {
-    super(figure, { x: { label: 'speed of the impact, m/s' }, y: { label: 'restitution' } });
-  }
+  constructor(figure) { super(figure, { x: { label: 'speed of the impact, m/s' }, y: { label: 'restitution' } }); }
   draw(runs) {
     const tables = runs.map((run) => run.kernel.impacts(run.slot));
     const fastest = Math.max(0.1, ...tables.map((table) => extremes(table, 1)[1]));

@@ -48,28 +48,14 @@ export class Run {
     return true;
   }
 
-  rows() {
-    return this.kernel.rows(this.slot);
-  }
-  bareRows() {
-    return this.kernel.line(this.slot);
-  }
+  rows() { return this.kernel.rows(this.slot); }
+  bareRows() { return this.kernel.line(this.slot); }
   // Steps from a row to the next.
-  get every() {
-    return this.kernel.rowEvery(this.slot);
-  }
-  totals() {
-    return this.kernel.totals(this.slot);
-  }
-  bareExtremes() {
-    return this.kernel.lineExtremes(this.slot);
-  }
-  bareLargest() {
-    return this.hasBare ? this.bareExtremes().largest : NaN;
-  }
-  attenuation() {
-    return this.hasBare ? this.kernel.attenuation(this.slot, this.slot) : NaN;
-  }
+  get every() { return this.kernel.rowEvery(this.slot); }
+  totals() { return this.kernel.totals(this.slot); }
+  bareExtremes() { return this.kernel.lineExtremes(this.slot); }
+  bareLargest() { return this.hasBare ? this.bareExtremes().largest : NaN; }
+  attenuation() { return this.hasBare ? this.kernel.attenuation(this.slot, this.slot) : NaN; }
   // Of all complete impacts: the median distance of the restitution from the law's, and how many restitutions exceed 1.
   restitutions() {
     const { data, count, width } = this.kernel.impacts(this.slot);
@@ -79,9 +65,7 @@ export class Run {
     const above = impacts.filter(({ restitution }) => restitution > 1 + roundingOfRestitution).length;
     return { count, fromLaw: distances[Math.ceil(count / 2) - 1], above };
   }
-  fault() {
-    return this.kernel.fault(this.slot);
-  }
+  fault() { return this.kernel.fault(this.slot); }
 
   #pageRefusal(scene) {
     const { step, duration } = scene, missing = missingFile(scene);

@@ -21,12 +21,8 @@ export class SampleFiles {
     this.#keep(own, whole);
     return own;
   }
-  text(name) {
-    return this.texts.get(name);
-  }
-  lines(name) {
-    return this.counts.get(name) ?? 0;
-  }
+  text(name) { return this.texts.get(name); }
+  lines(name) { return this.counts.get(name) ?? 0; }
 
   // The example's file for a step, of at least as many lines.
   example(step, count) {
@@ -40,9 +36,7 @@ export class SampleFiles {
     const text = this.texts.get(name)?.trim().replaceAll('\n', ' ');
     return text !== undefined && text.length <= mostInLink ? text : null;
   }
-  fromLink(name, text) {
-    this.#keep(plainName(name), `${text.trim().replaceAll(' ', '\n')}\n`);
-  }
+  fromLink(name, text) { this.#keep(plainName(name), `${text.trim().replaceAll(' ', '\n')}\n`); }
 
   #keep(name, text) {
     this.texts.set(name, text);

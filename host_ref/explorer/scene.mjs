@@ -55,9 +55,7 @@ export const values = groups.flatMap((group) => group.values);
 const fileValues = values.filter(({ samples }) => samples);
 export const valueNamed = (name) => values.find((value) => value.name === name);
 
-function statesBounds(scene) {
-  return scene.numeric === 'fixed32' && scene.bounds === 'stated';
-}
+function statesBounds(scene) { return scene.numeric === 'fixed32' && scene.bounds === 'stated'; }
 export const isSampled = ({ drive }) => drive === 'drive-file' || drive === 'base-file';
 export const isShown = (value, scene) => !value.shown || value.shown(scene);
 
@@ -106,3 +104,13 @@ export const filesOf = (options) => options.filter(([name]) => fileValues.some((
 // The value of a requested file that has not been loaded yet.
 export const missingFile = (scene) => fileValues.find((value) => isShown(value, scene) && scene[value.name] === '');
 export const commandOf = (options) => ['impact-sim', ...options.map(([name, text]) => `--${name}=${text}`)].join(' ');
+
+// Scenes to begin with: what differs from the paper's in run A, and in run B from A.
+export const presets = {
+  paper: { a: {}, b: null },
+  stiff: { a: { 'contact-stiffness': 1e11, 'damping-by': 'restitution', 'clearance': 0.01 }, b: { newmark: 'average' } },
+  laws: { a: { law: 'hunt-crossley' }, b: { law: 'hertz', 'contact-damping': 0 } },
+  coarse: { a: { 'step': 1e-3, 'contact-stiffness': 1e8, 'damping-by': 'restitution' }, b: { newmark: 'average' } },
+  upright: { a: { 'gravity': -9.81, 'x1': -9.81e-3, 'x2': -9.81e-3, 'drive': 'none', 'base': 'example' }, b: { 'ball-friction': 1 } },
+  fixed: { a: { numeric: 'fixed32', duration: 1 }, b: { numeric: 'float32-plain' } },
+};

@@ -37,9 +37,7 @@ export class Sweep {
       scenes.forEach((each, curve) => this.waiting.push({ curve, scene: each, pulsation: least + (most - least) * order / (pointCount - 1) }));
   }
 
-  get isDone() {
-    return !this.running && this.waiting.length === 0;
-  }
+  get isDone() { return !this.running && this.waiting.length === 0; }
   get progress() {
     const all = pointCount * this.curves.length;
     return all ? (all - this.waiting.length - (this.running ? 1 : 0)) / all : 0;

@@ -287,6 +287,20 @@ TEST(WatchedScenes, ACorrectionThatMakesAForcePull) {
   }
   EXPECT_GT(touching, 0);
 }
+// A correction that leaves the ball deeper in a soft stop than a classical scheme's force has room for. It wrapped, and
+// the fault came a step later.
+TEST(WatchedScenes, ACorrectionBeyondTheReachOfAClassicalScheme) {
+  Scene scene{0.185649,    0.538676, 0.259848, 0.0120365, 0.0863067, 732.788, 0.0611788,
+              0.093191085, 1.788264, 0,        0,         0.0336426, 0.242609};
+  scene.gravity = 0.37893;
+  scene.ball_friction = 0.0015532;
+  using Classical = Absorber<AtRunTime, HookeNewton, AverageAcceleration, Sine, Fixed32, Gravity, DryFriction>;
+  auto absorber = accepted<Classical>(scene, {0.177293, 1.10278, 0, 0}, 0.00464249);
+  while (!absorber.is_touching()) absorber.step();
+  EXPECT_EQ(fault_after(absorber, -1e-3, 0), Fault::none);
+  for (int mm = -34; mm < 0; ++mm) fault_after(absorber, 1e-3 * mm, 0);
+  EXPECT_EQ(fault_after(absorber, -0.034, 0), Fault::speed);
+}
 // A force that pulls, of a law that may, is compared with the largest that pushes.
 TEST(WatchedScenes, APullIsRestored) {
   constexpr Scene scene{1, 0, 0, 1, 1e-3, 1e6, 1500, 0, 40, 0, 0, 0, 1, Stops::both, Tension::allow};

@@ -132,8 +132,8 @@ template <class Plan> class PlanMaking {
         return PlanStatus::step;
       if (!(basis.friction_displacement <= displacement)) return PlanStatus::ball_friction;
     }
-    // The state is a position minus the share of the field, h^2 a/6. The check of its bound is wider by that, which is
-    // at most 1 %.
+    // The state is a position minus the share of the field, h^2 a/6. The check of its bound is wider by up to twice
+    // that, which is at most 2 %.
     if (Field::is_sampled &&
         Field::largest(scene, bounds) * basis.terms.step * basis.terms.step / 6 > 0.01 * bounds.displacement)
       return larger_of_field(scene, bounds);

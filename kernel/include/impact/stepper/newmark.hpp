@@ -152,12 +152,12 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
       own.keeps_force = true;
       return own;
     }();
-    constexpr bool is_beyond_reach(const Plan& plan, const Approach<Value>& step) const {
+    template <class Motion> constexpr bool is_beyond_reach(const Plan& plan, const Motion& motion) const {
       const auto is_within = [](auto x, auto largest) {
         return is_positive(bare(largest) - Format::value(positive_part(x)));
       };
-      return !is_within(force, plan.largest.force) || !is_within(step.penetration, plan.largest.trial) ||
-             !is_within(step.rate, plan.largest.rate);
+      return !is_within(force, plan.largest.force) || (!plan.clamped && !is_within(-force, plan.largest.force)) ||
+             !is_within(motion.penetration, plan.largest.trial) || !is_within(motion.rate, plan.largest.rate);
     }
 
     Force force;  // at the start of the step
@@ -202,7 +202,9 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
       return standing.penetration;
     }
     constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& standing) {
-      const Penetration at = standing.penetration, at_rate = standing.rate;
+      // A correction may have moved the ball beyond them.
+      const Penetration at(Units::clamped(standing.penetration, plan.largest.trial)),
+          at_rate = within(standing.rate, plan.largest.rate);
       phase = Phase::touching;
       if constexpr (ContactLaw::is_linear) {
         force = units.elastic(at) + Force(this->damping(plan) * bare(at_rate));
@@ -210,11 +212,13 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
       } else {
         force = Force(Format::value(damped(plan, units, Format::root(at) * without_sign(at), at_rate)));
       }
-      force = Force(Units::clamped(force, plan.largest.force));
-      force = -Force(Units::clamped(-force, plan.largest.force));
+      force = within(force, plan.largest.force);
     }
 
    private:
+    template <class Number> static constexpr Number within(Number x, Number largest) {
+      return -Number(Units::clamped(-Number(Units::clamped(x, largest)), largest));
+    }
     // x (1 + C v), never negative: the contact does not pull.
     template <class Shape> constexpr auto damped(const Plan& plan, const Units& units, Shape x, Value v) const {
       if constexpr (ContactLaw::is_damped)
@@ -227,8 +231,9 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
     [[gnu::always_inline]] constexpr Force found(const Plan& plan, const Units& units, Penetration trial,
                                                  Penetration trial_rate) const {
       if constexpr (ContactLaw::is_linear) {
-        const Value f = plan.solution * (units.elastic(trial) + Force(this->damping(plan) * bare(trial_rate)));
-        return Force(Units::clamped(plan.clamped ? Format::value(positive_part(f)) : f, plan.largest.force));
+        const Force f(plan.solution * (units.elastic(trial) + Force(this->damping(plan) * bare(trial_rate))));
+        if (!plan.clamped) return within(f, plan.largest.force);
+        return Force(Units::clamped(Format::value(positive_part(f)), plan.largest.force));
       } else {
         Force f{};
         for (int pass = 0; pass < plan.passes; ++pass) {

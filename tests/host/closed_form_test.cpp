@@ -128,15 +128,20 @@ TEST(ClosedForm, ArgumentsOutOfRangeHaveNoValue) {
 
 constexpr double ball_mass = 0.3, main_mass = 1;
 
+constexpr ContactTerms terms_of(double stiffness, double damping_time, double ball, double main) {
+  ContactTerms terms;
+  terms.stiffness = stiffness;
+  terms.damping_time = damping_time;
+  terms.ball_mass = ball;
+  terms.main_mass = main;
+  return terms;
+}
+
 template <class ContactLaw>
 void expect_closed_form(double stiffness, double damping, double speed, Tension tension, double tolerance) {
   const Impact impact{ContactLaw::law, stiffness, damping, ball_mass * main_mass / (ball_mass + main_mass),
                       speed,           tension};
-  ContactTerms terms;
-  terms.stiffness = stiffness;
-  terms.damping_time = damping / stiffness;
-  terms.ball_mass = ball_mass;
-  terms.main_mass = main_mass;
+  ContactTerms terms = terms_of(stiffness, damping / stiffness, ball_mass, main_mass);
   terms.clamped = tension == Tension::clamp;
   const FreeImpact found = free_impact<ContactLaw>(terms, speed);
   EXPECT_NEAR(found.restitution, restitution(impact).value(), 1e-12);
@@ -161,10 +166,7 @@ TEST(FreeImpactConstants, HookeNewtonAtAnyDampingRatio) {
 }
 
 TEST(FreeImpactConstants, HookeNewtonWithTensionNeverComesApartOverdamped) {
-  ContactTerms terms;
-  terms.stiffness = 100;
-  terms.damping_time = 1;
-  terms.ball_mass = terms.main_mass = 1;
+  ContactTerms terms = terms_of(100, 1, 1, 1);
   terms.clamped = false;
   const FreeImpact found = free_impact<HookeNewton>(terms, 1);
   EXPECT_EQ(found.restitution, 0);
@@ -183,21 +185,15 @@ TEST(FreeImpactConstants, HuntCrossley) {
 // With very strong damping, the ball creeps out of the peak penetration at the speed k1/c1. The peak is (5 mu/(2 k1
 // a))^(2/5) without the logarithm.
 TEST(FreeImpactConstants, HuntCrossleyCreeps) {
-  ContactTerms terms;
-  terms.stiffness = 1;
-  terms.ball_mass = terms.main_mass = 1;
   for (double a : {100.0, 1e4, 1e9, 1e20}) {
-    terms.damping_time = a;
+    const ContactTerms terms = terms_of(1, a, 1, 1);
     EXPECT_NEAR(free_impact<HuntCrossley>(terms, 1).restitution * a, 1, 1e-12);
     EXPECT_NEAR(free_impact<HuntCrossley>(terms, 1).contact_time / (a * std::pow(5 * 0.5 / (2 * a), 0.4)), 1, 0.05);
   }
 }
 
 TEST(FreeImpactConstants, DampingPerImpactIsTheSameAtAnySpeed) {
-  ContactTerms terms;
-  terms.stiffness = 32600;
-  terms.ball_mass = ball_mass;
-  terms.main_mass = main_mass;
+  ContactTerms terms = terms_of(32600, 0, ball_mass, main_mass);
   terms.damping_ratio = HuntCrossleyPerImpact::damping_ratio(0.706);
   const double slow = free_impact<HuntCrossleyPerImpact>(terms, 1e-3).restitution,
                fast = free_impact<HuntCrossleyPerImpact>(terms, 2).restitution;
@@ -208,16 +204,9 @@ TEST(FreeImpactConstants, DampingPerImpactIsTheSameAtAnySpeed) {
 }
 
 // Usable in a constant expression.
-constexpr ContactTerms paper_terms() {
-  ContactTerms terms;
-  terms.stiffness = 32600;
-  terms.damping_time = 0.6;
-  terms.ball_mass = ball_mass;
-  terms.main_mass = main_mass;
-  return terms;
-}
-static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).restitution - 0.7561486807) < 1e-10);
-static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms(), 0.8).contact_time - 0.03035344861) < 3e-7);
+constexpr ContactTerms paper_terms = terms_of(32600, 0.6, ball_mass, main_mass);
+static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms, 0.8).restitution - 0.7561486807) < 1e-10);
+static_assert(constant::magnitude(free_impact<HuntCrossley>(paper_terms, 0.8).contact_time - 0.03035344861) < 3e-7);
 
 // The main spring, released from its bound, presses a ball at rest into its stop. The penetration is twice the static
 // one for a linear stop, and (5/2)^(2/3) of it for a power law. The closing speed is negligible, and the heavy ball

@@ -31,6 +31,10 @@ template <class ContactLaw> host::Case rig(double stiffness, double damping) {
   return run;
 }
 
+template <class Model, class Value> double newtons(const Model& model, Value native) {
+  return std::abs(model.plan.units.fraction(native)) * model.force_unit();
+}
+
 struct Force {
   double peak, mean, time;  // N, N, s
 };
@@ -58,15 +62,14 @@ template <class Format, class ContactLaw, class Stepper>
 Force stepped(const host::Case& run, double rate, double contact_time) {
   using Model = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format, ContactForce, ImpactLog>;
   auto model = accepted<Model>(run.scene, bounds, 1 / rate);
-  const auto newtons = [&](auto native) { return std::abs(model.plan.units.fraction(native)) * model.force_unit(); };
   Force force{};
   for (int n = 0; n < 0.04 * rate; ++n) {
     model.step();
-    const double now = newtons(model.contact_force());
+    const double now = newtons(model, model.contact_force());
     if (force.peak > 0 && !(now > 0) && !model.is_touching()) break;
     force.peak = host::larger(force.peak, now);
     if constexpr (Model::Contact::traits.is_instantaneous)
-      force.mean = host::larger(force.mean, newtons(model.mean_impact_force()));
+      force.mean = host::larger(force.mean, newtons(model, model.mean_impact_force()));
     else
       force.mean += now / (rate * contact_time);
   }
@@ -129,12 +132,9 @@ template <class Format, class ContactLaw> void expect_closed_form(double stiffne
     scene.v2 = speed;
     auto model = accepted<Model>(scene, bounds, 1e-3);
     for (int n = 0; n < 4 && !is_positive(model.contact_force()); ++n) model.step();
-    EXPECT_NEAR(model.plan.units.fraction(model.contact_force()) * model.force_unit() / *host::peak_force(impact), 1,
-                0.05)
-        << speed << " m/s, e " << e;
+    EXPECT_NEAR(newtons(model, model.contact_force()) / *host::peak_force(impact), 1, 0.05) << speed << " m/s, e " << e;
     const double mean = impact.reduced_mass * (1 + e) * speed / *host::contact_time(impact);
-    EXPECT_NEAR(model.plan.units.fraction(model.mean_impact_force()) * model.force_unit() / mean, 1, 0.05)
-        << speed << " m/s, e " << e;
+    EXPECT_NEAR(newtons(model, model.mean_impact_force()) / mean, 1, 0.05) << speed << " m/s, e " << e;
     model.step();
     EXPECT_FALSE(is_positive(model.contact_force()));
   }
@@ -145,7 +145,6 @@ TYPED_TEST(ContactForces, OfAFreePairAreTheClosedForms) {
   for (const double damping : {0.0, 3e3, 1.6e4}) expect_closed_form<TypeParam, HookeNewton>(1e9, damping);
 }
 
-// The force on a ball at rest is its weight, at any rate.
 TYPED_TEST(ContactForces, OfABallAtRestIsItsWeight) {
   using Model = Absorber<AtRunTime, HuntCrossley, Impulsive, NoDrive, TypeParam, ContactForce, Gravity>;
   for (const double rate : rates) {
@@ -156,8 +155,7 @@ TYPED_TEST(ContactForces, OfABallAtRestIsItsWeight) {
     scene.x2 = scene.x1 + scene.clearance / 2;
     auto model = accepted<Model>(scene, bounds, 1 / rate);
     for (int n = 0; n < 0.5 * rate; ++n) model.step();
-    EXPECT_NEAR(model.plan.units.fraction(model.contact_force()) * model.force_unit(), 0.9 * 9.81, 0.05 * 0.9 * 9.81)
-        << rate;
+    EXPECT_NEAR(newtons(model, model.contact_force()), 0.9 * 9.81, 0.05 * 0.9 * 9.81) << rate;
   }
 }
 

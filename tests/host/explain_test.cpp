@@ -127,7 +127,6 @@ TEST(Explain, NamesEveryValueAsItsMember) {
   EXPECT_STREQ(name_of(Parameter::step), "step");
 }
 
-// Each value that is far below or above its range is named.
 TEST(Explain, NamesTheValueThatIsOutOfItsRange) {
   for (int i = 0; i < static_cast<int>(Parameter::step); ++i) {
     const auto parameter = static_cast<Parameter>(i);

@@ -488,7 +488,6 @@ TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
   EXPECT_GE(impacts, 5000);
 }
 
-// Both masses fall alike, at any step, within rounding.
 TYPED_TEST(FieldIn, BothMassesFallFreely) {
   Scene scene;
   scene.main_stiffness = scene.main_damping = 0;
@@ -569,7 +568,6 @@ TEST(Field, KernelKeepsItsOrderInAField) {
   }
 }
 
-// A change of plan changes the field, and the motion continues without a jump.
 TYPED_TEST(FieldIn, ChangeOfPlanKeepsTheMotion) {
   Scene scene;
   scene.gravity = weight;
@@ -583,7 +581,6 @@ TYPED_TEST(FieldIn, ChangeOfPlanKeepsTheMotion) {
   expect_near(absorber.reading(), before, 0, 1e-6);
 }
 
-// A ball that falls past its bounds is clamped, with a fault.
 TYPED_TEST(FieldIn, BallThatFallsTooFastIsClamped) {
   Scene scene = free_scene();
   scene.gravity = weight;
@@ -595,7 +592,6 @@ TYPED_TEST(FieldIn, BallThatFallsTooFastIsClamped) {
   EXPECT_NE(absorber.fault(), Fault::none);
 }
 
-// A stated value requires its part, and a named part requires a value in its range.
 TEST(Field, PartsAndValuesBelongTogether) {
   Scene heavy;
   heavy.gravity = weight;

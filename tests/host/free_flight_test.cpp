@@ -72,7 +72,6 @@ TEST_P(FreeFlight, PaperSceneAtItsOwnPulsation) {
   expect_reference(request);
 }
 
-// A sine of pulsation 0 has no force.
 TEST_P(FreeFlight, DriveOfNoPulsationIsNone) {
   Request request = far_from_stops(GetParam());
   request.scene.drive_pulsation = 0;
@@ -114,7 +113,6 @@ TEST_P(FreeFlight, Overdamped) {
   expect_reference(request);
 }
 
-// A sampled drive is linear between its samples, for any samples.
 TEST_P(FreeFlight, SampledDriveIsLinearBetweenSamples) {
   Request request = far_from_stops(GetParam());
   request.drive = DriveKind::sampled;

@@ -283,7 +283,7 @@ class SteppedRungeKutta {
  public:
   using Real = long double;
   explicit SteppedRungeKutta(const Case& run) : law_(run.law), scene_(run.scene) {
-    state_ << scene_.x1, scene_.v1, scene_.x2, scene_.v2;
+    state_ << real(scene_.x1), real(scene_.v1), real(scene_.x2), real(scene_.v2);
     if (law_ == Law::hertz) scene_.contact_damping = 0;
   }
 

@@ -146,57 +146,41 @@ TEST_F(ImpactSim, RestitutionIsWhatWasAskedFor) {
 
 // Each option states its allowed range, and no other option is listed.
 TEST_F(ImpactSim, HelpNamesEveryOptionWithItsRange) {
-  const std::string mass = "from 1e-09 to 1e+09 kg", force = "from 0 to 1e+09 N;", start = "from -1000 to 1000 m;",
-                    speed = "from -1000 to 1000 m/s;", bound = "from 1e-09 to 1e+06 m", any;
-  const std::map<std::string, std::string> allowed = {
-      {"law", "hooke-newton, hertz, hunt-crossley;"},
-      {"newmark",
-       "auto, average, linear, fox-goodwin, central, moment, moment-4, moment-8, moment-n, energy, impulsive;"},
-      {"numeric", "float32, float32-plain, fixed32, float64;"},
-      {"step", "from 1e-09 to 0.1 s;"},
-      {"duration", "from 0 to 1e+07 s;"},
-      {"main-mass", mass},
-      {"main-stiffness", "from 0 to 1e+12 N/m;"},
-      {"main-damping", "from 0 to 1e+09 N s/m;"},
-      {"ball-mass", mass},
-      {"clearance", "from 0 to 1e+12 m;"},
-      {"stops", "both, left, right, none;"},
-      {"contact-stiffness", "from 0.001 to 1e+18 N/m (HookeNewton) or N/m^(3/2);"},
-      {"contact-damping", "from 0 to 1e+18 N s/m (HookeNewton) or N s/m^(5/2);"},
-      {"restitution", "from 0.01 to 1 of the impact's speed;"},
-      {"impact-speed", "from 1e-06 to 10000 m/s;"},
-      {"paper-damping", any},
-      {"damping",
-       "constant, hunt-crossley, per-impact, herbert-mcwhannell, lee-wang, lankarani-nikravesh, flores, hu-guo, "
-       "exact;"},
-      {"tension", "allow, clamp;"},
-      {"drive", "none, sine, sampled;"},
-      {"drive-amplitude", force},
-      {"drive-pulsation", "from 0 to 1e+06 rad/s;"},
-      {"drive-file", any},
-      {"base-file", any},
-      {"base-acceleration-file", any},
-      {"gravity", "from -1e+06 to 1e+06 m/s^2;"},
-      {"ball-friction", force},
-      {"x1", start},
-      {"v1", speed},
-      {"x2", start},
-      {"v2", speed},
-      {"bound-displacement", bound + ";"},
-      {"bound-speed", bound + "/s;"},
-      {"bound-penetration", "from 0 to 1e+06 m;"},
-      {"bound-force", force},
-      {"bound-base-acceleration", "from 0 to 1e+06 m/s^2;"},
-      {"every", "a whole number from 1 to 1000000000;"},
-      {"output", any},
-      {"plot", any},
-      {"rig", any},
-      {"summary", any},
-      {"part", "cortex-m0, "},
-      {"quiet", any},
-      {"sweep", any},
-      {"shard", "1 <= I <= N;"},
-      {"benchmark", any}};
+  const std::vector<std::pair<std::string, std::vector<std::string>>> allowed = {
+      {"hooke-newton, hertz, hunt-crossley;", {"law"}},
+      {"auto, average, linear, fox-goodwin, central, moment, moment-4, moment-8, moment-n, energy, impulsive;",
+       {"newmark"}},
+      {"float32, float32-plain, fixed32, float64;", {"numeric"}},
+      {"from 1e-09 to 0.1 s;", {"step"}},
+      {"from 0 to 1e+07 s;", {"duration"}},
+      {"from 1e-09 to 1e+09 kg", {"main-mass", "ball-mass"}},
+      {"from 0 to 1e+12 N/m;", {"main-stiffness"}},
+      {"from 0 to 1e+09 N s/m;", {"main-damping"}},
+      {"from 0 to 1e+12 m;", {"clearance"}},
+      {"both, left, right, none;", {"stops"}},
+      {"from 0.001 to 1e+18 N/m (HookeNewton) or N/m^(3/2);", {"contact-stiffness"}},
+      {"from 0 to 1e+18 N s/m (HookeNewton) or N s/m^(5/2);", {"contact-damping"}},
+      {"from 0.01 to 1 of the impact's speed;", {"restitution"}},
+      {"from 1e-06 to 10000 m/s;", {"impact-speed"}},
+      {"",
+       {"paper-damping", "drive-file", "base-file", "base-acceleration-file", "output", "plot", "rig", "summary",
+        "quiet", "sweep", "benchmark"}},
+      {"constant, hunt-crossley, per-impact, herbert-mcwhannell, lee-wang, lankarani-nikravesh, flores, hu-guo, exact;",
+       {"damping"}},
+      {"allow, clamp;", {"tension"}},
+      {"none, sine, sampled;", {"drive"}},
+      {"from 0 to 1e+09 N;", {"drive-amplitude", "ball-friction", "bound-force"}},
+      {"from 0 to 1e+06 rad/s;", {"drive-pulsation"}},
+      {"from -1e+06 to 1e+06 m/s^2;", {"gravity"}},
+      {"from -1000 to 1000 m;", {"x1", "x2"}},
+      {"from -1000 to 1000 m/s;", {"v1", "v2"}},
+      {"from 1e-09 to 1e+06 m;", {"bound-displacement"}},
+      {"from 1e-09 to 1e+06 m/s;", {"bound-speed"}},
+      {"from 0 to 1e+06 m;", {"bound-penetration"}},
+      {"from 0 to 1e+06 m/s^2;", {"bound-base-acceleration"}},
+      {"a whole number from 1 to 1000000000;", {"every"}},
+      {"cortex-m0, ", {"part"}},
+      {"1 <= I <= N;", {"shard"}}};
   const Result result = succeed("--help");
   std::map<std::string, std::string> paragraphs;
   std::string name;
@@ -206,8 +190,14 @@ TEST_F(ImpactSim, HelpNamesEveryOptionWithItsRange) {
     else if (line.compare(0, 6, "      ") == 0)
       paragraphs[name] += line.substr(5);
   }
-  for (const auto& [option, range] : allowed) EXPECT_THAT(paragraphs[option], HasSubstr(range)) << option;
-  EXPECT_EQ(paragraphs.size(), allowed.size());
+  const size_t named = paragraphs.size();
+  size_t known = 0;
+  for (const auto& [range, options] : allowed)
+    for (const std::string& option : options) {
+      EXPECT_THAT(paragraphs[option], HasSubstr(range)) << option;
+      ++known;
+    }
+  EXPECT_EQ(known, named);
   EXPECT_THAT(result.out, HasSubstr("Exit codes"));
 }
 

@@ -138,23 +138,9 @@ INSTANTIATE_TEST_SUITE_P(Found, KeptPointIn,
 // against the field. That gained 5.4 times the energy.
 TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
   constexpr double base = 3.5696041023607634;
-  constexpr Scene scene{0.10790493541273041,
-                        192429.83725367085,
-                        0,
-                        45.215146309253321,
-                        0.40645705237653706,
-                        9378602185.8448792,
-                        66625942548.262146,
-                        0,
-                        40,
-                        0,
-                        0,
-                        0.19916395566450318,
-                        0.15407195473359786,
-                        Stops::both,
-                        Tension::clamp,
-                        1,
-                        base};
+  Scene scene = scene_of(0.10790493541273041, 192429.83725367085, 0, 45.215146309253321, 0.40645705237653706,
+                         9378602185.8448792, 66625942548.262146, 0, 40, 0, 0, 0.19916395566450318, 0.15407195473359786);
+  scene.gravity = base;
   CoupledScene found = found_scene(Law::hunt_crossley, Stepper::automatic, scene, 0.00057952589894404681,
                                    {0.43785109405877398, 174.46799130268562, 0, 0, base});
   found.base = base;
@@ -172,23 +158,11 @@ TEST(FoundInAField, ABallPressedOntoALightMainMassGainsNothingByItsStop) {
 // The spring of a light main mass presses it onto a heavy ball, in a weak field. A ball that stayed in its stop without
 // stored energy used to sink by 7 mm.
 TEST(FoundInAField, ABallWhoseContactHasSpentItsEnergyDoesNotSinkThroughItsStop) {
-  constexpr Scene scene{0.032051130904392842,
-                        756.59122101186131,
-                        0,
-                        25.574968206406954,
-                        0.013253704537344759,
-                        41155012281.00486,
-                        0,
-                        0,
-                        40,
-                        0,
-                        -0.11231124093828221,
-                        0.005237009987810709,
-                        -0.079866032697389691,
-                        Stops::both,
-                        Tension::clamp,
-                        0.36925608769813384,
-                        0.00087246580533912861};
+  Scene scene =
+      scene_of(0.032051130904392842, 756.59122101186131, 0, 25.574968206406954, 0.013253704537344759, 41155012281.00486,
+               0, 0, 40, 0, -0.11231124093828221, 0.005237009987810709, -0.079866032697389691);
+  scene.restitution = 0.36925608769813384;
+  scene.gravity = 0.00087246580533912861;
   CoupledScene found = found_scene(Law::hunt_crossley, Stepper::energy, scene, 0.00083776993090317923,
                                    {0.023790882019704335, 2.3231616687360592, 0, 0, 0});
   found.request.damping = Damping::hunt_crossley;

@@ -91,18 +91,23 @@ static_assert(InField<BaseAcceleration>::make(in_gravity(-9.81), shaken_by(shake
               PlanStatus::ok);
 static_assert(heavy.parameter == Parameter::gravity && heavy.allowed.least > -1e6 && heavy.allowed.most == 0);
 
+template <class PlanType> Explanation explanation_with_accepted_limits(Values values) {
+  const Explanation said = explain<PlanType>(values.scene, values.bounds, values.step);
+  for (const double limit : {said.allowed.least, said.allowed.most}) {
+    *values.find(said.parameter) = limit;
+    EXPECT_EQ(PlanType::make(values.scene, values.bounds, values.step).status, PlanStatus::ok)
+        << name_of(said.parameter) << " " << limit;
+  }
+  return said;
+}
+
 // No step has room for a penetration of 10 km beside a vibration of 2 m/s. The explanation names another value, whose
 // limits are accepted.
 TEST(Explain, NamesABoundThatLeavesNoRoom) {
   Values values{Scene{}, Bounds{}, 1e-3};
   values.bounds.penetration = 1e4;
-  const Explanation said = explain<Fixed>(values.scene, values.bounds, values.step);
+  const Explanation said = explanation_with_accepted_limits<Fixed>(values);
   EXPECT_FALSE(said.allowed.holds(said.value)) << name_of(said.parameter);
-  for (const double limit : {said.allowed.least, said.allowed.most}) {
-    *values.find(said.parameter) = limit;
-    EXPECT_EQ(Fixed::make(values.scene, values.bounds, values.step).status, PlanStatus::ok)
-        << name_of(said.parameter) << " " << limit;
-  }
 }
 
 // A limit of a value of 0 is not a multiple of it: a clearance of 0 in a field, which the ball must not cross in a
@@ -111,13 +116,8 @@ TEST(Explain, NamesAClearanceOfNothing) {
   Values values{Scene{}, Bounds{}, 1e-4};
   values.scene.clearance = 0;
   values.scene.gravity = -9.81;
-  using Upright = InField<Gravity>;
-  const Explanation said = explain<Upright>(values.scene, values.bounds, values.step);
+  const Explanation said = explanation_with_accepted_limits<InField<Gravity>>(values);
   EXPECT_EQ(said.parameter, Parameter::clearance) << name_of(said.parameter);
-  for (const double limit : {said.allowed.least, said.allowed.most}) {
-    *values.find(said.parameter) = limit;
-    EXPECT_EQ(Upright::make(values.scene, values.bounds, values.step).status, PlanStatus::ok) << limit;
-  }
 }
 
 TEST(Explain, NamesEveryValueAsItsMember) {

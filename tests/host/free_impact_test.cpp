@@ -187,13 +187,9 @@ TEST(SubsteppedMoment, FollowsSamplesThatJump) {
     scene.v2 = speed;
     scene.x2 = scene.clearance / 2 - speed * h * (1 + phase(i));
     const Bounds bounds{1, 1.2 * speed, 0, push};
-    const auto coarse = Coarse::PlanType::make(scene, bounds, h);
-    const auto fine = Fine::PlanType::make(scene, bounds, h / finer);
-    ASSERT_EQ(coarse.status, PlanStatus::ok);
-    ASSERT_EQ(fine.status, PlanStatus::ok);
-    EXPECT_NEAR(relative_rate_after(Coarse(coarse), 1, scene), relative_rate_after(Fine(fine), finer, scene),
-                2e-4 * speed)
-        << i;
+    const auto coarse = accepted<Coarse>(scene, bounds, h);
+    const auto fine = accepted<Fine>(scene, bounds, h / finer);
+    EXPECT_NEAR(relative_rate_after(coarse, 1, scene), relative_rate_after(fine, finer, scene), 2e-4 * speed) << i;
   }
 }
 

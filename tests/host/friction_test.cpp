@@ -344,20 +344,31 @@ struct Undamped {
 template <class Stepper>
 using Undriven = Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Float64, DryFriction, EnergyLedger>;
 
+// Uses 300 random scenes, and counts those that a plan accepts.
+template <class Stepper, class Use>
+int each_undamped(unsigned seed, double longest_turn, bool meets_stops, const Use& use) {
+  Random random(seed);
+  int planned = 0;
+  for (int scenes = 0; scenes < 300; ++scenes) {
+    SCOPED_TRACE(scenes);
+    const Undamped made(random, longest_turn, meets_stops);
+    const auto plan = Undriven<Stepper>::PlanType::make(made.scene, made.bounds, made.step);
+    if (plan.status != PlanStatus::ok) continue;
+    ++planned;
+    use(made, Undriven<Stepper>(plan));
+  }
+  EXPECT_GT(planned, 100);
+  return planned;
+}
+
 // What both masses and the main spring lose is in the ledger, however far the main mass turns in a step, u = w0 h. An
 // entry is the exact work on the state, so a step misses only the rounding of some hundred products, each at most the
 // scene's energy. An impulse J at an instant takes up to J^2/(2 M) u^4/12 of the main mass's energy that no entry has
 // (impulsive.md). J is at most 2 mu V, and mu V^2/2 at most the energy, so that this is at most u^4/3 mu/M of it.
 template <class Stepper> void expect_ledger_has_all(double longest_turn, bool meets_stops) {
-  Random random(1);
-  int planned = 0, turns = 0;
+  int turns = 0;
   double rubbed = 0, hit = 0;
-  for (int scenes = 0; scenes < 300; ++scenes) {
-    const Undamped made(random, longest_turn, meets_stops);
-    const auto plan = Undriven<Stepper>::PlanType::make(made.scene, made.bounds, made.step);
-    if (plan.status != PlanStatus::ok) continue;
-    ++planned;
-    Undriven<Stepper> absorber(plan);
+  const auto use = [&](const Undamped& made, Undriven<Stepper> absorber) {
     const auto sum = [&] {
       return mechanical_energy(made.scene, absorber.reading()) + dissipated_by(absorber) +
              absorber.friction_dissipated();
@@ -371,14 +382,14 @@ template <class Stepper> void expect_ledger_has_all(double longest_turn, bool me
       turns += back != goes_back();
       const double unseen =
           dissipated_by(absorber) > by_contact ? std::pow(made.turn, 4) / 3 * made.mu * made.energy : 0;
-      ASSERT_LE(sum() - before, rounded) << scenes << ", step " << n;
-      ASSERT_GE(sum() - before, -rounded - unseen) << scenes << ", step " << n;
+      ASSERT_LE(sum() - before, rounded) << n;
+      ASSERT_GE(sum() - before, -rounded - unseen) << n;
     }
     EXPECT_EQ(absorber.fault(), Fault::none);
     rubbed += absorber.friction_dissipated() / made.energy;
     hit += dissipated_by(absorber) / made.energy;
-  }
-  EXPECT_GT(planned, 100);
+  };
+  const int planned = each_undamped<Stepper>(1, longest_turn, meets_stops, use);
   EXPECT_GT(turns, 3 * planned);
   EXPECT_GT(rubbed, 0.2 * planned);
   EXPECT_GE(hit, meets_stops ? 0.1 * planned : 0);
@@ -391,26 +402,18 @@ TEST(Friction, AllThatIsLostInFlightIsInTheLedger) {
 
 // A scene and its mirror image have the same ledger. At times the ball turns and meets a stop in the same step.
 template <class Stepper> void expect_ledger_of_mirror_image() {
-  Random random(2);
-  int planned = 0;
-  for (int scenes = 0; scenes < 300; ++scenes) {
-    const Undamped made(random, 0.3, true);
+  each_undamped<Stepper>(2, 0.3, true, [](const Undamped& made, Undriven<Stepper> absorber) {
     Scene image = made.scene;
     image.v1 = -image.v1;
     image.x2 = -image.x2;
     image.v2 = -image.v2;
-    const auto plan = Undriven<Stepper>::PlanType::make(made.scene, made.bounds, made.step);
-    if (plan.status != PlanStatus::ok) continue;
-    ++planned;
-    Undriven<Stepper> absorber(plan), other(Undriven<Stepper>::PlanType::make(image, made.bounds, made.step));
+    auto other = accepted<Undriven<Stepper>>(image, made.bounds, made.step);
     for (int n = 0; n < 400; ++n) {
       absorber.step();
       other.step();
-      ASSERT_NEAR(absorber.friction_dissipated(), other.friction_dissipated(), 1e-9 * made.energy)
-          << scenes << ", step " << n;
+      ASSERT_NEAR(absorber.friction_dissipated(), other.friction_dissipated(), 1e-9 * made.energy) << n;
     }
-  }
-  EXPECT_GT(planned, 100);
+  });
 }
 TEST(Friction, AMirrorImageHasTheSameLedger) {
   expect_ledger_of_mirror_image<Impulsive>();

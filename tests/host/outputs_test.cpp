@@ -381,9 +381,7 @@ TEST(Restoring, RefusesAnotherBeta) {
 template <class Kernel> void restore_at_every_step() {
   Scene scene;
   scene.ball_friction = 0.2;
-  const auto plan = Kernel::PlanType::make(scene, Bounds{}, h);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Kernel kernel(plan), other(plan);
+  auto kernel = accepted<Kernel>(scene, {}, h), other = kernel;
   const auto dx = native<typename Kernel::Format>(1e-6, kernel.displacement_unit());
   int contacts = 0;
   for (int n = 0; n < 20000; ++n) {

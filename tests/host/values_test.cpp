@@ -108,12 +108,8 @@ template <class Format, class Stepper, class Drive, class Field> void expect_sam
   const Bounds bounds{0.2, 4, 0, 12, Field::is_sampled ? 12.0 : 0.0};
   Scene of_any = scene;
   if (Drive::is_sampled) of_any.drive_pulsation = 0;
-  const auto plan = Kernel<Format, Stepper, Drive, Field>::PlanType::make(scene, bounds, step);
-  const auto any_plan = Kernel<Format, Stepper, AnyDrive, AnyField>::PlanType::make(of_any, bounds, step);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  ASSERT_EQ(any_plan.status, PlanStatus::ok);
-  Kernel<Format, Stepper, Drive, Field> kernel(plan);
-  Kernel<Format, Stepper, AnyDrive, AnyField> any(any_plan);
+  auto kernel = accepted<Kernel<Format, Stepper, Drive, Field>>(scene, bounds, step);
+  auto any = accepted<Kernel<Format, Stepper, AnyDrive, AnyField>>(of_any, bounds, step);
   for (int n = 1; n * step <= 3; ++n) {
     advance(kernel, sample_at(n), sample_at(n + 7));
     advance(any, Drive::is_sampled ? sample_at(n) : 6, Field::is_sampled ? sample_at(n + 7) : 0);

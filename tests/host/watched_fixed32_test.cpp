@@ -161,9 +161,7 @@ TEST_P(WatchedFixed32, WrapsNowhereInWideStepsAndUnderALargeForce) {
 template <class Law, class Stepper, class Drive>
 std::vector<double> forces_in(const Scene& scene, const Bounds& bounds, double h, const std::vector<int32_t>& samples) {
   using Pressed = Absorber<AtRunTime, Law, Stepper, Drive, Fixed32, EnergyLedger, ImpactLog, ContactForce>;
-  const auto plan = Pressed::PlanType::make(scene, bounds, h);
-  EXPECT_EQ(plan.status, PlanStatus::ok);
-  Pressed absorber(plan);
+  auto absorber = accepted<Pressed>(scene, bounds, h);
   std::vector<double> forces;
   for ([[maybe_unused]] const int32_t sample : samples) {
     broken.count = 0;
@@ -172,7 +170,7 @@ std::vector<double> forces_in(const Scene& scene, const Bounds& bounds, double h
     else
       absorber.step();
     EXPECT_TRUE(broken.count == 0 || absorber.fault() != Fault::none) << broken.condition;
-    forces.push_back(plan.units.fraction(absorber.contact_force()) * plan.force_unit());
+    forces.push_back(absorber.plan.units.fraction(absorber.contact_force()) * absorber.force_unit());
   }
   return forces;
 }
@@ -254,9 +252,7 @@ TEST(WatchedScenes, ACorrectionBeyondWhatTheBoundsAllow) {
   constexpr Scene scene{4487.77, 0, 0, 0.0139426, 0.635784, 4806.94, 899.601, 0, 40, 0, 0, 0.3175, 0.4};
   const Bounds bounds{6.57823, 0.817068, 3.72689, 0};
   using Wide = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Fixed32>;
-  const auto wide = Wide::PlanType::make(scene, bounds, 0.00027984);
-  ASSERT_EQ(wide.status, PlanStatus::ok);
-  Wide absorber(wide);
+  auto absorber = accepted<Wide>(scene, bounds, 0.00027984);
   while (!absorber.is_touching()) absorber.step();
   EXPECT_EQ(fault_after(absorber, -0.47, 0), Fault::penetration);
   EXPECT_EQ(fault_after(absorber, -1e-3, 0), Fault::none);
@@ -305,14 +301,12 @@ TEST(WatchedScenes, ACorrectionBeyondTheReachOfAClassicalScheme) {
 TEST(WatchedScenes, APullIsRestored) {
   constexpr Scene scene{1, 0, 0, 1, 1e-3, 1e6, 1500, 0, 40, 0, 0, 0, 1, Stops::both, Tension::allow};
   using Pulling = Absorber<AtRunTime, HookeNewton, CentralDifference, NoDrive, Fixed32>;
-  const auto plan = Pulling::PlanType::make(scene, {0.1, 1, 0, 0}, 2e-4);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Pulling absorber(plan);
+  auto absorber = accepted<Pulling>(scene, {0.1, 1, 0, 0}, 2e-4);
   bool pulls = false;
   for (int n = 0; n < 100 && absorber.fault() == Fault::none; ++n) {
     absorber.step();
     pulls = pulls || is_negative(absorber.state().contact.force);
-    Pulling twin(plan);
+    Pulling twin(absorber.plan);
     EXPECT_TRUE(twin.restore(absorber.save())) << n;
     EXPECT_EQ(broken.count, 0) << broken.condition;
     broken.count = 0;

@@ -9,7 +9,7 @@
 #include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/limits.hpp"
-#include "host_ref/scene_values.hpp"
+#include "host_ref/names.hpp"
 
 namespace impact::host {
 namespace {
@@ -190,11 +190,11 @@ CoupledScene coupled_scene(Law law, Edge edge, DriveKind drive, Parts parts, con
 }
 
 CoupledScene coupled_scene(Law law, Edge edge, unsigned index, Parts parts) {
-  constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::none, DriveKind::sampled};
+  constexpr DriveKind kinds[] = {DriveKind::none, DriveKind::sine, DriveKind::none, DriveKind::sampled};
   std::mt19937_64 engine(index * 8UL + static_cast<unsigned long>(edge));
   Place place;
   for (double& coordinate : place) coordinate = static_cast<double>(engine() >> 11) * 0x1p-53;
-  return coupled_scene(law, edge, drives[index % 4], parts, place);
+  return coupled_scene(law, edge, kinds[index % 4], parts, place);
 }
 
 std::string text_of(const Request& request) {

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <exception>
-#include <host_ref/tool/benchmark.hpp>
+#include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/sweep.hpp>
 #include <host_ref/tool/text.hpp>
-#include <host_ref/tool/trajectory.hpp>
 #include <iostream>
 
 namespace impact::host {

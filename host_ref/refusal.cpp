@@ -1,9 +1,8 @@
-#include "host_ref/refusal.hpp"
-
 #include <cmath>
 
 #include "host_ref/limits.hpp"
-#include "host_ref/scene_values.hpp"
+#include "host_ref/names.hpp"
+#include "host_ref/settled.hpp"
 
 namespace impact::host {
 namespace {

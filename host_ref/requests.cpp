@@ -1,5 +1,7 @@
+#include <impact/status.hpp>
+
 #include "host_ref/names.hpp"
-#include "host_ref/scene_values.hpp"
+#include "host_ref/settled.hpp"
 
 namespace impact::host {
 
@@ -12,6 +14,32 @@ bool has_parts(const Request& request) {
   for (const ParameterEntry& row : parameters)
     if (row.in_scene && is_of_part(row) && is_stated(request.scene.*row.in_scene)) return true;
   return request.is_shaken;
+}
+
+Request without_absorber(const Request& request) {
+  Request bare;
+  bare.law = Law::hertz;
+  // All of these steppers fly exactly and alike, and this one accepts every step that one of them accepts.
+  bare.stepper = is_classical(request.stepper) ? request.stepper : Stepper::energy;
+  bare.drive = request.drive;
+  bare.samples = request.samples;
+  bare.is_shaken = request.is_shaken;
+  bare.base_samples = request.base_samples;
+  bare.scene.gravity = request.scene.gravity;
+  bare.step = request.step;
+  bare.duration = request.duration;
+  bare.scene.main_mass = request.scene.main_mass;
+  bare.scene.main_stiffness = request.scene.main_stiffness;
+  bare.scene.main_damping = request.scene.main_damping;
+  bare.scene.drive_amplitude = request.scene.drive_amplitude;
+  bare.scene.drive_pulsation = request.scene.drive_pulsation;
+  bare.scene.x1 = request.scene.x1;
+  bare.scene.v1 = request.scene.v1;
+  bare.scene.stops = Stops::none;
+  bare.scene.clearance = clearance_range.most;
+  bare.scene.contact_stiffness = contact_stiffness_range.least;
+  bare.scene.contact_damping = 0;
+  return bare;
 }
 
 long Simulation::run(long steps, const double* forces, double* x1, const double* base) {

@@ -48,4 +48,13 @@ double natural_pulsation(const Scene& scene);  // rad/s
 double largest_of(const std::vector<double>& samples);
 Bounds estimated_bounds(const Request& asked);  // estimates open bounds from the start and the drive
 
+// Explains a request whose plan is rejected: the option at fault, its value, and the range that a plan accepts. No run
+// is made for it, and no samples are read. The text also names the bounds that a run has found. Together with them the
+// range is accepted.
+Refusal refusal_of(const Settled& settled);
+
+// The same main mass without absorber. The stops are out of the ball's reach, and so soft that they allow any step. The
+// motion depends on no value of ball and contact.
+Request without_absorber(const Request& request);
+
 }  // namespace impact::host

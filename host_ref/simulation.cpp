@@ -8,7 +8,6 @@
 #include "host_ref/extremes.hpp"
 #include "host_ref/limits.hpp"
 #include "host_ref/names.hpp"
-#include "host_ref/refusal.hpp"
 #include "host_ref/settled.hpp"
 
 namespace impact::host {

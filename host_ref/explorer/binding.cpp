@@ -5,11 +5,10 @@
 #include <cstring>
 #include <string>
 
-#include "host_ref/explorer/displacement_run.hpp"
 #include "host_ref/explorer/recorded_run.hpp"
 #include "host_ref/explorer/scene_text.hpp"
-#include "host_ref/tool/rig.hpp"
-#include "host_ref/without_absorber.hpp"
+#include "host_ref/settled.hpp"
+#include "host_ref/tool/commands.hpp"
 
 namespace impact::host {
 namespace {

@@ -2,12 +2,28 @@
 // A scene as text, with one "option value" per line. The options are those of impact-sim, so that the page's state, its
 // link and the command that it shows are the same list.
 
-#include <host_ref/explorer/sample_files.hpp>
-#include <host_ref/simulation.hpp>
+#include <host_ref/tool/samples.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 
 namespace impact::host {
+
+// The named files of samples of a page, as impact-sim would find them in its folder.
+class SampleFiles {
+ public:
+  void write(const std::string& name, std::string_view text) { files_[name] = {std::string(text), {}}; }
+  // The file's samples of this kind, which are read only once.
+  const Column& column(const SampleKind& kind, const std::string& name);
+
+ private:
+  struct File {
+    std::string text;
+    std::map<const SampleKind*, Column> columns;
+  };
+  std::map<std::string, File> files_;
+  Column missing_;
+};
 
 template <class Line> void for_each_line(std::string_view text, Line with_option_and_value) {
   while (!text.empty()) {

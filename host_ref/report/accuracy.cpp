@@ -13,7 +13,6 @@
 #include <host_ref/report/textbook_methods.hpp>
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/text.hpp>
 #include <limits>
 #include <type_traits>

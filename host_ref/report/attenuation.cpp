@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <host_ref/report/report_program.hpp>
+#include <host_ref/settled.hpp>
 #include <host_ref/simulation.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/text.hpp>
-#include <host_ref/without_absorber.hpp>
 
 namespace impact::report {
 namespace {

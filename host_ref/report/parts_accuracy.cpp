@@ -11,7 +11,6 @@
 #include <host_ref/reference.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/samples.hpp>
 #include <host_ref/tool/text.hpp>
 

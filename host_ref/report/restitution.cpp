@@ -7,7 +7,6 @@
 #include <host_ref/names.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/text.hpp>
 
 namespace impact::report {

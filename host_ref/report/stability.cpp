@@ -18,7 +18,6 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/progress.hpp>
 #include <host_ref/tool/text.hpp>
 #include <thread>
 #include <vector>

@@ -2,7 +2,7 @@
 #include <array>
 #include <chrono>
 #include <host_ref/names.hpp>
-#include <host_ref/tool/benchmark.hpp>
+#include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/text.hpp>
 #include <limits>

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 #include <host_ref/names.hpp>
-#include <host_ref/scene_values.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/summary.hpp>
 #include <host_ref/tool/text.hpp>

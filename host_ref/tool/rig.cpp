@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <host_ref/names.hpp>
-#include <host_ref/scene_values.hpp>
-#include <host_ref/tool/rig.hpp>
+#include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/text.hpp>
 #include <impact/plan/identity.hpp>
 

@@ -35,18 +35,6 @@ double damping_from(const Settings& settings, const std::string& restitution) {
                  settings.request.law == Law::hertz ? "only 1 with --law hertz, which loses no energy" : "0 < E <= 1");
 }
 
-double default_damping(Law law) {
-  switch (law) {
-    case Law::hooke_newton:
-      return 20.81;
-    case Law::hertz:
-      return 0;
-    case Law::hunt_crossley:
-      break;
-  }
-  return 19560;
-}
-
 }  // namespace
 
 void settle(Settings& settings, const Given& given) {
@@ -110,7 +98,7 @@ void settle(Settings& settings, const Given& given) {
   if (has("restitution")) {
     scene.contact_damping = per_impact ? 0 : damping_from(settings, given.at("restitution"));
   } else if (!has("contact-damping")) {
-    scene.contact_damping = default_damping(request.law);
+    scene.contact_damping = request.law == Law::hertz ? 0 : paper_scene(request.law).contact_damping;
     settings.is_damping_unstated = request.law != Law::hertz;
   }
 

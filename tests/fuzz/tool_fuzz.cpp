@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/run.hpp>
-#include <host_ref/tool/sweep.hpp>
 #include <string>
 
 #include "bytes.hpp"

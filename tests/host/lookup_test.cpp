@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "host_ref/report/power_three_halves.hpp"
+#include "host_ref/report/textbook_methods.hpp"
 
 namespace impact {
 namespace {

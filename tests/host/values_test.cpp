@@ -6,7 +6,7 @@
 #include "../../kernel/c/impact_c.h"
 #include "host_ref/any_drive.hpp"
 #include "host_ref/any_field.hpp"
-#include "host_ref/scene_values.hpp"
+#include "host_ref/names.hpp"
 #include "kernel_test.hpp"
 
 namespace impact::host {

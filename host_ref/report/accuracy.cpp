@@ -68,14 +68,6 @@ template <class Make, class Go> Run timed_run(double start, int steps_per_interv
   return run;
 }
 
-void write_row(Output& output, Law law, std::string_view method, std::string_view numeric, double step,
-               const ErrorParts& error, double time, double contact_share) {
-  if (!(error.total < 1)) return;  // m; a larger error is that of a run that has diverged
-  std::string row = std::string(name_of(law)) + "," + std::string(method) + "," + std::string(numeric);
-  append_numbers(row, {step, error.total, error.method, error.rounding, time, contact_share}, 4);
-  output.write(row + "\n");
-}
-
 // The rows of a law at a step length.
 class StepLength {
  public:
@@ -97,7 +89,7 @@ class StepLength {
 
   // In float and in double.
   template <template <class, class, Law, class> class Method, class Rig, Law law, class Power>
-  void write_baseline(const std::string& method) {
+  void write_baseline(const char* method) {
     const Run exact = baseline_run<Method<double, Rig, law, Power>>();
     write_run(method, name_of(Numeric::float32_plain), exact, baseline_run<Method<float, Rig, law, Power>>());
     write_run(method, name_of(Numeric::float64), exact, exact);
@@ -106,9 +98,10 @@ class StepLength {
  private:
   void write_run(std::string_view method, std::string_view numeric, const Run& exact, const Run& run) {
     if (run.samples.empty() || exact.samples.empty()) return;
-    write_row(output_, request_.law, method, numeric, request_.step,
-              error_parts(reference_.samples, exact.samples, run.samples), run.nanoseconds_per_step,
-              reference_.contact_share(request_.step));
+    const ErrorParts error = error_parts(reference_.samples, exact.samples, run.samples);
+    if (!(error.total < 1)) return;  // m; a larger error is that of a run that has diverged
+    output_.write(csv_line(4, name_of(request_.law), method, numeric, request_.step, error.total, error.method,
+                           error.rounding, run.nanoseconds_per_step, reference_.contact_share(request_.step)));
   }
 
   // There are no samples if the request is refused or the run raises a fault.

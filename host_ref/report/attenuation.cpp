@@ -69,9 +69,8 @@ void write_report(const std::vector<std::string>& paths) {
         progress.at(done++);
         const Request request = request_of(is_upright, ball_friction, pulsation);
         const double without = swing_without(request), with = swing(request);
-        std::string row = is_upright ? "upright" : "level";
-        append_numbers(row, {ball_friction, static_cast<double>(pulsation), without, with, 1 - with / without}, 6);
-        output.write(row + "\n");
+        output.write(
+            csv_line(6, is_upright ? "upright" : "level", ball_friction, pulsation, without, with, 1 - with / without));
       }
     }
   }

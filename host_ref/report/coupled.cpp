@@ -17,7 +17,7 @@ using namespace host;
 
 constexpr unsigned scenes = 150;  // per edge
 
-void append_row(std::string& rows, Law law, Stepper stepper, Numeric numeric) {
+void write_row(Output& output, Law law, Stepper stepper, Numeric numeric) {
   long accepted = 0, faults = 0;
   double worst = 0;
   for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball}) {
@@ -33,10 +33,7 @@ void append_row(std::string& rows, Law law, Stepper stepper, Numeric numeric) {
     }
   }
   if (accepted == 0) return;
-  rows += std::string(name_of(law)) + "," + std::string(name_of(stepper)) + "," + std::string(name_of(numeric)) + "," +
-          std::to_string(accepted) + "," + std::to_string(faults) + ",";
-  append_number(rows, worst, 6);
-  rows += "\n";
+  output.write(csv_line(6, name_of(law), name_of(stepper), name_of(numeric), accepted, faults, worst));
 }
 
 }  // namespace
@@ -53,9 +50,7 @@ void write_report(const std::vector<std::string>& paths) {
   for (const Law law : laws) {
     for (const Numeric numeric : numerics) {
       progress.at(done++);
-      std::string rows;
-      for (const Stepper stepper : steppers) append_row(rows, law, stepper, numeric);
-      output.write(rows);
+      for (const Stepper stepper : steppers) write_row(output, law, stepper, numeric);
     }
   }
   output.commit();

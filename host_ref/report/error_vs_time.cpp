@@ -67,11 +67,10 @@ void write_report(const std::vector<std::string>& paths) {
   host::Output output(paths.at(0));
   output.write("target,law,method,numeric,step_s,error_m,instructions_per_simulated_second,frontier\n");
   for (const Point& point : points) {
-    std::string row = point.target + "," + point.law + "," + point.method + "," + point.numeric;
-    host::append_numbers(row, {point.step, point.error, point.instructions}, 5);
     const bool is_beaten =
         std::any_of(points.begin(), points.end(), [&](const Point& p) { return point.is_dominated_by(p); });
-    output.write(row + (is_beaten ? ",0\n" : ",1\n"));
+    output.write(host::csv_line(5, point.target, point.law, point.method, point.numeric, point.step, point.error,
+                                point.instructions, is_beaten ? 0 : 1));
   }
   output.commit();
 }

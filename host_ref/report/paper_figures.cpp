@@ -91,29 +91,12 @@ void write_restitutions(const std::string& path, const std::vector<Curves>& curv
   for (size_t i = traced_runs; i < paper_runs; i += 2) {
     std::string row;
     append_number(row, paper_run(static_cast<int>(i)).restitution, 3);
-    for (const Curves* curve : {&curves[i], &curves[i + 1], &curves[2]}) {
-      for (const Curve* part : {&curve->kernel, &curve->reference}) {
-        append_numbers(row, {1e3 * part->back().peak}, 5);
-      }
-    }
+    for (const Curves* curve : {&curves[i], &curves[i + 1], &curves[2]})
+      append_numbers(row, {1e3 * curve->kernel.back().peak, 1e3 * curve->reference.back().peak}, 5);
     output.write(row + "\n");
   }
   output.commit();
 }
-
-class Figures {
- public:
-  explicit Figures(const std::string& path) : output_(path) { output_.write("figure,law,quantity,value\n"); }
-  void write(int figure, const std::string& law, const std::string& quantity, double value) {
-    std::string row = std::to_string(figure) + "," + law + "," + quantity + ",";
-    append_number(row, value, 6);
-    output_.write(row + "\n");
-  }
-  void commit() { output_.commit(); }
-
- private:
-  Output output_;
-};
 
 // The largest difference of x1 over the first second, in which trajectories are comparable.
 double early_difference(const Curves& curves) {
@@ -124,29 +107,32 @@ double early_difference(const Curves& curves) {
 }
 
 void write_figures(const std::string& path, const std::vector<Curves>& curves) {
-  Figures figures(path);
+  Output figures(path);
+  figures.write("figure,law,quantity,value\n");
+  const auto write = [&](int figure, const std::string& law, const std::string& quantity, double value) {
+    figures.write(host::csv_line(6, figure, law, quantity, value));
+  };
   const auto& without = curves[0];
   const int displacement_figure[] = {0, 2, 4, 6};
   for (int run = 1; run < traced_runs; ++run) {
     const auto& with = curves[static_cast<size_t>(run)];
     const std::string law = paper_run(run).name;
     const int figure = displacement_figure[run];
-    figures.write(figure, law, "peak_m", with.kernel.back().peak);
-    figures.write(figure, law, "peak_reference_m", with.reference.back().peak);
-    figures.write(figure, law, "peak_without_absorber_m", without.kernel.back().peak);
-    figures.write(figure, law, "difference_from_reference_in_1_s_m", early_difference(with));
-    figures.write(7, law, "peak_m", with.kernel.back().peak);
-    figures.write(9, law, "attenuation", attenuation(with.kernel.back(), without.kernel.back()));
-    figures.write(9, law, "attenuation_reference", attenuation(with.reference.back(), without.reference.back()));
-    figures.write(10, law, "dissipated_J", with.kernel.back().dissipated);
-    figures.write(10, law, "dissipated_reference_J", with.reference.back().dissipated);
+    write(figure, law, "peak_m", with.kernel.back().peak);
+    write(figure, law, "peak_reference_m", with.reference.back().peak);
+    write(figure, law, "peak_without_absorber_m", without.kernel.back().peak);
+    write(figure, law, "difference_from_reference_in_1_s_m", early_difference(with));
+    write(7, law, "peak_m", with.kernel.back().peak);
+    write(9, law, "attenuation", attenuation(with.kernel.back(), without.kernel.back()));
+    write(9, law, "attenuation_reference", attenuation(with.reference.back(), without.reference.back()));
+    write(10, law, "dissipated_J", with.kernel.back().dissipated);
+    write(10, law, "dissipated_reference_J", with.reference.back().dissipated);
   }
   for (size_t i = traced_runs; i < paper_runs; ++i) {
     const PaperRun run = paper_run(static_cast<int>(i));
-    std::string e;
-    append_number(e, run.restitution, 3);
-    figures.write(8, run.name, "peak_at_restitution_" + e + "_m", curves[i].kernel.back().peak);
-    figures.write(8, run.name, "peak_reference_at_restitution_" + e + "_m", curves[i].reference.back().peak);
+    const std::string e = host::rounded_text(run.restitution, 3);
+    write(8, run.name, "peak_at_restitution_" + e + "_m", curves[i].kernel.back().peak);
+    write(8, run.name, "peak_reference_at_restitution_" + e + "_m", curves[i].reference.back().peak);
   }
   figures.commit();
 }

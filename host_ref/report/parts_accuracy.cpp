@@ -87,13 +87,10 @@ class PartsAccuracy {
       run.advance(step_count(request));
       if (run.fault()) throw std::runtime_error(std::string(parts_.name) + ": " + run.fault());
       const double error = error_of(run);
-      std::string row =
-          std::string(parts_.name) + "," + std::string(name_of(stepper)) + "," + std::string(name_of(numeric));
-      append_numbers(row, {scene_.contact_stiffness, horizon_, step, error}, 4);
-      row += ',';
-      if (before > 0 && numeric == Numeric::float64) append_number(row, std::log2(before / error), 3);
-      append_numbers(row, {run.totals().energy_error}, 3);
-      output_.write(row + "\n");
+      const bool has_order = before > 0 && numeric == Numeric::float64;
+      const std::string order = has_order ? rounded_text(std::log2(before / error), 3) : "";
+      output_.write(csv_line(4, parts_.name, name_of(stepper), name_of(numeric), scene_.contact_stiffness, horizon_,
+                             step, error, order, rounded_text(run.totals().energy_error, 3)));
       before = error;
     }
   }

@@ -10,11 +10,8 @@
 #include <host_ref/tool/text.hpp>
 
 namespace impact::report {
-namespace {
 
 using namespace host;
-
-}  // namespace
 
 void write_report(const std::vector<std::string>& paths) {
   Output output(paths.at(0));
@@ -32,9 +29,8 @@ void write_report(const std::vector<std::string>& paths) {
                                   [](const Request& request) { return make_simulation(request).simulation; });
       if (!found || found->has_fault || !found->is_apart)
         throw std::runtime_error(std::string(name) + " at " + std::to_string(free.restitution));
-      std::string row(name);
-      append_numbers(row, {free.restitution, found->least, found->largest, restitution(impact_of(free)).value()}, 6);
-      output.write(row + "\n");
+      output.write(
+          csv_line(6, name, free.restitution, found->least, found->largest, restitution(impact_of(free)).value()));
     }
   }
   output.commit();

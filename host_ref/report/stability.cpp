@@ -51,13 +51,9 @@ std::unique_ptr<Simulation> accepted(const Request& request) { return make_simul
 void append_row(std::string& rows, const FreePair& free, std::string_view method, Numeric numeric,
                 const Rebounds& found, bool is_accepted) {
   if (found.has_fault) return;
-  rows += std::string(name_of(free.law)) + "," + std::string(method) + "," + std::string(name_of(numeric));
-  append_numbers(rows,
-                 {free.step, free.contact_stiffness, found.least, found.largest, restitution(impact_of(free)).value(),
-                  found.energy_gain()},
-                 6);
-  rows += is_accepted ? ",1," : ",0,";
-  rows += std::string(machine_rule(free.law, free.step, free.contact_stiffness)) + "\n";
+  rows += csv_line(6, name_of(free.law), method, name_of(numeric), free.step, free.contact_stiffness, found.least,
+                   found.largest, restitution(impact_of(free)).value(), found.energy_gain(), is_accepted ? 1 : 0,
+                   machine_rule(free.law, free.step, free.contact_stiffness));
 }
 
 void append_cell(std::string& rows, const FreePair& free, Stepper stepper, Numeric numeric) {

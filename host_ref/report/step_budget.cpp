@@ -7,6 +7,7 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/tool/output.hpp>
+#include <host_ref/tool/text.hpp>
 #include <iostream>
 
 namespace impact::report {
@@ -42,11 +43,9 @@ void write_report(const std::vector<std::string>& paths) {
     const std::string& allowed = budget[key + phase];
     if (!allowed.empty() && allowed != most)
       std::cerr << key << phase << ": " << most << " instructions, its budget is " << allowed << "\n";
-    std::string text = key + phase + "," + mean + "," + most + "," + allowed;
-    for (const std::string& quantity :
-         {std::string("flash_bytes"), std::string("ram_bytes"), std::string("stack_bytes"), phase + "_cycles"})
-      text += "," + budget[key + quantity];
-    output.write(text + "\n");
+    output.write(host::csv_line(0, key + phase, mean, most, allowed, budget[key + "flash_bytes"],
+                                budget[key + "ram_bytes"], budget[key + "stack_bytes"],
+                                budget[key + phase + "_cycles"]));
   };
   for (const Row& row : costs) {
     const std::string key = configuration_of(row);

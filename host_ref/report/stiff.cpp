@@ -80,7 +80,7 @@ template <int n = 2, class Write>
 void for_each_number_of_sub_steps(const Scene& scene, double h, const std::vector<host::Sample>& reference,
                                   const Write& write) {
   const Measured found = by_kernel<SubsteppedMoment<n>, Float64>(scene, h, reference);
-  if (found.nanoseconds < HUGE_VAL) write(("moment-" + std::to_string(n)).c_str(), "float64", "", found);
+  if (found.nanoseconds < HUGE_VAL) write("moment-" + std::to_string(n), "float64", "", found);
   if constexpr (n < SubsteppedMoment<>::most) for_each_number_of_sub_steps<2 * n>(scene, h, reference, write);
 }
 
@@ -96,13 +96,9 @@ void write_report(const std::vector<std::string>& paths) {
     run.scene = scene;
     const auto reference = host::reference_trajectory(run, interval, rows * interval).samples;
     for (const double h : {6e-3, 4e-3, 3e-3, 2e-3, 1.5e-3, 1e-3, 1e-4, 1e-5}) {
-      const auto write = [&](const char* method, const char* numeric, const char* contact_steps,
+      const auto write = [&](const std::string& method, const char* numeric, const std::string& contact_steps,
                              const Measured& found) {
-        std::string row;
-        host::append_numbers(row, {stiffness, h}, 4);
-        row = row.substr(1) + "," + method + "," + numeric + "," + contact_steps;
-        host::append_numbers(row, {found.error, found.nanoseconds}, 4);
-        output.write(row + "\n");
+        output.write(host::csv_line(4, stiffness, h, method, numeric, contact_steps, found.error, found.nanoseconds));
       };
       write("auto", "float64", "", by_rule<Float64>(scene, h, reference));
       write("auto", "fixed32", "", by_rule<Fixed32>(scene, h, reference));
@@ -110,8 +106,7 @@ void write_report(const std::vector<std::string>& paths) {
       if (Impulsive::steps(resolution_of<HuntCrossley>(scene, bounds)).holds(h))
         write("impulsive", "float64", "", by_kernel<Impulsive, Float64>(scene, h, reference));
       for (const int contact_steps : {4, 6, 8, 10, 12, 14, 16, 20, 24, 32, 48, 64, 96, 128})
-        write("event-rk4", "float64", std::to_string(contact_steps).c_str(),
-              by_events(scene, h, contact_steps, reference));
+        write("event-rk4", "float64", std::to_string(contact_steps), by_events(scene, h, contact_steps, reference));
     }
   }
   output.commit();

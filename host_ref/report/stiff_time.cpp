@@ -47,14 +47,9 @@ void write_report(const std::vector<std::string>& paths) {
   for (size_t i = 1; i < paths.size(); ++i)
     for (const Row& row : read_table(paths[i])) {
       const std::string &method = row.at("method"), &numeric = row.at("numeric"), &steps = row.at("contact_steps");
-      std::string line = row.at("target") + "," + method + "," + numeric;
-      host::append_numbers(line, {1e-6 * number(row, "microseconds")}, 5);
-      line += "," + steps;
-      host::append_numbers(line,
-                           {errors.at(key(method, numeric, row.at("microseconds"), steps)),
-                            number(row, "instructions") / stiff_duration},
-                           5);
-      output.write(line + "\n");
+      output.write(host::csv_line(5, row.at("target"), method, numeric, 1e-6 * number(row, "microseconds"), steps,
+                                  errors.at(key(method, numeric, row.at("microseconds"), steps)),
+                                  number(row, "instructions") / stiff_duration));
     }
   output.commit();
 }

@@ -48,9 +48,7 @@ void write_benchmark(const Settings& settings) {
         if (stepper.value == Stepper::automatic) continue;
         const double time = nanoseconds_per_step(law.value, stepper.value, numeric.value);
         if (time < 0) continue;
-        std::string row = std::string(law.name).append(",").append(stepper.name).append(",").append(numeric.name) + ",";
-        append_number(row, time, 4);
-        output.write(row + "\n");
+        output.write(csv_line(4, law.name, stepper.name, numeric.name, time));
       }
   output.commit();
 }

@@ -239,17 +239,10 @@ std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {
                                                              "\n" + scene.settings.base_acceleration_file);
 
   const int digits = significant_digits(request.numeric);
-  std::string text;
-  append_number(text, summary.largest, digits);
-  text += ',';
-  append_number(text, summary.root_mean_square, digits);
-  text += ',';
-  if (bare_largest > 0) append_number(text, 1 - summary.largest / bare_largest, digits);
-  text += ',';
-  append_number(text, summary.last.energy_dissipated, digits);
-  text += ',' + std::to_string(summary.last.impacts) + ',';
-  if (summary.fault) text += one_cell(summary.fault);
-  return text + "\n";
+  std::string attenuation;
+  if (bare_largest > 0) append_number(attenuation, 1 - summary.largest / bare_largest, digits);
+  return csv_line(digits, summary.largest, summary.root_mean_square, attenuation, summary.last.energy_dissipated,
+                  summary.last.impacts, one_cell(summary.fault ? summary.fault : ""));
 } catch (const BadInput& bad) {
   return ",,,,," + one_cell(bad.what()) + "\n";
 }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace impact::host {
 
@@ -54,6 +55,24 @@ inline void append_number(std::string& text, double value, int significant_digit
 // Appends each number after a comma.
 inline void append_numbers(std::string& text, std::initializer_list<double> values, int significant_digits) {
   for (const double value : values) append_number(text += ',', value, significant_digits);
+}
+
+// A line of CSV: texts and whole numbers as they are, and other numbers with so many digits.
+template <class... Cells> std::string csv_line(int significant_digits, const Cells&... cells) {
+  std::string line;
+  const auto append = [&](const auto& cell) {
+    using Cell = std::decay_t<decltype(cell)>;
+    if constexpr (std::is_floating_point_v<Cell>)
+      append_number(line, cell, significant_digits);
+    else if constexpr (std::is_integral_v<Cell>)
+      line += std::to_string(cell);
+    else
+      line += cell;
+    line += ',';
+  };
+  (append(cells), ...);
+  line.back() = '\n';
+  return line;
 }
 
 // The number of digits that distinguishes neighbouring values of the format.

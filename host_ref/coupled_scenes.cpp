@@ -8,8 +8,8 @@
 #include "host_ref/closed_form.hpp"
 #include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
-#include "host_ref/limits.hpp"
 #include "host_ref/names.hpp"
+#include "host_ref/text.hpp"
 
 namespace impact::host {
 namespace {

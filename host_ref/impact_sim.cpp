@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <exception>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 #include <iostream>
 
 namespace impact::host {

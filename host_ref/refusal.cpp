@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "host_ref/limits.hpp"
 #include "host_ref/names.hpp"
 #include "host_ref/settled.hpp"
+#include "host_ref/text.hpp"
 
 namespace impact::host {
 namespace {

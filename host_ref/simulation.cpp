@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "host_ref/extremes.hpp"
-#include "host_ref/limits.hpp"
 #include "host_ref/names.hpp"
 #include "host_ref/settled.hpp"
+#include "host_ref/text.hpp"
 
 namespace impact::host {
 namespace {

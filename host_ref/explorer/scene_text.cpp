@@ -2,7 +2,7 @@
 
 #include "host_ref/names.hpp"
 #include "host_ref/settled.hpp"
-#include "host_ref/tool/text.hpp"
+#include "host_ref/text.hpp"
 
 namespace impact::host {
 namespace {

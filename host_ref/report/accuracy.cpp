@@ -12,8 +12,8 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/textbook_methods.hpp>
 #include <host_ref/simulation_of.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 #include <limits>
 #include <type_traits>
 #include <utility>

@@ -8,8 +8,8 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/settled.hpp>
 #include <host_ref/simulation.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 
 namespace impact::report {
 namespace {

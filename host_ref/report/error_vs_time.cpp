@@ -9,8 +9,8 @@
 #include <host_ref/closed_form.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 
 namespace impact::report {
 namespace {

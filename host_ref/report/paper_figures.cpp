@@ -11,8 +11,8 @@
 #include <host_ref/report/paper_scenes.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 
 namespace impact::report {
 namespace {

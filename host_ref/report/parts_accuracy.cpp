@@ -10,9 +10,9 @@
 #include <host_ref/extremes.hpp>
 #include <host_ref/reference.hpp>
 #include <host_ref/report/report_program.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/samples.hpp>
-#include <host_ref/tool/text.hpp>
 
 namespace impact::report {
 namespace {

@@ -6,8 +6,8 @@
 #include <host_ref/free_pair.hpp>
 #include <host_ref/names.hpp>
 #include <host_ref/report/report_program.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 
 namespace impact::report {
 

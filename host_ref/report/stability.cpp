@@ -17,8 +17,8 @@
 #include <host_ref/report/machine_rule.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/simulation_of.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 #include <thread>
 #include <vector>
 

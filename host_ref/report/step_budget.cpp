@@ -6,8 +6,8 @@
 #include <host_ref/extremes.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 #include <iostream>
 
 namespace impact::report {

@@ -1,19 +1,19 @@
 // stiff OUTPUT.csv: the error against the stiffness of the stops. It is the largest difference of x1 from the reference
 // over 0.4 s, every 4 ms (every 12 ms at steps that do not divide 4 ms). The time is that of a simulated second on this
 // host. The methods are the rule's stepper, sub-steps of every number, the impulsive step, and a Runge-Kutta method
-// that locates the touch (event_rk4.hpp), with different numbers of steps in a contact.
+// that locates the touch (textbook_methods.hpp), with different numbers of steps in a contact.
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <host_ref/extremes.hpp>
 #include <host_ref/reference.hpp>
-#include <host_ref/report/event_rk4.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/stiff_scene.hpp>
+#include <host_ref/report/textbook_methods.hpp>
 #include <host_ref/settled.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 #include <impact/absorber.hpp>
 #include <impact/choice.hpp>
 

@@ -2,7 +2,7 @@
 // The stiff stops of the report: the scene, from rest over 0.4 s, and the runs at a stop like steel. The same runs give
 // the errors on a host and the cost on a target.
 
-#include <host_ref/report/event_rk4.hpp>
+#include <host_ref/report/textbook_methods.hpp>
 #include <impact/absorber.hpp>
 
 namespace impact::report {

@@ -2,9 +2,9 @@
 #include <array>
 #include <chrono>
 #include <host_ref/names.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/output.hpp>
-#include <host_ref/tool/text.hpp>
 #include <limits>
 
 namespace impact::host {

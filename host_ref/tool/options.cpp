@@ -3,9 +3,9 @@
 #include <cmath>
 #include <functional>
 #include <host_ref/names.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/summary.hpp>
-#include <host_ref/tool/text.hpp>
 #include <sstream>
 #include <utility>
 

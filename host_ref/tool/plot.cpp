@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/plot.hpp>
-#include <host_ref/tool/text.hpp>
 #include <iostream>
 #include <sstream>
 

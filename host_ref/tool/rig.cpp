@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <host_ref/names.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/commands.hpp>
-#include <host_ref/tool/text.hpp>
 #include <impact/plan/identity.hpp>
 
 namespace impact::host {

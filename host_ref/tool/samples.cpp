@@ -1,7 +1,7 @@
 #include <cmath>
 #include <host_ref/settled.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/samples.hpp>
-#include <host_ref/tool/text.hpp>
 
 namespace impact::host {
 namespace {

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <fstream>
 #include <host_ref/settled.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/samples.hpp>
 #include <host_ref/tool/settings.hpp>
-#include <host_ref/tool/text.hpp>
 #include <utility>
 
 namespace impact::host {
@@ -46,9 +46,8 @@ void settle(Settings& settings, const Given& given) {
   const auto has = [&](const char* name) { return given.count(name) != 0; };
 
   refuse_unless(has("sweep"), "shard", "only with --sweep");
-  refuse_unless(!has("sweep"), "plot", "only without --sweep");
-  refuse_unless(!has("sweep"), "rig", "only without --sweep");
-  for (const char* name : {"every", "summary", "part"}) refuse_unless(!has("sweep"), name, "only without --sweep");
+  for (const char* name : {"plot", "rig", "every", "summary", "part"})
+    refuse_unless(!has("sweep"), name, "only without --sweep");
   // No output may replace an input or another output. Standard input may be read only once.
   struct File {
     const char* name;

@@ -2,7 +2,7 @@
 // The settings of one call of the tool, and the exception for bad input.
 
 #include <host_ref/simulation.hpp>
-#include <host_ref/tool/text.hpp>
+#include <host_ref/text.hpp>
 #include <map>
 #include <stdexcept>
 #include <string>

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <host_ref/extremes.hpp>
 #include <host_ref/settled.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/summary.hpp>
-#include <host_ref/tool/text.hpp>
 #include <sstream>
 
 namespace impact::host {

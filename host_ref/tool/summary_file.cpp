@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/settings.hpp>
 #include <host_ref/tool/summary_file.hpp>
-#include <host_ref/tool/text.hpp>
 #include <iterator>
 
 namespace impact::host {

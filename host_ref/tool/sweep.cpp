@@ -8,11 +8,11 @@
 #include <future>
 #include <host_ref/extremes.hpp>
 #include <host_ref/settled.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/run.hpp>
 #include <host_ref/tool/summary_file.hpp>
-#include <host_ref/tool/text.hpp>
 #include <impact/numeric/fingerprint.hpp>
 #include <impact/status.hpp>
 #include <iostream>

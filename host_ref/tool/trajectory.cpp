@@ -1,10 +1,10 @@
 #include <host_ref/settled.hpp>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/plot.hpp>
 #include <host_ref/tool/run.hpp>
 #include <host_ref/tool/summary.hpp>
-#include <host_ref/tool/text.hpp>
 #include <iostream>
 
 namespace impact::host {

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <host_ref/text.hpp>
 #include <host_ref/tool/options.hpp>
 #include <host_ref/tool/run.hpp>
-#include <host_ref/tool/text.hpp>
 #include <map>
 #include <optional>
 #include <random>

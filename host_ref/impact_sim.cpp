@@ -14,9 +14,7 @@ namespace {
 int run_tool(int count, const char* const* texts) {
   const std::vector<Argument> arguments = arguments_from(count, texts);
   if (std::any_of(arguments.begin(), arguments.end(), [](const Argument& a) { return a.name == "help"; })) {
-    Output output("");
-    output.write(help());
-    output.commit();
+    write_file("", help());
     return 0;
   }
   const Settings settings = settings_from(arguments);

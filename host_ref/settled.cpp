@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <impact/choice.hpp>
 #include <impact/explain.hpp>
 #include <limits>
 
@@ -35,17 +34,10 @@ double restitution_error(const Request& request) {
 
 Stepper chosen(const Request& request, int most_sub_steps) {
   most_sub_steps = std::min(most_sub_steps, most_sub_steps_in(request.numeric, request.law));
-  switch (choice_for(resolution(request), request.step, most_sub_steps)) {
-    case Choice::moment:
-      return Stepper::moment;
-    case Choice::sub_steps:
-      return Stepper::moment_n;
-    case Choice::impulsive:
-      return Stepper::impulsive;
-    case Choice::energy:
-      break;
-  }
-  return Stepper::energy;
+  const Choice choice = choice_for(resolution(request), request.step, most_sub_steps);
+  for (const Candidate& candidate : candidates)
+    if (candidate.choice == choice) return candidate.stepper;
+  std::abort();
 }
 
 Planned plan(const Request& request) {

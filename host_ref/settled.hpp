@@ -1,6 +1,7 @@
 #pragma once
 // Completes a request: finds the stepper and the bounds that are not stated.
 
+#include <impact/choice.hpp>
 #include <impact/law/resolution.hpp>
 #include <impact/stepper/moment/substepped.hpp>
 
@@ -32,6 +33,16 @@ constexpr int most_sub_steps_in(Numeric numeric, Law law) {
   if (numeric == Numeric::fixed32) return law == Law::hooke_newton ? 1024 : 4096;
   return 512;
 }
+// The rule's candidates, the cheaper first.
+struct Candidate {
+  Stepper stepper;
+  Choice choice;
+};
+inline constexpr Candidate candidates[] = {{Stepper::energy, Choice::energy},
+                                           {Stepper::impulsive, Choice::impulsive},
+                                           {Stepper::moment, Choice::moment},
+                                           {Stepper::moment_n, Choice::sub_steps}};
+
 // The stepper that the kernel's rule chooses.
 Stepper chosen(const Request& request, int most_sub_steps = SubsteppedMoment<>::most);
 Planned plan(const Request& request);

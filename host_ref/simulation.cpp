@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <impact/choice.hpp>
 #include <utility>
 
 #include "host_ref/extremes.hpp"
@@ -17,16 +16,6 @@ namespace {
 std::string rough_text(double value) {
   return value < 100 ? rounded_text(value, 3) : rounded_text(std::round(value), 15);
 }
-
-// The rule's candidates, the cheaper first.
-struct Candidate {
-  Stepper stepper;
-  Choice choice;
-};
-constexpr Candidate candidates[] = {{Stepper::energy, Choice::energy},
-                                    {Stepper::impulsive, Choice::impulsive},
-                                    {Stepper::moment, Choice::moment},
-                                    {Stepper::moment_n, Choice::sub_steps}};
 
 // Why the rule does not take a stepper with a smaller expected error. EnergyConsistent is never that stepper.
 std::string reason_against(Choice choice, const Resolution& contact, const Request& request) {

@@ -9,10 +9,12 @@
 #include <host_ref/simulation.hpp>
 #include <initializer_list>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace impact::host {
 
@@ -109,6 +111,15 @@ template <class... Cells> std::string csv_line(int significant_digits, const Cel
   return line;
 }
 
+// The rows of a run, from a Sample or a row of the explorer.
+inline constexpr std::string_view run_header = "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n";
+template <class Row> void append_row(std::string& text, const Row& row, int significant_digits) {
+  append_number(text, row.t, 15);  // n h to the last digit that n and h determine
+  append_numbers(text, {row.x1, row.v1, row.x2, row.v2, row.penetration, row.contact_force, row.energy_dissipated},
+                 significant_digits);
+  text += '\n';
+}
+
 // The number of digits that distinguishes neighbouring values of the format.
 inline int significant_digits(Numeric numeric) {
   return numeric == Numeric::float64 ? 17 : numeric == Numeric::fixed32 ? 13 : 9;
@@ -120,6 +131,14 @@ inline std::string in_one_line(std::string text) {
     if (std::iscntrl(static_cast<unsigned char>(letter))) letter = '?';
   }
   return text;
+}
+
+// The cells of a line of CSV without quotes.
+inline std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream text(line + ",");
+  for (std::string field; std::getline(text, field, ',');) fields.push_back(field);
+  return fields;
 }
 
 inline std::string_view trimmed(std::string_view text) {

@@ -126,13 +126,8 @@ EXPORT(law_restitution) double law_restitution(int slot, double speed) {
 EXPORT(csv) const char* write_csv(int slot) {
   const RecordedRun& run = *runs[slot];
   const int digits = significant_digits(run.request().numeric);
-  long_text = "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n";
-  for (const Row& row : run.rows()) {
-    append_number(long_text, row.t, 15);
-    append_numbers(long_text,
-                   {row.x1, row.v1, row.x2, row.v2, row.penetration, row.contact_force, row.energy_dissipated}, digits);
-    long_text += '\n';
-  }
+  long_text = run_header;
+  for (const Row& row : run.rows()) append_row(long_text, row, digits);
   return long_text.c_str();
 }
 

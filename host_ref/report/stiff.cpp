@@ -27,9 +27,7 @@ constexpr Bounds bounds = stiff_bounds;
 struct Measured {
   double error = 0, nanoseconds = 0;  // of a simulated second
 };
-template <class Model, class Displacement>
-Measured measured(const Model& start, double h, const std::vector<host::Sample>& reference,
-                  const Displacement& displacement) {
+template <class Model> Measured measured(const Model& start, double h, const std::vector<host::Sample>& reference) {
   Measured result{0, 1e300};
   const int apart = std::lround(interval / h * 3) % 3 == 0 ? 1 : 3;  // rows
   const long each = std::lround(apart * interval / h);
@@ -39,7 +37,7 @@ Measured measured(const Model& start, double h, const std::vector<host::Sample>&
     for (int row = apart; row <= rows; row += apart) {
       for (long step = 0; step < each; ++step) model.step();
       result.error =
-          host::larger(result.error, std::abs(displacement(model) - reference.at(static_cast<size_t>(row)).x1));
+          host::larger(result.error, std::abs(model.reading().x1 - reference.at(static_cast<size_t>(row)).x1));
     }
     const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - before;
     result.nanoseconds = std::min(result.nanoseconds, time.count() / (rows * interval));
@@ -53,7 +51,7 @@ Measured by_kernel(const Scene& scene, double h, const std::vector<host::Sample>
   using Driven = Absorber<AtRunTime, HuntCrossley, Stepper, Sine, Format>;
   const auto plan = Driven::PlanType::make(scene, bounds, h);
   if (plan.status != PlanStatus::ok) return {HUGE_VAL, HUGE_VAL};
-  return measured(Driven(plan), h, reference, [](const Driven& driven) { return driven.reading().x1; });
+  return measured(Driven(plan), h, reference);
 }
 template <class Format> Measured by_rule(const Scene& scene, double h, const std::vector<host::Sample>& reference) {
   constexpr auto numeric = detail::is_one_of<Format, Fixed32> ? host::Numeric::fixed32 : host::Numeric::float64;
@@ -69,10 +67,6 @@ template <class Format> Measured by_rule(const Scene& scene, double h, const std
       break;
   }
   return by_kernel<EnergyConsistent, Format>(scene, h, reference);
-}
-Measured by_events(const Scene& scene, double h, int contact_steps, const std::vector<host::Sample>& reference) {
-  return measured(EventRk4<double>(scene, h, contact_steps), h, reference,
-                  [](const EventRk4<double>& model) { return model.displacement(); });
 }
 
 // Calls write("moment-n", "float64", "", measured) for every number n of sub-steps that the plan accepts.
@@ -106,7 +100,8 @@ void write_report(const std::vector<std::string>& paths) {
       if (Impulsive::steps(resolution_of<HuntCrossley>(scene, bounds)).holds(h))
         write("impulsive", "float64", "", by_kernel<Impulsive, Float64>(scene, h, reference));
       for (const int contact_steps : {4, 6, 8, 10, 12, 14, 16, 20, 24, 32, 48, 64, 96, 128})
-        write("event-rk4", "float64", std::to_string(contact_steps), by_events(scene, h, contact_steps, reference));
+        write("event-rk4", "float64", std::to_string(contact_steps),
+              measured(EventRk4<double>(scene, h, contact_steps), h, reference));
     }
   }
   output.commit();

@@ -2,8 +2,8 @@
 // A CSV file with a header, as this report writes them: no quotes, no empty lines.
 
 #include <fstream>
+#include <host_ref/text.hpp>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,21 +12,14 @@ namespace impact::report {
 
 using Row = std::map<std::string, std::string>;
 
-inline std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream text(line + ",");
-  for (std::string field; std::getline(text, field, ',');) fields.push_back(field);
-  return fields;
-}
-
 inline std::vector<Row> read_table(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line)) throw std::runtime_error("cannot read " + path);
-  const std::vector<std::string> header = fields_of(line);
+  const std::vector<std::string> header = host::fields_of(line);
   std::vector<Row> rows;
   while (std::getline(file, line)) {
-    const std::vector<std::string> fields = fields_of(line);
+    const std::vector<std::string> fields = host::fields_of(line);
     if (fields.size() != header.size()) throw std::runtime_error(path + ": not as many fields as columns: " + line);
     Row row;
     for (size_t i = 0; i < header.size(); ++i) row[header[i]] = fields[i];

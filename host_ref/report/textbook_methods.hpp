@@ -235,7 +235,10 @@ template <class Real> class EventRk4 {
         depth_(real(1.25 / ((1 / scene.main_mass + 1 / scene.ball_mass) * scene.contact_stiffness))),
         duration_(real(2.943 / contact_steps)) {}
 
-  double displacement() const { return static_cast<double>(now_.x1); }
+  struct Reading {
+    double x1;
+  };
+  Reading reading() const { return {static_cast<double>(now_.x1)}; }
 
   void step() {
     constexpr Real least = sizeof(Real) == sizeof(float) ? real(1e-6) : real(1e-12);

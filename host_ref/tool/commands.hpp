@@ -9,18 +9,9 @@ namespace impact::host {
 // kernel raised a fault.
 int write_trajectory(const Settings& settings, const std::vector<Argument>& arguments);
 
-// Runs many scenes on all cores. The input is a CSV whose header names options, with one scene per line. The output has
-// one row per scene:
-//
-//     scene,<the stated options>,max_x1,rms_x1,attenuation,energy_dissipated,impacts,fault
-//
-// `scene` is the number of the line among the scenes, from 1. `attenuation` is 1 - max |x1| / max |x1| of the same main
-// mass without absorber, and empty if that does not move. With a drive file there is a column drive_samples before
-// max_x1. It is a fingerprint of the samples, so that rows from an older version of the file are detected.
-//
-// A row is written when its scene is finished. With --output, the rows that an interrupted run of the same sweep left
-// are kept, and an incomplete last one is dropped. A finished file is sorted in the order of the scenes.
-//
+// Runs many scenes on all cores (README.md, Sweeps). A row is written when its scene is finished. The fingerprint in
+// drive_samples shows rows from an older version of the file. With --output, the rows that an interrupted run of the
+// same sweep left are kept, and an incomplete last one is dropped. A finished file is in the order of the scenes.
 // Returns the exit code: 0, or 3 if the kernel raised a fault in a scene.
 int run_sweep(const Settings& settings, const std::vector<Argument>& arguments);
 

@@ -112,6 +112,12 @@ void Output::commit() {
   temporary_.clear();
 }
 
+void write_file(const std::string& path, std::string_view text) {
+  Output output(path);
+  output.write(text);
+  output.commit();
+}
+
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;
   const fs::path first = behind_links(a), second = behind_links(b);

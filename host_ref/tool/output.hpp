@@ -39,6 +39,8 @@ class Output {
   std::FILE* file_ = nullptr;
 };
 
+void write_file(const std::string& path, std::string_view text);
+
 // True if two paths name the same file, also if they are spelled differently or it does not exist yet. Only regular
 // files count.
 bool is_same_file(const std::string& a, const std::string& b);

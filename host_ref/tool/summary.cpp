@@ -5,24 +5,17 @@
 #include <host_ref/settled.hpp>
 #include <host_ref/text.hpp>
 #include <host_ref/tool/summary.hpp>
-#include <sstream>
 
 namespace impact::host {
 namespace {
 
 // The columns of a row of the budgets: target,law,newmark,numeric,drive,quantity,budget.
-std::vector<std::string> columns_of(const std::string& row) {
-  std::vector<std::string> columns;
-  std::istringstream input(row);
-  for (std::string column; std::getline(input, column, ',');) columns.push_back(column);
-  return columns;
-}
 template <class See> void for_each_budget(See see) {
   std::ifstream budgets(IMPACT_BUDGETS);
   std::string row;
   std::getline(budgets, row);
   while (std::getline(budgets, row))
-    if (const auto columns = columns_of(row); columns.size() == 7) see(columns);
+    if (const auto columns = fields_of(row); columns.size() == 7) see(columns);
 }
 
 std::string three_digits(double value) { return rounded_text(value, 3); }

@@ -10,18 +10,7 @@
 namespace impact::host {
 namespace {
 
-constexpr int time_digits = 15;  // n h to the last digit that n and h determine
 constexpr long steps_between_looks_at_the_clock = 1024;
-
-std::string row(const Sample& sample, int digits) {
-  std::string text;
-  append_number(text, sample.t, time_digits);
-  append_numbers(
-      text,
-      {sample.x1, sample.v1, sample.x2, sample.v2, sample.penetration, sample.contact_force, sample.energy_dissipated},
-      digits);
-  return text += '\n';
-}
 
 void extend(Curve& curve, double step, long n, const double* x1, long count) {
   for (long i = 0; i < count; ++i) curve.add(static_cast<double>(n - count + 1 + i) * step, x1[i]);
@@ -71,30 +60,26 @@ int write_trajectory(const Settings& settings, const std::vector<Argument>& argu
   // A summary requires every step of the run.
   const long seen_every = settings.is_quiet && settings.summary.empty() ? settings.every : 1;
   Output output(settings.output);
-  output.write("t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n");
+  output.write(run_header);
   const char* fault = nullptr;
   {
     Progress progress("steps", steps);
     fault = run(*simulation, request, seen_every, [&](long n, const double* x1, long count) {
       const Sample sample = simulation->sample();
       summary.see(sample);
-      if (n % settings.every == 0) output.write(row(sample, digits));
+      if (n % settings.every == 0) {
+        std::string row;
+        append_row(row, sample, digits);
+        output.write(row);
+      }
       if (plots) extend(curve, request.step, n, x1, count);
       if (n % steps_between_looks_at_the_clock < count) progress.at(n);
     });
   }
   output.commit();
-  if (!settings.rig.empty()) {
-    Output rig(settings.rig);
-    rig.write(rig_text(outcome.made, arguments));
-    rig.commit();
-  }
+  if (!settings.rig.empty()) write_file(settings.rig, rig_text(outcome.made, arguments));
   if (plots) draw(settings.plot, request, curve, bare);
-  if (!settings.summary.empty()) {
-    Output file(settings.summary);
-    file.write(summary.json(fault));
-    file.commit();
-  }
+  if (!settings.summary.empty()) write_file(settings.summary, summary.json(fault));
   for (const std::string& line : summary.lines()) say(line);
   if (!fault) return 0;
   std::cerr << "impact-sim: fault at t = " << short_text(simulation->sample().t) << " s: " << fault << "\n";

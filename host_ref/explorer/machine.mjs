@@ -7,6 +7,7 @@ const ballRadius = 22, stopWidth = 10, wall = 22;
 
 export class Machine {
   constructor(figure) {
+    figure.querySelector('.drawing').innerHTML = drawing;
     this.parts = {};
     for (const part of figure.querySelectorAll('[data-part]')) this.parts[part.dataset.part] = part;
   }
@@ -67,8 +68,7 @@ function roundBelow(length) {
   return power * [5, 2, 1].find((factor) => factor * power <= length);
 }
 
-// The machine's drawing, for as many figures as there are runs.
-export const machineDrawing = `
+const drawing = `
 <svg viewBox="0 0 800 212" aria-hidden="true" focusable="false">
   <path class="ground" d="M${wall} 20V${floor}H790"/><path class="hatch" d="M${wall - 12} 20h12v${floor - 20}h-12z"/>
   <path class="thin" data-part="spring"/><path class="thin" data-part="damper"/>

@@ -4,7 +4,7 @@ import { Controls, element } from './controls.mjs';
 import { costOf } from './cost.mjs';
 import { Kernel, column, unpacked } from './kernel.mjs';
 import { hashOf, stateFrom } from './link.mjs';
-import { Machine, machineDrawing } from './machine.mjs';
+import { Machine } from './machine.mjs';
 import { short, tableFrom } from './numbers.mjs';
 import { readTheme } from './plot.mjs';
 import { DisplacementPlot, EnergyPlot, LoopPlot, RestitutionPlot, SweepPlot } from './plots.mjs';
@@ -27,7 +27,7 @@ class Page {
     this.runs = { a: new Run(kernel, 0), b: new Run(kernel, 1) };
     for (const [letter, run] of Object.entries(this.runs)) run.letter = letter;
     this.sweep = new Sweep(kernel, 2);
-    this.machines = { a: this.#machine('a'), b: this.#machine('b') };
+    this.machines = { a: new Machine(find('machine-a')), b: new Machine(find('machine-b')) };
     this.plots = {
       displacement: new DisplacementPlot(find('plot-displacement')),
       energyA: new EnergyPlot(find('plot-energy-a')),
@@ -282,11 +282,6 @@ class Page {
     const button = element('button', { type: 'button', textContent: `Save ${name}` });
     button.addEventListener('click', () => saveFile(name, this.kernel.files.text(name)));
     return button;
-  }
-  #machine(letter) {
-    const figure = find(`machine-${letter}`);
-    figure.querySelector('.drawing').innerHTML = machineDrawing;
-    return new Machine(figure);
   }
 }
 

@@ -5,7 +5,6 @@ import { Plot, theme } from './plot.mjs';
 
 const dashes = [[], [6, 4]];  // of run A and run B
 export const marks = ['dot', 'cross'];
-const letters = ['a', 'b'];
 const bareStyle = () => ({ colour: theme.bare, thickness: 1, dash: [2, 3] });
 
 const versionOf = (runs) => runs.map(({ version }) => version).join();
@@ -154,8 +153,8 @@ export class SweepPlot extends Plot {
     if (this.begin(sweep.version, range)) {
       sweep.curves.forEach(({ own, bare }, i) => {
         if (i === 0) this.line(bare, 0, 1, bareStyle());
-        this.line(own, 0, 1, { colour: theme[letters[i]], dash: dashes[i] });
-        this.points(own, 0, 1, { colour: theme[letters[i]], shape: marks[i] });
+        this.line(own, 0, 1, { colour: theme['ab'[i]], dash: dashes[i] });
+        this.points(own, 0, 1, { colour: theme['ab'[i]], shape: marks[i] });
       });
       if (sweep.note) this.note(sweep.note);
       this.end();

@@ -136,9 +136,8 @@ const std::vector<Option>& options() {
         choice("law", laws, field(&Request::law), "contact law"),
         choice("newmark", steppers, field(&Request::stepper),
                "time stepper. auto is the kernel's rule, which prints its choice on standard error. average to central "
-               "are "
-               "Newmark's classical schemes. moment-4 and moment-8 divide a step in contact into 4 and 8 sub-steps, "
-               "moment-n into as many as required"),
+               "are Newmark's classical schemes. moment-4 and moment-8 divide a step in contact into 4 and 8 "
+               "sub-steps, moment-n into as many as required"),
         choice("numeric", numerics, field(&Request::numeric),
                "number format; the state of float32 is compensated, that of float32-plain is not"),
         number("duration", "s", {0, 1e7}, field(&Request::duration), true,
@@ -146,9 +145,7 @@ const std::vector<Option>& options() {
             .by_default("1, or as long as the samples of a file last")};
     for (const ParameterEntry& row : parameters) all.push_back(number(row));
     const std::vector<Option> others = {
-
         choice("stops", stops_kinds, field(&Scene::stops), "stops that the ball can reach"),
-
         number("impact-speed", "m/s", {1e-6, 1e4}, field(&Settings::impact_speed), true,
                "speed at which hunt-crossley has the restitution of --restitution; the other laws do not read it"),
         flag("paper-damping", field(&Settings::paper_damping), true,
@@ -160,7 +157,6 @@ const std::vector<Option>& options() {
         choice("tension", tensions, field(&Scene::tension),
                "for hooke-newton. allow: a stop may pull until the penetration ends; clamp: it releases the ball at "
                "zero force"),
-
         choice(
             "drive", drives, field(&Request::drive),
             "force on the main mass. sampled passes the sine as one sample per step, for a --rig that takes samples"),

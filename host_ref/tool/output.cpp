@@ -36,19 +36,16 @@ void watch_signals() {
   }
 }
 
+// A null pointer is an empty slot.
+void replace_unfinished(const char* noted, const char* path) {
+  for (auto& slot : unfinished)
+    if (const char* expected = noted; slot.compare_exchange_strong(expected, path)) return;
+}
 void add_to_unfinished(const char* path) {
   watch_signals();
-  for (auto& slot : unfinished) {
-    const char* empty = nullptr;
-    if (slot.compare_exchange_strong(empty, path)) return;
-  }
+  replace_unfinished(nullptr, path);
 }
-void remove_from_unfinished(const char* path) {
-  for (auto& slot : unfinished) {
-    const char* noted = path;
-    if (slot.compare_exchange_strong(noted, nullptr)) return;
-  }
-}
+void remove_from_unfinished(const char* path) { replace_unfinished(path, nullptr); }
 
 // The target of a link, even if it does not exist. For a loop of links it is one of them.
 std::string behind_links(fs::path path) {

@@ -41,14 +41,7 @@ std::string data_block(const char* name, const Curve& curve) {
 
 std::string title(const Request& request) {
   std::string text = std::string(name_of(request.law)) + " contact, ";
-  switch (request.drive) {
-    case DriveKind::none:
-      return text + "no drive";
-    case DriveKind::sampled:
-      return text + "sampled drive";
-    case DriveKind::sine:
-      break;
-  }
+  if (request.drive != DriveKind::sine) return text + (request.drive == DriveKind::none ? "no drive" : "sampled drive");
   return text + "driven by " + short_text(request.scene.drive_amplitude) + " N at " +
          short_text(request.scene.drive_pulsation) + " rad/s";
 }

@@ -50,11 +50,9 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
   std::snprintf(type, sizeof type, "Rig_%08x", static_cast<unsigned>(fingerprint_of_rig(scene, bounds, made.step)));
   std::string text =
       "#pragma once\n// The absorber of this run. It computes the same bits. Bounds that the command does not state "
-      "were "
-      "found by the\n// run:\n//\n//     " +
+      "were found by the\n// run:\n//\n//     " +
       command(arguments) + "\n\n#include <impact/absorber.hpp>\n\nstruct " + type +
-      " {\n  static constexpr impact::Scene scene = [] {\n    "
-      "impact::Scene scene;\n";
+      " {\n  static constexpr impact::Scene scene = [] {\n    impact::Scene scene;\n";
   Request run = made;
   const auto lines_of = [&](const std::string& whole, bool is_in_scene) {
     for (const ParameterEntry& row : parameters) {

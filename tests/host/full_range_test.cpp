@@ -51,7 +51,8 @@ template <class Law, class Stepper> void expect_double_up_to_the_bounds() {
     for (int n = 0; n < 400; ++n) {
       narrow.step();
       wide.step();
-      const auto found = narrow.reading(), exact = wide.reading();
+      const auto found = narrow.reading();
+      const auto exact = wide.reading();
       if (has_met && !wide.is_touching() && !narrow.is_touching()) break;
       has_met = has_met || wide.is_touching();
       have_both_met = have_both_met || (wide.is_touching() && narrow.is_touching());
@@ -213,7 +214,8 @@ template <class Stepper> void expect_double_with_wide_displacements(double step,
       narrow.step();
       wide.step();
     }
-    const auto found = narrow.reading(), exact = wide.reading();
+    const auto found = narrow.reading();
+    const auto exact = wide.reading();
     EXPECT_EQ(narrow.fault(), Fault::none);
     EXPECT_LT(exact.v2, -0.1);  // after the rebound
     EXPECT_NEAR(found.v1, exact.v1, most_off) << width;

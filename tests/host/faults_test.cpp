@@ -51,6 +51,12 @@ template <class Kernel> void expect_fault(Kernel absorber, Fault expected, typen
   EXPECT_EQ(absorber.reading().x1, start);
 }
 
+// The same with a sine drive.
+template <class Format, class Law, class Stepper>
+void expect_fault_of(Law, Stepper, const Scene& scene, const Bounds& bounds, Fault expected) {
+  expect_fault(accepted<Absorber<AtRunTime, Law, Stepper, Sine, Format>>(scene, bounds, 1e-3), expected);
+}
+
 template <class Format> struct Faults : testing::Test {};
 TYPED_TEST_SUITE(Faults, EveryFormat);
 
@@ -71,8 +77,7 @@ TYPED_TEST(Faults, ADisplacementOutOfRange) {
   Scene scene = resonant(10);
   const Bounds bounds{0.1, 10, 0.03, 10};
   const auto expect = [&](auto law, auto stepper) {
-    using Kernel = Absorber<AtRunTime, decltype(law), decltype(stepper), Sine, TypeParam>;
-    expect_fault(accepted<Kernel>(scene, bounds, 1e-3), Fault::displacement);
+    expect_fault_of<TypeParam>(law, stepper, scene, bounds, Fault::displacement);
   };
   expect(HuntCrossley{}, Moment{});
   expect(Hertz{}, EnergyConsistent{});
@@ -86,8 +91,7 @@ TYPED_TEST(Faults, AHitDeeperThanItsBound) {
   scene.contact_damping = 10;
   const Bounds bounds{0.0625, 8, 0.0156, 10};
   const auto expect = [&](auto law, auto stepper) {
-    using Kernel = Absorber<AtRunTime, decltype(law), decltype(stepper), Sine, TypeParam>;
-    expect_fault(accepted<Kernel>(scene, bounds, 1e-3), Fault::penetration);
+    expect_fault_of<TypeParam>(law, stepper, scene, bounds, Fault::penetration);
   };
   expect(Hertz{}, Moment{});
   expect(HuntCrossley{}, Moment{});

@@ -85,7 +85,7 @@ template <class Format, class ContactLaw> struct Rebound<Format, ContactLaw, tru
   [[gnu::always_inline]] constexpr auto damped_share(Value speed) const {
     const auto share = without_sign(speed_share * speed);
     if constexpr (Format::is_real)
-      return share / (share + damping_share);  // not 0/0, since damping_share is above 0
+      return Format::share(share, damping_share);
     else
       return Format::quotient(share, share + damping_share);
   }

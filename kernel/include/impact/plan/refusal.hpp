@@ -26,8 +26,7 @@ template <int64_t longest_step_in_nanoseconds, bool is_in_range> struct StepsPer
       is_in_range,
       "Rig::step: too few steps per contact for this stepper, or with sub-steps per crossing of the clearance, or "
       "with Impulsive and friction per turn of the main mass. At 2 Bounds::speed it allows at most the "
-      "longest_step_in_nanoseconds named here. Take a shorter step or "
-      "impact::Chosen<>");
+      "longest_step_in_nanoseconds named here. Take a shorter step or impact::Chosen<>");
 };
 
 template <int64_t largest_clearance_in_micrometres, bool is_in_range> struct StopInReach {

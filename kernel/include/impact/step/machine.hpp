@@ -148,8 +148,7 @@ template <class Source, class... Features> struct Machine : Source {
     const auto& limits = plan.units.limits;
     return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.displacement) &&
            ((plan.left_stop && plan.right_stop) || plan.units.is_within(state.x2, limits.ball)) &&
-           (!moves_ball_in_flight || plan.units.is_within(state.dx2, limits.displacement)) &&
-           !is_fast();
+           (!moves_ball_in_flight || plan.units.is_within(state.dx2, limits.displacement)) && !is_fast();
   }
   // The displacements of the coming step do not show a speed where the forces change it too much in a step, or where
   // the bound is only some LSBs of a position.
@@ -176,8 +175,7 @@ template <class Source, class... Features> struct Machine : Source {
     const bool is_main_far = units.clamp(state.x1, limits.main), is_ball_far = units.clamp(state.x2, limits.ball),
                is_main_fast = units.clamp(state.dx1, limits.displacement),
                is_ball_fast = units.clamp(state.dx2, limits.displacement);
-    const bool is_far = is_main_far || is_ball_far,
-               is_beyond_speed = is_main_fast || is_ball_fast || is_fast();
+    const bool is_far = is_main_far || is_ball_far, is_beyond_speed = is_main_fast || is_ball_fast || is_fast();
     raise(is_far ? Fault::displacement : is_beyond_speed ? Fault::speed : Fault::penetration);
     if (!is_far && !is_beyond_speed) return false;
     end_contact();
@@ -189,9 +187,7 @@ template <class Source, class... Features> struct Machine : Source {
     return true;
   }
   // Returns true if the state was beyond its limits.
-  constexpr bool clamp_to_range() {
-    return (!is_in_range(state) || is_fast()) && clamp();
-  }
+  constexpr bool clamp_to_range() { return (!is_in_range(state) || is_fast()) && clamp(); }
   constexpr void end_contact() {
     state.contact.phase = Phase::apart;
     if constexpr (Contact::traits.keeps_force) state.contact.force = Force<Value>{};

@@ -71,11 +71,9 @@ template <class Model> struct Restart {
     if (units.is_too_deep(inside)) m.raise(Fault::penetration);
     if (is_positive(found.penetration - inside)) place_ball(units, state, left, inside);
     if constexpr (Contact::traits.keeps_force) {
-      if (contact.is_beyond_reach(m.plan.contact, found)) m.raise(Fault::speed);
-      if (!contact.valid(m.plan.contact, units)) {
-        m.raise(Fault::speed);
-        m.end_contact();
-      }
+      const bool is_valid = contact.valid(m.plan.contact, units);
+      if (!is_valid || contact.is_beyond_reach(m.plan.contact, found)) m.raise(Fault::speed);
+      if (!is_valid) m.end_contact();
       m.clamp_to_range();
     }
   }

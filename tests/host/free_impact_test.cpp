@@ -73,6 +73,10 @@ void PrintTo(const Scheme& scheme, std::ostream* out) { *out << scheme.known.nam
 
 class FreeImpact : public testing::TestWithParam<Scheme> {};
 
+// Moment's error of the restitution at ten steps per contact: of Hertz, where it is 2.4e-5 and of fifth order. The
+// errors of a damping with e >= 0.68 are smaller.
+constexpr double error_of_moment = 2.5e-5;
+
 // The orders of the error. Moment and its ledger have order 4. For Hooke-Newton, Moment has errors only at the ends of
 // the contact, where it sums six terms of a series: order 5. Its ledger assumes a linear rate in the step in which the
 // force jumps: order 2. The classical schemes have order 2. With Hooke-Newton they see the force's jump up to a step
@@ -86,15 +90,17 @@ TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const double order_of_ledger = is_moment && is_linear ? 2 : order;
   const Outcomes first = largest_errors(known, stepper, 10);
   const double lateness = known.damping / reduced_mass * known.contact_time / 10;
-  // Moment's prototype had 4.3e-4. Newmark's error of a period is (omega h)^2/12, relatively.
-  EXPECT_LE(first.restitution, is_moment ? 4.3e-4 : is_linear ? lateness : 1.25 * M_PI * M_PI / 100 / 12);
+  // Newmark's error of a period is (omega h)^2/12, relatively.
+  EXPECT_LE(first.restitution, is_moment ? error_of_moment : is_linear ? lateness : 1.25 * M_PI * M_PI / 100 / 12);
   EXPECT_LE(first.lost, is_moment ? 1e-3 : is_linear ? lateness : 2 * M_PI * M_PI / 100 / 12);
+  // At ten steps the errors of spring and damper may cancel.
+  const double at_ten_steps = is_moment && !is_linear ? error_of_moment : 1.25 * first.restitution;
   for (const int steps : {10, 20, 40, 80}) {
     const Outcomes error = steps == 10 ? first : largest_errors(known, stepper, steps);
     std::printf("  %d steps: restitution %.1e, energy %.1e, peak force %.1e, peak penetration %.1e\n", steps,
                 error.restitution, error.lost, error.peak_force, error.peak_penetration);
     // The tolerance includes a quarter for the next order at 10 steps, and 5e-11 for the tables' ten digits.
-    EXPECT_LE(error.restitution, 1.25 * first.restitution * std::pow(10.0 / steps, order) + 5e-11) << steps;
+    EXPECT_LE(error.restitution, at_ten_steps * std::pow(10.0 / steps, order) + 5e-11) << steps;
     EXPECT_LE(error.lost, 1.25 * first.lost * std::pow(10.0 / steps, order_of_ledger)) << steps;
     EXPECT_LE(error.steps_in_contact, 1) << steps;
     // The nearest sample is at most half a step from the peak, and lower by at most (h/2)^2/2 times the deceleration k1
@@ -124,11 +130,9 @@ TEST(FreeImpact, RestitutionFallsWithSpeed) {
     known.speed = speed;
     known.restitution = e;
     known.contact_time = *contact_time({known.law, 32600, known.damping, reduced_mass, speed});
-    const double first = largest_errors(known, Stepper::moment, 10).restitution;
-    EXPECT_LE(first, 4.3e-4) << speed;
-    for (const int steps : {20, 40, 80})
-      EXPECT_LE(largest_errors(known, Stepper::moment, steps).restitution, 1.25 * first * std::pow(10.0 / steps, 4))
-          << speed;
+    const double first = e < 0.5 ? 1.3e-4 : error_of_moment;
+    for (const int steps : {10, 20, 40, 80})
+      EXPECT_LE(largest_errors(known, Stepper::moment, steps).restitution, first * std::pow(10.0 / steps, 4)) << speed;
   }
 }
 

@@ -41,10 +41,10 @@ struct Moment {
     const double e = contact.restitution, loss = constant::larger(1 - e * e, 2.5e-6);
     return contact.shortest_part / precise_steps * constant::power(loss / largest_gain, 1.0 / 6);
   }
-  // An upper bound: 1.7e-3 (power laws) or 6e-5 (Hooke-Newton) at 8 steps.
+  // An upper bound: 1.1e-3 (power laws) or 6e-5 (Hooke-Newton) at 8 steps.
   static constexpr double restitution_error(const Resolution& contact, double step) {
     const double share = precise_steps * step / contact.shortest_part, fourth = share * share * share * share;
-    return (contact.is_linear ? 5.5e-5 : 1.5e-3) * fourth * (share + 0.1);
+    return (contact.is_linear ? 5.5e-5 : 1e-3) * fourth * (share + 0.1);
   }
 
   template <class Format, class ContactLaw>

@@ -201,11 +201,10 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const auto su = plan.part_stiffness * s * u;
     const Recoil elastic(Format::value(su * d));
     const auto b = Format::constant(1.0 / 2) - later;
-    Recoil loss{};
-    if constexpr (ContactLaw::is_damped) loss = part_damping(plan, s * d, trial);
-    const Recoil j0 =
-        elastic - lowered(plan, Format::value(raised(plan, Format::value(su * b)) * (u * (g - elastic)))) + loss;
-    const Recoil j1 = Format::value(half(j0)) - Format::value(b * (elastic + loss));
+    Recoil first = elastic;
+    if constexpr (ContactLaw::is_damped) first = first + part_damping(plan, s * d, trial);
+    const Recoil j0 = first - lowered(plan, Format::value(raised(plan, Format::value(su * b)) * (u * (g - first))));
+    const Recoil j1 = Format::value(half(j0)) - Format::value(b * first);
 
     const Penetration back = travel(plan, j1);
     const Recoil correction = by_missed(plan, su + su + half(su) - su * u, s * d, back);

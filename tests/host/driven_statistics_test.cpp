@@ -89,7 +89,7 @@ Outcome kernel_run(double contact_stiffness, int start, Stepper stepper, Numeric
 Means kernel_means(double contact_stiffness, int starts, Stepper stepper, Numeric numeric) {
   return means_over(starts, [=](int start) {
     Outcome made = kernel_run(contact_stiffness, start, stepper, numeric);
-    Ran result{std::vector<double>(steps, NAN), {}};
+    Ran result{std::vector<double>(steps, std::nan("")), {}};
     if (!made.simulation) return result;
     EXPECT_EQ(made.simulation->run(steps, nullptr, result.x1.data(), nullptr), steps);
     result.last = made.simulation->sample();

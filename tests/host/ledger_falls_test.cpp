@@ -8,7 +8,7 @@ namespace impact::host {
 namespace {
 
 // The factor of a gain.
-double factor_of(double gain) { return gain; }
+template <class Real> double factor_of(Real gain) { return static_cast<double>(gain); }
 double factor_of(Fixed32::Gain gain) { return std::ldexp(gain.mantissa, -32 - gain.shift); }
 
 template <class Format>

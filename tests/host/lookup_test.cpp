@@ -193,12 +193,13 @@ TEST(Lookup, WhatHasNoRootGivesZero) {
 TEST(Lookup, CorrectRootsAreCorrect) {
   for (float y : {0.0f, FLT_TRUE_MIN, FLT_MIN, 1e-6f, 0.25f, 2.0f, 1e10f, FLT_MAX}) {
     EXPECT_EQ(correct_root(y), std::sqrt(y));
-    EXPECT_EQ(correct_root(double{y}), std::sqrt(double{y}));
+    const auto wide = static_cast<double>(y);
+    EXPECT_EQ(correct_root(wide), std::sqrt(wide));
   }
 }
 
 TEST(Lookup, TheLargerAndTheSmallerKeepANaN) {
-  const double numbers[] = {-1, 2, NAN};
+  const double numbers[] = {-1, 2, std::nan("")};
   for (const double a : numbers)
     for (const double b : numbers) {
       const double sum = a + b, larger = constant::larger(a, b), smaller = constant::smaller(a, b);

@@ -186,7 +186,7 @@ TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
         oscillator.advance(plan);
         if (n % 1000003 != 0) continue;
         const double value = std::ldexp(static_cast<double>(oscillator.value), plan.exponent - 63);
-        const long double angle = static_cast<long double>(turn) * n + phase;
+        const long double angle = static_cast<long double>(turn) * n + static_cast<long double>(phase);
         worst = host::larger(worst, std::abs(value - static_cast<double>(std::sin(angle))));
       }
       EXPECT_LE(worst, 4 * 0x1p-29 + turn * static_cast<double>(steps) * 0x1p-32) << turn;

@@ -219,6 +219,22 @@ TEST(NoImpulse, PullsNoBall) {
     }
 }
 
+// A ball that creeps out of a stop so slowly that 1 + C d' is nearly 0: the error of a quotient made the force pull.
+TEST(CreepingOut, UnderADampingOfThirtyTimesTheSpring) {
+  using Creeping = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Fixed32>;
+  Scene scene{4.664759, 90.2223, 1.354539,    0.1272484, 8.95226e-05, 3129933402.55, 62098004830.889,
+              0,        0,       1.693806e-3, 0,         1.709323e-3, 1.22312,       Stops::right};
+  for (int n = 0; n < 200; ++n) {
+    scene.v2 = 1 + 0.005 * n;
+    auto absorber = accepted<Creeping>(scene, {2.495e-3, 2.7435, 0, 0}, 3.51446e-05);
+    for (int i = 0; i < 60; ++i) {
+      const int64_t before = absorber.state().dx2.raw;
+      absorber.step();
+      EXPECT_LE(absorber.state().dx2.raw, before) << scene.v2 << " " << i;
+    }
+  }
+}
+
 // The last damping is the largest that a plan accepts, h c/mu = 2.5 at the deepest penetration. A Float32's
 // displacement has a resolution of 1e-8 m.
 template <class Stepper, class Format> void expect_within(double bound) {

@@ -194,6 +194,17 @@ TEST(WatchedScenes, SubStepsOfABallAsFastAsItsBound) {
   forces_in<HuntCrossley, SubsteppedMoment<8>, Sampled>(scene, {8.57508e-07, 0.89358, 0, 3034257}, 3.91739e-07,
                                                         {2147483647});
 }
+// With two to three steps per cycle of the drive, the second difference of its increments is up to four times their
+// amplitude. Their unit has room for twice the amplitude.
+TEST(WatchedScenes, SubStepsUnderADriveThatTurnsInEveryStep) {
+  constexpr double h = 1.7514e-5;
+  Scene scene{3.75, 0, 0, 2527, 1.21e-3, 678211471, 338508819, 93014.7, 2.37 / h, 0.0132, -0.0595, 0.013786, -1.8134};
+  for (const double turn : {2.37, 2.6}) {
+    scene.drive_pulsation = turn / h;
+    forces_in<HuntCrossley, SubsteppedMoment<2>, Sine>(scene, {0.0162827, 2.42, 0.042589, 94.4}, h,
+                                                       std::vector<int32_t>(40));
+  }
+}
 // In a step of a ten-thousandth of the contact, the flight's change of rate is less than an LSB of the penetrations
 // from which it follows.
 TEST(WatchedScenes, SubStepsOfAStepThatIsShortBesideItsContact) {

@@ -20,7 +20,7 @@ template <class Value> struct DriveShares { Increment<Value> old_share, new_shar
 
 // How a drive's force changes within a step, as changes of the displacement per step. In this order: the share by the
 // force at the step's end less the true share; half of the change by the slope at the end; half of the change; the
-// second difference.
+// half of the second difference.
 template <class Value> struct DriveChange { Increment<Value> to_end, half, half_chord, bend; };
 
 // The matrix of the map less the identity (so that nothing cancels at small steps), and the response to the drive.

@@ -132,7 +132,11 @@ struct Sine {
       const auto heads = oscillator.heads_before(plan.oscillator);
       const Increment<Value> next(plan.increment * Format::reading(oscillator.value_head())),
           now(plan.increment * Format::reading(heads.last)), last(plan.increment * Format::reading(heads.before_last));
-      return {{}, Format::value(quarter(next - last)), Format::value(half(now - last)), next - now - (now - last)};
+      const Increment<Value> half_chord = Format::value(half(now - last));
+      return {{},
+              Format::value(quarter(next - last)),
+              half_chord,
+              Increment<Value>(Format::value(half(next - now))) - half_chord};
     }
     // The force now, over twice the amplitude. Each term is below 1 too, since w h is at most 2.95 and c h at most M.
     [[gnu::always_inline]] constexpr typename Format::Value force(const Plan<Format>& plan) const {

@@ -72,7 +72,7 @@ template <class Value> struct ApproachInField : Approach<Value> {
 // Either of them, for a contact that follows the flight within the step.
 template <class Seen, class Value> struct ApproachFromStart : Seen {
   Penetration<Value> rate_before;  // at the step's start, where a contact begins
-  Increment<Value> bend;           // second difference of the drive's increments
+  Increment<Value> bend;           // half of the second difference of the drive's increments
 };
 // Either of them, for impacts that take no time.
 template <class Seen, class Value> struct ApproachAtInstant : Seen {

@@ -155,6 +155,7 @@ template <class Format, class ContactLaw> struct StiffContact {
         q = elastic_part(whole, by_stored, cosine, base);
         const Value u = number(q);
         back = q + Format::value((d - q) * Format::rough_quotient(without_sign(u), without_sign(one + u)));
+        if (is_negative(back)) back = Value{};  // by the quotient's error, where 1 + A is nearly 0
       }
       end.recoil = unscaled(back);
       if (step.is_inside && is_positive(end.recoil - step.trial)) return false;

@@ -165,7 +165,8 @@ template <class Plan> class PlanMaking {
     // laws: (d/D)^(5/2)) it ends at most (D^2 + (5/4) (h V)^2)^(1/2) deep.
     const double longer = larger(terms.largest_penetration, displacement), depth = terms.largest_penetration / longer,
                  flown = displacement / longer;
-    largest.penetration = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
+    const double of_flight = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
+    largest.penetration = of_flight;
     // In a step an impact changes the sliding rate by at most twice the largest rate, and friction by at most that
     // rate.
     const double largest_change = scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;
@@ -196,7 +197,6 @@ template <class Plan> class PlanMaking {
     largest.increment = h * h * (2 * larger(scene.drive_amplitude, bounds.force) + spring + damper) / scene.main_mass +
                         2 * h * h * Field::largest(scene, bounds);
     largest.is_lightly_damped = 8 * basis.flow.damping() <= basis.flow.stiffness();
-    const double of_flight = largest.penetration;
     Contact::room(terms, largest);
     // The contact may have lowered it. Friction compares the displacements of both masses.
     if (largest_change > 0)

@@ -127,7 +127,7 @@ struct Sine {
     // Returns what change() needs of the step's start.
     struct Before {};
     constexpr Before before() const { return {}; }
-    // The change of the drive in the last step.
+    // The change of the drive in the last step. The second difference of the increments is up to twice their unit.
     [[gnu::always_inline]] constexpr DriveChange<Value> change(const Plan<Format>& plan, Before) const {
       const auto heads = oscillator.heads_before(plan.oscillator);
       const Increment<Value> next(plan.increment * Format::reading(oscillator.value_head())),

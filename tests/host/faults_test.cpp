@@ -630,6 +630,35 @@ TEST(Exponents, EndForEveryNumber) {
   EXPECT_EQ(constant::exponent_above(1.5), 1);
   EXPECT_EQ(constant::exponent_above(no_number), 0);
 }
+// The argument of an exponential is at most 745, with an error of 745 x 2^-53.
+TEST(Powers, OfEveryPositiveNumber) {
+  for (const double x : {0x1p-1074, 3e-320, 0x1p-1022, 1e-300, 0.5, 1e300, 0x1p1023})
+    for (const double exponent : {0.2, 0.4, 2.0 / 3, 0.75})
+      EXPECT_NEAR(constant::power(x, exponent) / std::pow(x, exponent), 1, 1e-12) << x << " ^ " << exponent;
+}
+
+// A subnormal value of a scene used to make the limits of its plan NaN.
+template <class Law, class Stepper> void expect_no_weight_at(double gravity, double step) {
+  using Plan = typename Absorber<AtRunTime, Law, Stepper, Sine, Float64, Gravity>::PlanType;
+  Scene scene;
+  scene.contact_damping = 0;
+  scene.restitution = 0.5;
+  const Plan without = Plan::make(scene, Bounds{}, step);
+  scene.gravity = gravity;
+  const Plan plan = Plan::make(scene, Bounds{}, step);
+  ASSERT_EQ(without.status, PlanStatus::ok);
+  ASSERT_EQ(plan.status, PlanStatus::ok) << gravity;
+  EXPECT_NEAR(plan.units.limits.penetration / without.units.limits.penetration, 1, 0.01) << gravity;
+}
+TEST(Plans, OfASubnormalWeightHaveLimits) {
+  for (const double gravity : {5e-324, 2.15e-312, -1e-310, 1e-300, 1e-160, 1e-20}) {
+    expect_no_weight_at<HookeNewton, SubsteppedMoment<8>>(gravity, 1e-3);
+    expect_no_weight_at<Flores, SubsteppedMoment<8>>(gravity, 1e-3);
+    expect_no_weight_at<HuntCrossley, Moment>(gravity, 1e-4);
+    expect_no_weight_at<Hertz, EnergyConsistent>(gravity, 1e-4);
+    expect_no_weight_at<Exact, EnergyConsistent>(gravity, 1e-4);
+  }
+}
 
 // A contact begins at a thousandth of the speed at which the ball is then driven into the stop. The damping of this
 // impact exceeds the range of Fixed32. It is clamped, and still opposes the motion.

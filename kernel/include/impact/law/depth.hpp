@@ -24,9 +24,11 @@ constexpr double depth_of(double stiffness, double energy, double press, bool is
   const auto root_of_order = [](double x, double order) { return x > 0 ? constant::power(x, 1 / order) : 0; };
   double d = is_linear ? constant::square_root(energy / scale) + press / scale
                        : root_of_order(energy / scale, 2.5) + root_of_order(press / scale, 1.5);
-  for (int pass = 0; pass < 6 && d > 0; ++pass) {
-    const double root = constant::square_root(d), shape = is_linear ? d : d * root;
-    d -= (scale * shape * d - energy - press * d) / (scale * shape * (is_linear ? 2 : 2.5) - press);
+  for (int pass = 0; pass < 6; ++pass) {
+    const double shape = is_linear ? d : d * constant::square_root(d),
+                 slope = scale * shape * (is_linear ? 2 : 2.5) - press;
+    if (!(slope > 0)) break;  // d is 0, or its power is below the smallest double
+    d -= (scale * shape * d - energy - press * d) / slope;
   }
   return d;
 }

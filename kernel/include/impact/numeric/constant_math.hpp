@@ -93,11 +93,12 @@ constexpr double logarithm_of_one_plus(double x) {
   return doublings * ln2 + 2 * sum;
 }
 
-// x^exponent for x > 0.
+// x^exponent for x > 0. 2^1074, which the smallest x requires, is not a double, but its root is.
 constexpr double power(double x, double exponent) {
   constexpr double ln2 = 0.6931471805599453094172;
-  const int doublings = exponent_above(x);
-  const double logarithm = doublings * ln2 + logarithm_of_one_plus(x * power_of_two(-doublings) - 1);
+  const int doublings = exponent_above(x), half = doublings / 2;
+  const double mantissa = x * power_of_two(-half) * power_of_two(half - doublings);
+  const double logarithm = doublings * ln2 + logarithm_of_one_plus(mantissa - 1);
   return exponential(exponent * logarithm);
 }
 

@@ -79,7 +79,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     if (!(terms.field > 0)) return 0;
     const double compliance = terms.step * terms.step / (2 * terms.reduced_mass()), rate = terms.largest_rate;
     const double lift = largest_lift * rate * rate * terms.step * terms.step / 4;
-    const double d = lift / (compliance * terms.ball_mass * terms.field);
+    const double d = lift / (compliance * terms.ball_mass * terms.field + 1e-200);  // finite in the weakest field
     return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
   }
   // In a step a force at most reverses the ball's speed and balances the pressing forces, and at most it is the law's

@@ -234,9 +234,9 @@ struct Fixed32 : Fixed32Numbers {
 
     constexpr void add(Value x, int bits) {
       const uint32_t below = static_cast<uint32_t>(x.raw) << 1 << (31 - bits);
-      const auto part = static_cast<int64_t>(uint64_t{static_cast<uint32_t>(x.raw >> bits)} << 32 | below);
-      IMPACT_EXPECT(is_in_64_bits(Wide{raw} + part));
-      raw += part;
+      const uint64_t part = uint64_t{static_cast<uint32_t>(x.raw >> bits)} << 32 | below;
+      IMPACT_EXPECT(is_in_64_bits(Wide{raw} + static_cast<int64_t>(part)));
+      raw = static_cast<int64_t>(static_cast<uint64_t>(raw) + part);
     }
     constexpr void add(Value x, int bits, Gain) { add(x, bits); }
     constexpr Value value() const { return {upper_word(raw)}; }

@@ -185,7 +185,7 @@ template <class Format, class ContactLaw> void expect_passive(uint32_t seed, dou
     const double compliance = 1e8 * any(16);
     const double damping = ContactLaw::is_damped ? 1e4 * any(8) : 0;
     const int exponent = Format::exponent_of(std::fmax(damping, 1));
-    const auto plan = Contact::Plan::make(compliance, Format::gain(0.5, 0, 0), exponent);
+    const auto plan = Contact::Plan::make(compliance, Format::gain(0.5, 0, 0), {}, exponent);
     const bool is_inside = unit(random) < 0.6;
     const double size = 0.25 * any(sizeof(typename Format::Value) == 4 ? 2 : 6);
     const auto travel = Format::sample(size * (is_inside ? 2 * unit(random) - 1 : any(6)));
@@ -281,7 +281,7 @@ double delay_of(double steps_of_contact) {
   constexpr double displacement = 1e-3;  // per step
   // The peak penetration. V there is displacement/2.
   const double peak = steps_of_contact * displacement / 2.9432;
-  const auto plan = Contact::Plan::make(2.5 * displacement * displacement / 4 / std::pow(peak, 2.5), 1, 0);
+  const auto plan = Contact::Plan::make(2.5 * displacement * displacement / 4 / std::pow(peak, 2.5), 1, 0, 0);
   double late = 0;
   for (int phase = 0; phase < 64; ++phase) {
     double d = -displacement * (phase + 0.5) / 64, w = displacement, rate = 0;

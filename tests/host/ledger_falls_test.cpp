@@ -8,8 +8,12 @@ namespace impact::host {
 namespace {
 
 // The factor of a gain.
-template <class Real> double factor_of(Real gain) { return static_cast<double>(gain); }
-double factor_of(Fixed32::Gain gain) { return std::ldexp(gain.mantissa, -32 - gain.shift); }
+template <class Gain> double factor_of(Gain gain) {
+  if constexpr (std::is_floating_point_v<Gain>)
+    return static_cast<double>(gain);
+  else
+    return std::ldexp(gain.mantissa, -32 - gain.shift);
+}
 
 template <class Format>
 constexpr double rounded_by_sum = std::is_same_v<Format, Fixed32>        ? 0

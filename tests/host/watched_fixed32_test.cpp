@@ -320,6 +320,26 @@ TEST(WatchedScenes, ACorrectionOfARubbingBallBeyondItsFlight) {
   while (!absorber.is_touching()) absorber.step();
   EXPECT_EQ(fault_after(absorber, -3.42538e-3, 0), Fault::penetration);
 }
+// A base that shakes ten thousand times as hard as friction holds: a ball that turns was stopped by more than friction
+// can do in a step, and its ledger wrapped.
+TEST(WatchedScenes, FrictionOnABaseThatShakesFarHarder) {
+  Scene scene{0.03, 1482, 0, 2e-4, 0.067, 1.2e10, 0, 0, 40, 0, 0.02, -0.005, 0.017};
+  scene.restitution = 0.9;
+  scene.ball_friction = 1e-5;
+  Bounds bounds{0.037, 1.23, 0, 0};
+  bounds.base_acceleration = 100;
+  using Shaken = Absorber<AtRunTime, Exact, Impulsive, NoDrive, Fixed32, BaseAcceleration, DryFriction, EnergyLedger>;
+  auto absorber = accepted<Shaken>(scene, bounds, 2e-3);
+  Random random;
+  for (int n = 0; n < 20000; ++n) {
+    broken.count = 0;
+    absorber.step(Fixed32::sample(std::pow(random.between(-0.99, 0.99), 3)));
+    EXPECT_TRUE(broken.count == 0 || absorber.fault() != Fault::none) << broken.condition << " in step " << n;
+    if (absorber.fault() == Fault::none) continue;
+    absorber.clear_fault();
+    absorber.reset();
+  }
+}
 // A force that pulls, of a law that may, is compared with the largest that pushes.
 TEST(WatchedScenes, APullIsRestored) {
   constexpr Scene scene{1, 0, 0, 1, 1e-3, 1e6, 1500, 0, 40, 0, 0, 0, 1, Stops::both, Tension::allow};
@@ -335,6 +355,88 @@ TEST(WatchedScenes, APullIsRestored) {
     broken.count = 0;
   }
   EXPECT_TRUE(pulls);
+}
+
+// Sequences of steps, corrections, changes of plan, saves and resets, in random scenes. Bounds are up to ten times what
+// a scene reaches, and corrections up to the whole bound. IMPACT_WATCHED_SEQUENCES=100000 sets their number.
+template <class Kernel> class WatchedSequences : public testing::Test {};
+using OfSequences = testing::Types<
+    Absorber<AtRunTime, Flores, EnergyConsistent, Sine, Fixed32, ImpactLog>,
+    Absorber<AtRunTime, HuntCrossley, EnergyConsistent, Sampled, Fixed32, Gravity, DryFriction, EnergyLedger>,
+    Absorber<AtRunTime, Exact, Impulsive, Sine, Fixed32, BaseAcceleration, DryFriction, EnergyLedger>,
+    Absorber<AtRunTime, HookeNewton, SubsteppedMoment<8>, Sampled, Fixed32, EnergyLedger, ImpactLog>,
+    Absorber<AtRunTime, HuntCrossley, Moment, Sine, Fixed32, BaseAcceleration, DryFriction, ContactForce>>;
+TYPED_TEST_SUITE(WatchedSequences, OfSequences);
+
+TYPED_TEST(WatchedSequences, WrapNowhere) {
+  using Kernel = TypeParam;
+  using Plan = typename Kernel::PlanType;
+  using Value = Fixed32::Value;
+  constexpr bool shakes = Kernel::Field::is_sampled, rubs = Kernel::Friction::is_friction;
+  Random random;
+  const auto happens = [&](double share) { return random.share() < share; };
+  const auto signed_share = [&](double least) { return (happens(0.5) ? 1 : -1) * random.wide(least, 0.999); };
+  long calls = 0;
+  for (long i = 0; i < number_of_runs("IMPACT_WATCHED_SEQUENCES", 20000); ++i) {
+    Place place;
+    for (double& at : place) at = random.share();
+    const CoupledScene drawn =
+        coupled_scene(Kernel::ContactLaw::law, static_cast<Edge>(i % 3),
+                      Kernel::Drive::is_sampled ? DriveKind::sampled : DriveKind::sine, Parts::none, place);
+    Scene scene = drawn.request.scene;
+    Bounds bounds = *drawn.request.bounds;
+    const double h = drawn.request.step;
+    if (happens(0.5)) {
+      bounds.displacement *= random.wide(0.5, 10);
+      bounds.speed *= random.wide(0.5, 10);
+    }
+    if constexpr (Kernel::Drive::is_sampled) bounds.force = random.wide(1e-4, 0.5) * scene.main_mass * bounds.speed / h;
+    if constexpr (shakes) bounds.base_acceleration = random.wide(0.1, 1000);
+    if constexpr (Kernel::Field::is_field && !shakes) scene.gravity = signed_share(1e-3) * 100;
+    if constexpr (rubs) scene.ball_friction = scene.ball_mass * random.wide(0.01, 100);
+    Scene other_scene = scene;
+    for (double Scene::*value : {&Scene::contact_stiffness, &Scene::main_stiffness, &Scene::ball_friction})
+      other_scene.*value *= random.wide(0.5, 2);
+    const Plan plan = Plan::make(scene, bounds, h), other = Plan::make(other_scene, bounds, h);
+    if (plan.status != PlanStatus::ok) continue;
+    Kernel absorber(plan);
+    const bool is_corrected = happens(0.5), is_retuned = other.status == PlanStatus::ok && happens(0.5);
+    bool has_other = false;
+    auto saved = absorber.save();
+    Value sample{}, base{};
+    for (int n = 0; n < 400; ++n, ++calls) {
+      broken.count = 0;
+      if (happens(0.3)) sample = Fixed32::sample(signed_share(1e-3));
+      if (happens(0.3)) base = Fixed32::sample(signed_share(1e-3));
+      const double what = random.share();
+      if (is_corrected && what < 0.05)
+        absorber.correct(Fixed32::sample(happens(0.3) ? 0 : signed_share(1e-9)),
+                         Fixed32::sample(happens(0.3) ? 0 : signed_share(1e-6)));
+      else if (is_retuned && what < 0.1)
+        absorber.retune((has_other = !has_other) ? other : plan);
+      else if (!has_other && what < 0.11)
+        saved = absorber.save();
+      else if (!has_other && what < 0.12)
+        absorber.restore(saved);
+      else if constexpr (Kernel::Drive::is_sampled && shakes)
+        absorber.step(sample, base);
+      else if constexpr (Kernel::Drive::is_sampled)
+        absorber.step(sample);
+      else if constexpr (shakes)
+        absorber.step(base);
+      else
+        absorber.step();
+      if (absorber.fault() != Fault::none) {
+        absorber.clear_fault();
+        absorber.reset();
+        saved = absorber.save();
+      } else if (broken.count > 0) {
+        ADD_FAILURE() << callers() << "\n  in sequence " << i << ", call " << n << ": " << text_of(drawn.request);
+        break;
+      }
+    }
+  }
+  EXPECT_GT(calls, 100000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, WatchedFixed32,

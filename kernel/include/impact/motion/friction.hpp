@@ -54,7 +54,7 @@ struct DryFriction : ScenePart {
       Share main_ahead, ball_ahead;  // of the half of it that acts in the step ahead, in dx1 and dx2
       Share main_rate_ahead;         // the same in h v1
       Share main_shift;              // of a change of y at unchanged rates, in dx1
-      GainOf<Gain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
+      GainOf<typename Format::ClampedGain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
       Share excess;                     // of the main mass's momentum by an impulse over the ball's
       int spare_bits;                   // of an impulse that is no more than r
       Long main_sliding, ball_sliding;  // of a ball that slides forward
@@ -308,7 +308,8 @@ struct DryFriction : ScenePart {
         return {coming - Format::value(half(impulse + next)), moved};
       }
     }
-    taken = impulse_for(plan, taken);
+    // From sliding one way for a whole step to sliding the other way: no friction changes by more.
+    taken = clamped(Passive<Value>{-(full + full), full + full}, impulse_for(plan, taken));
     move_ball(plan, state, moved);
     change_to(plan, state, next, taken);
     return {taken, moved};

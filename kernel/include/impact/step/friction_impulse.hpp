@@ -202,6 +202,8 @@ template <class Model> struct FrictionImpulse {
       count_loss(m, moved, flight.load + m.plan.units.increment_of_rate(by_spring));
     }
   }
+  // Counts an impulse or displacement of up to 4 r. A ball that has broken loose may have moved by more, if the load
+  // has risen to 25 r within a step. The rest is not counted.
   [[gnu::noinline]] static constexpr void count_loss([[maybe_unused]] Model& m, [[maybe_unused]] Penetration impulse,
                                                      [[maybe_unused]] Penetration displacement) {
     if constexpr (Model::counts_sliding_distance) {

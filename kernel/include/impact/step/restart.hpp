@@ -68,7 +68,7 @@ template <class Model> struct Restart {
       contact.start(m.plan.contact, units, found);
       contact.phase = phase;
     }
-    if (units.is_too_deep(inside)) m.raise(Fault::penetration);
+    if (units.is_too_deep(inside) || contact.stores_too_much(m.plan.contact)) m.raise(Fault::penetration);
     if (is_positive(found.penetration - inside)) place_ball(units, state, left, inside);
     if constexpr (Contact::traits.keeps_force) {
       const bool is_valid = contact.valid(m.plan.contact, units);

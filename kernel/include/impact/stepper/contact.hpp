@@ -14,10 +14,11 @@
 //     resume        (plan, units, standing)     continues after a correction: returns the penetration at which the step
 //                                               then places the ball
 //     valid         (plan, units)               true if a restored contact is consistent
+//     stores_too_much (plan)                    true if it then stores more energy than the bounds allow
 //     change_rate   (plan, by)                  call it when friction has changed the rate at the step's end
 //     units         (terms, exponents)          the units in which a contact under way keeps its numbers
 //
-// A new contact derives from ContactDefaults, which has the last three, traits, deepest(), and room() for a law's
+// A new contact derives from ContactDefaults, which has the last four, traits, deepest(), and room() for a law's
 // forces. It defines only what differs. Approach and Reaction allow a touch at any instant of the step. The contact
 // decides how its force changes within the step, and the two masses may respond to it differently.
 
@@ -170,6 +171,7 @@ struct ContactDefaults {
     largest.push = larger(2 * rate, 8 * largest.increment);
   }
   template <class Plan, class Units> static constexpr bool valid(const Plan&, const Units&) { return true; }
+  template <class Plan> static constexpr bool stores_too_much(const Plan&) { return false; }
   template <class Plan, class Value> static constexpr void change_rate(const Plan&, Value) {}
   static constexpr UnitExponents units(const ContactTerms&, const UnitExponents& unit) { return unit; }
 };

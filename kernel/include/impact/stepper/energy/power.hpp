@@ -84,22 +84,25 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   }
   // In a step a force at most reverses the ball's speed and balances the pressing forces, and at most it is the law's
   // at the deepest penetration. The energy W stored there is represented by V, V^2 = G W (stiff.hpp). A penetration is
-  // at most that of an impact, or the displacement of a few steps.
+  // at most that of an impact, or the displacement of a few steps. From there a force moves the contact back by at most
+  // D/2 + (D^2/4 + V^2)^(1/2).
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     if (is_resolved(terms)) return ContactDefaults::room(terms, largest);
     largest.finest_penetration = finest_penetration(terms);
     // In a field a stiff contact may leave the ball deeper than its stored energy would have it (stiff.hpp).
     largest.is_as_deep_as_flight = terms.field > 0;
     const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
-    largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
-    const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double k1 = terms.stiffness, law = k1 * terms.to_the_power(terms.deepest),
                  turning = 2.1 * rate / (h * h * mobility), pressing = 2.1 * terms.pressing / mobility,
-                 storing = constant::square_root(0.8 * law * terms.deepest * mobility) / (h * mobility);
+                 storing = constant::square_root(0.8 * law * terms.deepest * mobility) / (h * mobility),
+                 v = h * h * mobility / 2 * storing, whole = rate / 2 + constant::square_root(rate * rate / 4 + v * v);
+    largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
+    largest.penetration = constant::larger(largest.penetration, 1.02 * whole);
+    const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double force = constant::larger(
         storing, turning + constant::smaller(pressing, law * (1 + terms.damping_time * terms.largest_rate)));
     largest.force_factor = force / (terms.stiffness * terms.to_the_power(unit));
-    largest.push = constant::larger(2.2 * rate, 8 * largest.increment);
+    largest.push = constant::larger(constant::larger(2.2 * rate, 2.04 * whole), 8 * largest.increment);
   }
 
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -123,13 +126,15 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const double largest = is_per_impact ? 4 * (1 + terms.damping_ratio)
                                          : terms.damping_time / terms.step * power_of_two(unit.penetration);
     terms.damping_exponent = Format::exponent_of(constant::smaller(constant::larger(largest, 1), 0x1p20));
+    const double most = constant::square_root(0.4 * terms.stiffness * answer.penetration() *
+                                              terms.to_the_power(terms.deepest) * terms.deepest);
     return {answer.gains<Format>(terms.force_unit, unit, true),
             Weight{Format::at_most_one(damping_gain<Format, ContactLaw>(terms, unit))},
             {},
             {},
             Stiff::Plan::make(compliance * power_of_two(-unit.penetration),
                               Format::gain(1 / (terms.force_unit * answer.penetration()), unit.penetration, 0),
-                              terms.damping_exponent),
+                              bare(Penetration(Scaled<Format>{unit}(1.01 * most))), terms.damping_exponent),
             Scaled<Format>{unit}(answer.penetration() * terms.ball_mass / (terms.step * terms.step)),
             {}};
   }
@@ -210,6 +215,10 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return reaction_of<Format>(Impulse<Push>{push.j0, predicted});
   }
 
+  // After a correction in a field, where a penetration may be as deep as a flight.
+  constexpr bool stores_too_much(const Plan& plan) const {
+    return plan.response.is_sudden && phase == Phase::touching && is_positive(stored_rate() - plan.stiff.most);
+  }
   constexpr typename Format::Energy stored(const Plan& plan, const Units& units) const {
     if (phase != Phase::touching) return {};
     if (plan.response.is_sudden) return plan.stiff.stored(stored_rate());

@@ -20,7 +20,7 @@ template <class Format> struct ConstantForceGains {
   using Value = typename Format::Value;
 
   GainOf<typename Format::Weight, unit::Push, unit::Push> ball, dx1;
-  GainOf<typename Format::Gain, unit::Push, unit::Force> force;  // from twice the displacement
+  GainOf<typename Format::ClampedGain, unit::Push, unit::Force> force;  // from twice the displacement
   int travel_bits;
   bool is_sudden;  // a stiff contact
 

@@ -42,15 +42,17 @@ template <class Format, class ContactLaw> struct StiffContact {
     typename Format::ClampedGain depth;  // K
     typename Format::ClampedGain rate;   // V over d^(5/4)
     Gain force;                          // over b
+    Value most;                          // V at the largest penetration that the bounds allow
     int exponent;                        // C x of an x of the unit is below a quarter of 2^exponent
 
     // G in the unit of penetrations.
-    static constexpr Plan make(double compliance, Gain force, int damping_exponent) {
+    static constexpr Plan make(double compliance, Gain force, Value most, int damping_exponent) {
       const double share = 0.4 * compliance;
       return {Format::balance(0.64 / share),
               {Format::gain(constant::power(share, -0.4), 0, 0)},
               {Format::gain(constant::square_root(share), 0, 0)},
               force,
+              most,
               damping_exponent + 2};
     }
     constexpr Value rate_at(Value d) const {
@@ -116,7 +118,7 @@ template <class Format, class ContactLaw> struct StiffContact {
     // C x, in 2^exponent. The gain of a damping that is set per impact holds what would not fit as it is.
     [[gnu::always_inline]] constexpr Value number(Value x) const {
       if constexpr (is_per_impact)
-        return Format::moved(damping * unscaled(x), 2);
+        return Format::moved(damping * unit.common_clamped(x), 2);
       else
         return damping * x;
     }
@@ -141,7 +143,7 @@ template <class Format, class ContactLaw> struct StiffContact {
       if (step.is_inside && !is_positive(step.trial)) return false;
       const Value most = unscaled(v + Format::value(half(is_positive(d) ? d : Value{})));
       const Value deepest = is_positive(most) ? depth_of<false>(most) : Value{};
-      const Value pressed = step.trial - step.press;
+      const Value pressed = Format::clamped_difference(step.trial, step.press);
       const Value free = step.is_inside && is_positive(pressed) ? pressed : step.trial;
       const bool is_shallow = !is_positive(free - deepest);
       const auto sine = Format::share(phase_at(is_shallow ? free : deepest), step.plan.ease);

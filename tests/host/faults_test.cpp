@@ -618,6 +618,36 @@ TEST(Faults, AreNoImpacts) {
   EXPECT_NEAR(absorber.impact_speed(), 0.8, 0.01);
 }
 
+// In a field a flight may end deeper than the law. A correction to a depth where the stop would store more than the
+// bounds allow was no fault. `depth` is relative to the deepest penetration.
+template <class Format> Fault fault_of_a_push_into_the_stop(double depth) {
+  Scene scene;
+  scene.gravity = 9.81;
+  scene.contact_stiffness = 1e11;
+  scene.contact_damping = 0.87e11;
+  scene.main_damping = scene.drive_amplitude = 0;
+  scene.x2 = 0.009;
+  scene.v2 = 0.1;
+  scene.stops = Stops::right;
+  const Bounds bounds{0.05, 2};
+  const double deepest = deepest_penetration(scene, bounds, false, 0.87 * 2 * bounds.speed, 0);
+  using Weighted = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Format, Gravity>;
+  auto absorber = accepted<Weighted>(scene, bounds, 3e-4);
+  while (!absorber.is_touching()) absorber.step();
+  const auto now = absorber.reading();
+  const double further = depth * deepest - (now.x2 - now.x1 - scene.clearance / 2);
+  absorber.correct(Format::sample(-further / absorber.plan.displacement_unit()), {});
+  return absorber.fault();
+}
+TEST(Faults, OfACorrectionToMoreEnergyThanTheBoundsAllow) {
+  EXPECT_EQ(fault_of_a_push_into_the_stop<Fixed32>(0.99), Fault::none);
+  EXPECT_EQ(fault_of_a_push_into_the_stop<Fixed32>(1.03), Fault::penetration);
+  EXPECT_EQ(fault_of_a_push_into_the_stop<Float32>(0.99), Fault::none);
+  EXPECT_EQ(fault_of_a_push_into_the_stop<Float32>(1.03), Fault::penetration);
+  EXPECT_EQ(fault_of_a_push_into_the_stop<Float64>(0.99), Fault::none);
+  EXPECT_EQ(fault_of_a_push_into_the_stop<Float64>(1.03), Fault::penetration);
+}
+
 TEST(Exponents, EndForEveryNumber) {
   EXPECT_EQ(constant::exponent_above(infinity), 1024);
   EXPECT_EQ(constant::exponent_above(0x1p1023), 1023);

@@ -377,7 +377,7 @@ TYPED_TEST(WatchedSequences, WrapNowhere) {
   const auto happens = [&](double share) { return random.share() < share; };
   const auto signed_share = [&](double least) { return (happens(0.5) ? 1 : -1) * random.wide(least, 0.999); };
   long calls = 0;
-  for (long i = 0; i < number_of_runs("IMPACT_WATCHED_SEQUENCES", 20000); ++i) {
+  for (long i = 0; i < number_of_runs("IMPACT_WATCHED_SEQUENCES", 30000); ++i) {
     Place place;
     for (double& at : place) at = random.share();
     const CoupledScene drawn =
@@ -403,11 +403,10 @@ TYPED_TEST(WatchedSequences, WrapNowhere) {
     const bool is_corrected = happens(0.5), is_retuned = other.status == PlanStatus::ok && happens(0.5);
     bool has_other = false;
     auto saved = absorber.save();
-    Value sample{}, base{};
+    Value sample{};  // of the drive or the base
     for (int n = 0; n < 400; ++n, ++calls) {
       broken.count = 0;
       if (happens(0.3)) sample = Fixed32::sample(signed_share(1e-3));
-      if (happens(0.3)) base = Fixed32::sample(signed_share(1e-3));
       const double what = random.share();
       if (is_corrected && what < 0.05)
         absorber.correct(Fixed32::sample(happens(0.3) ? 0 : signed_share(1e-9)),
@@ -418,12 +417,8 @@ TYPED_TEST(WatchedSequences, WrapNowhere) {
         saved = absorber.save();
       else if (!has_other && what < 0.12)
         absorber.restore(saved);
-      else if constexpr (Kernel::Drive::is_sampled && shakes)
-        absorber.step(sample, base);
-      else if constexpr (Kernel::Drive::is_sampled)
+      else if constexpr (Kernel::Drive::is_sampled || shakes)
         absorber.step(sample);
-      else if constexpr (shakes)
-        absorber.step(base);
       else
         absorber.step();
       if (absorber.fault() != Fault::none) {

@@ -480,6 +480,38 @@ TYPED_TEST(FrictionIn, NothingChangesNothing) {
   }
 }
 
+// So it is where corrections have left a ball that slides into its turn, or is about to break loose, in random scenes.
+TYPED_TEST(FrictionIn, NothingChangesABallThatCorrectionsLeftAtItsTurn) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, SubsteppedMoment<4>, Sine, TypeParam, DryFriction>;
+  Random random(1);
+  for (int scenes = 0; scenes < 200; ++scenes) {
+    Scene scene;
+    scene.drive_pulsation = random.between(100, 250);
+    scene.drive_amplitude = random.between(20, 60);
+    scene.ball_friction = random.wide(0.3, 10);
+    scene.clearance = random.between(0.02, 0.05);
+    const double step = random.wide(8e-4, 2e-3),
+                 full = scene.ball_friction * step * step * (1 / scene.main_mass + 1 / scene.ball_mass),
+                 tolerance = 1e-4 * full + 10 * floor_of<TypeParam>;
+    auto absorber = accepted<Kernel>(scene, {}, step);
+    for (int n = 0; n < 500; ++n) {
+      if (n % 3 == 0)
+        absorber.correct({}, TypeParam::sample(random.between(-1.5, 1.5) * full / step / absorber.velocity_unit()));
+      if (n % 2 == 0) absorber.step();
+      auto corrected = absorber, retuned = absorber, other = absorber;
+      corrected.correct({}, {});
+      ASSERT_TRUE(retuned.retune(absorber.plan));
+      for (int steps = 0; steps < 3; ++steps) {
+        other.step(), corrected.step(), retuned.step();
+        ASSERT_NEAR(corrected.reading().v2 * step, other.reading().v2 * step, tolerance) << scenes << ' ' << n;
+        ASSERT_NEAR(retuned.reading().v2 * step, other.reading().v2 * step, tolerance) << scenes << ' ' << n;
+      }
+      absorber.step();
+      ASSERT_EQ(absorber.fault(), Fault::none);
+    }
+  }
+}
+
 // A correction that reverses the sliding also reverses the friction. Half of the last impulse still acts. The ball
 // continues as in closed form, and the ledger's friction is the energy that both masses have lost since.
 TYPED_TEST(FrictionIn, ACorrectionTurnsItAsWell) {

@@ -304,13 +304,13 @@ class AbsorberOf
     Value du = units.per_step(dv);
     if (units.clamp(dx, units.correction_limit())) Machine::raise(Fault::displacement);
     if (units.clamp(du, units.rate_correction_limit())) Machine::raise(Fault::speed);
-    const auto excess = FrictionStep::stop(machine());
+    const auto friction = FrictionStep::stop(machine());
     const Position<Value> x(dx);
     const Displacement<Value> u(du);
     units.add_position(Machine::state.x1, x);
     units.add_displacement(Machine::state.dx1, u);
     units.add(Machine::state.dx1, -(plan.change.new_lag_by_u1 * u + plan.change.new_lag_by_x1 * x));
-    FrictionStep::start(machine(), excess);
+    FrictionStep::start(machine(), friction);
     if (!Machine::clamp_to_range()) {
       if (Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), true);
       if (Machine::state.contact.phase == Phase::apart) Begin::push_out(machine());
@@ -356,14 +356,14 @@ class AbsorberOf
         Contact::traits.keeps_force || ContactLaw::is_damped_per_impact || (Features::is_bound || ...);
     if (next.status != PlanStatus::ok || next.change.units != plan.change.units) return false;
     if (is_bound && Machine::state.contact.phase != Phase::apart) return false;
-    const auto excess = FrictionStep::stop(machine());
+    const auto friction = FrictionStep::stop(machine());
     FrictionStep::undo(machine());
     const bool is_other_contact = next.change.contact != plan.change.contact;
     change_plan<PlanType>(plan, next, Machine::state);
     if constexpr (!Source::is_constant) Source::go_on_under(next);
     (restart<Features>(), ...);
     if constexpr (counts_sliding_distance) Machine::state.slid = {};
-    FrictionStep::start(machine(), excess);
+    FrictionStep::start(machine(), friction);
     Machine::clamp_to_range();
     if (is_other_contact && Machine::state.contact.phase != Phase::apart) Begin::resume_contact(machine(), false);
     publish();

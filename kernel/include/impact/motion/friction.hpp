@@ -111,7 +111,7 @@ struct DryFriction : ScenePart {
   template <class Plan, class State, class Value>
   static constexpr auto dissipated(const Plan& plan, const State& state, Value rate) {
     using Format = typename Plan::FormatType;
-    const bool is_full = !is_positive(state.lasting - plan.friction.lasting), back = !state.ball_push.is_negative();
+    const bool is_full = lasts(plan, state), back = !state.ball_push.is_negative();
     return work(is_full ? mirrored(Format::value(Format::constant(0.5)), back)
                         : bare(plan.friction.half_by_full * state.impulse),
                 rate);
@@ -204,13 +204,20 @@ struct DryFriction : ScenePart {
     if (is_positive(missing - full * Plan::FormatType::short_constant(0x1p-10))) return 0;
     return back ? -1 : 1;
   }
+  // True if the last step has decided how the sliding goes on, with let_last().
+  template <class Plan, class State> static constexpr bool lasts(const Plan& plan, const State& state) {
+    return !is_positive(state.lasting - plan.friction.lasting);
+  }
+  // True if a ball slides at this rate, and its friction is not that of such sliding.
+  template <class Plan, class State, class Value>
+  static constexpr bool lacks_sliding(const Plan& plan, const State& state, Value rate) {
+    return slides(plan, Value(state.impulse)) != (is_negative(rate) ? -1 : 1) &&
+           is_positive(size(rate) - Value(plan.friction.full) * Plan::FormatType::short_constant(0x1p-4));
+  }
   // When the motion begins, and after a correction: a ball that slides has the full friction.
   template <class Plan, class State, class Value>
   static constexpr void begin_sliding(const Plan& plan, State& state, Value rate) {
-    const bool back = is_negative(rate);
-    const Value full = plan.friction.full, impulse = mirrored(full, back);
-    if (slides(plan, Value(state.impulse)) == (back ? -1 : 1)) return;
-    if (!is_positive(size(rate) - full * Plan::FormatType::short_constant(0x1p-4))) return;
+    const Value impulse = mirrored(Value(plan.friction.full), is_negative(rate));
     move_masses(plan, state, impulse - state.impulse);
     state.impulse = impulse;
   }
@@ -220,7 +227,11 @@ struct DryFriction : ScenePart {
   [[gnu::noinline]] static constexpr void change_to(const Plan& plan, State& state, Value next, Value taken) {
     set(plan, state, Plan::FormatType::value(half(Value(state.impulse) + next)) + taken);
     state.impulse = next;
-    const int direction = slides(plan, next);
+    let_last(plan, state);
+  }
+  // A ball that slides may slide on without a look at its rate.
+  template <class Plan, class State> static constexpr void let_last(const Plan& plan, State& state) {
+    const int direction = slides(plan, decltype(state.impulse)(state.impulse));
     if (direction == 0) return;
     state.main_push = mirrored(plan.friction.main_sliding, direction < 0);
     state.ball_push = mirrored(plan.friction.ball_sliding, direction < 0);

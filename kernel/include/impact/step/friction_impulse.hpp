@@ -47,31 +47,38 @@ template <class Model> struct FrictionImpulse {
     return Friction::rubbed(m.plan, Penetration(m.state.impulse));
   }
 
-  // Half of the impulse acts in the coming step. The impulse exceeds that of a first step by `excess`. Only its change
-  // is added.
-  static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] Penetration excess = {}) {
+  // What stop() has found: by how much the last impulse exceeds that of a first step, and whether the ball was about to
+  // turn or to break loose, or slides on.
+  struct Stopped {
+    Penetration excess{};
+    bool lacks_sliding = false, lasts = false;
+  };
+  // Half of the impulse acts in the coming step. Only its change is added.
+  static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] const Stopped& before = {}) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
       const Penetration displacement = m.plan.units.relative(m.displacement_ahead()), full = m.plan.friction.full;
       if constexpr (Contact::traits.feels_friction) {
-        Friction::begin(m.plan, m.state, displacement, excess, full + full);
-        Friction::begin_sliding(m.plan, m.state, m.relative_rate(false) + half_taken(m));
+        Friction::begin(m.plan, m.state, displacement, before.excess, full + full);
+        if (!before.lacks_sliding && lacks_sliding(m)) Friction::begin_sliding(m.plan, m.state, first_rate(m));
+        if (before.lasts) Friction::let_last(m.plan, m.state);
       } else {
-        Friction::begin(m.plan, m.state, displacement, excess, full);
+        Friction::begin(m.plan, m.state, displacement, before.excess, full);
       }
       if constexpr (Model::counts_sliding_distance) m.state.slid.add(still_to_work(m));
     }
   }
-  // Call it before a change of the state or the plan, and start() after it. Returns the excess of the last impulse over
-  // that of a first step. If nothing changes, the impulse stays the same.
-  static constexpr Penetration stop([[maybe_unused]] Model& m) {
+  // Call it before a change of the state or the plan, and start() after it. If nothing changes, the impulse stays the
+  // same.
+  static constexpr Stopped stop([[maybe_unused]] Model& m) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return {};
       if constexpr (Model::counts_sliding_distance) {
         const auto work = still_to_work(m);
         m.state.slid.add(decltype(work){} - work);
       }
-      return Friction::excess(m.plan, m.state, m.plan.units.relative(m.displacement_ahead()));
+      return {Friction::excess(m.plan, m.state, m.plan.units.relative(m.displacement_ahead())), lacks_sliding(m),
+              Friction::lasts(m.plan, m.state)};
     } else {
       return {};
     }
@@ -109,7 +116,14 @@ template <class Model> struct FrictionImpulse {
       flight.load = m.plan.units.relative(m.displacement_ahead()) - flight.displacement;
     return flight;
   }
-  // The rate of sliding at the step's end.
+  // The rate of sliding at the step's end, and at its start.
+  static constexpr Penetration first_rate(const Model& m) { return m.relative_rate(false) + half_taken(m); }
+  static constexpr bool lacks_sliding(const Model& m) {
+    if constexpr (Contact::traits.feels_friction)
+      return Friction::lacks_sliding(m.plan, m.state, first_rate(m));
+    else
+      return false;
+  }
   static constexpr Penetration sliding_rate(const Model& m) { return m.relative_rate(false) - half_taken(m); }
   static constexpr Penetration half_taken(const Model& m) {
     return Friction::half_taken(m.plan, Penetration(m.state.impulse));

@@ -71,6 +71,11 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const bool swings = terms.main_stiffness * terms.step * terms.step > 0.01 * terms.main_mass;
     return swings && terms.is_damped && !is_resolved(terms) ? terms.deepest_of_any_force : terms.deepest;
   }
+  // V of the energy W = (2/5) k1 d^(5/2) stored at the depth d, V^2 = G W. The power is split, since d^(5/2) of a
+  // deep flight is no finite number.
+  static constexpr double stored_rate_at(const ContactTerms& terms, double compliance, double d) {
+    return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
+  }
   // A ball whose stored energy is below an LSB is moved out of a stiff contact, in a field against its weight. From the
   // depth d where V is an LSB this gains up to this share of the fastest impact's energy: with g of stiff.hpp, g d =
   // share (h v/2)^2.
@@ -80,7 +85,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const double compliance = terms.step * terms.step / (2 * terms.reduced_mass()), rate = terms.largest_rate;
     const double lift = largest_lift * rate * rate * terms.step * terms.step / 4;
     const double d = lift / (compliance * terms.ball_mass * terms.field + 1e-200);  // finite in the weakest field
-    return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
+    return stored_rate_at(terms, compliance, d);
   }
   // In a step a force at most reverses the ball's speed and balances the pressing forces, and at most it is the law's
   // at the deepest penetration. The energy W stored there is represented by V, V^2 = G W (stiff.hpp). A penetration is
@@ -92,15 +97,15 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     // In a field a stiff contact may leave the ball deeper than its stored energy would have it (stiff.hpp).
     largest.is_as_deep_as_flight = terms.field > 0;
     const double h = terms.step, mobility = 1 / terms.ball_mass + 1 / terms.main_mass, rate = terms.largest_rate * h;
-    const double k1 = terms.stiffness, law = k1 * terms.to_the_power(terms.deepest),
+    const double law = terms.stiffness * terms.to_the_power(terms.deepest), compliance = h * h * mobility / 2,
                  turning = 2.1 * rate / (h * h * mobility), pressing = 2.1 * terms.pressing / mobility,
-                 storing = constant::square_root(0.8 * law * terms.deepest * mobility) / (h * mobility),
-                 v = h * h * mobility / 2 * storing, whole = rate / 2 + constant::square_root(rate * rate / 4 + v * v);
+                 v = stored_rate_at(terms, compliance, terms.deepest),
+                 whole = rate / 2 + constant::square_root(rate * rate / 4 + v * v);
     largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
     largest.penetration = constant::larger(largest.penetration, 1.02 * whole);
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
     const double force = constant::larger(
-        storing, turning + constant::smaller(pressing, law * (1 + terms.damping_time * terms.largest_rate)));
+        v / compliance, turning + constant::smaller(pressing, law * (1 + terms.damping_time * terms.largest_rate)));
     largest.force_factor = force / (terms.stiffness * terms.to_the_power(unit));
     largest.push = constant::larger(constant::larger(2.2 * rate, 2.04 * whole), 8 * largest.increment);
   }
@@ -126,8 +131,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const double largest = is_per_impact ? 4 * (1 + terms.damping_ratio)
                                          : terms.damping_time / terms.step * power_of_two(unit.penetration);
     terms.damping_exponent = Format::exponent_of(constant::smaller(constant::larger(largest, 1), 0x1p20));
-    const double most = constant::square_root(0.4 * terms.stiffness * answer.penetration() *
-                                              terms.to_the_power(terms.deepest) * terms.deepest);
+    const double most = stored_rate_at(terms, answer.penetration(), terms.deepest);
     return {answer.gains<Format>(terms.force_unit, unit, true),
             Weight{Format::at_most_one(damping_gain<Format, ContactLaw>(terms, unit))},
             {},

@@ -140,6 +140,11 @@ struct Fixed32Numbers {
   }
 
   static constexpr Value lsb() { return {1}; }
+  // x - y for x > 0, clamped at the upper end of the range.
+  static constexpr Value clamped_difference(Value x, Value y) {
+    int32_t difference = 0;
+    return {__builtin_sub_overflow(x.raw, y.raw, &difference) ? INT32_MAX : difference};
+  }
   // x, or 0 if |x| is within the rounding of its terms, 4 LSBs.
   static constexpr Value beyond_rounding(Value x) { return {static_cast<uint32_t>(x.raw) + 4 > 8 ? x.raw : 0}; }
   // Converts to a temporary unit, which is 2^-bits of the common one, and back.

@@ -256,11 +256,8 @@ struct Fixed32Units {
   static constexpr bool is_sound(Long) { return true; }
   static constexpr bool is_sound(Value) { return true; }
   static constexpr Value clamped(Value x, Value bound) { return x.raw < bound.raw ? x : bound; }
-  // x + y for x >= 0, clamped at the upper end of the range.
-  static constexpr Value clamped_sum(Value x, Value y) {
-    int32_t sum = 0;
-    return {__builtin_add_overflow(x.raw, y.raw, &sum) ? INT32_MAX : sum};
-  }
+  // x + y, clamped at the upper end of the range.
+  static constexpr Value clamped_sum(Value x, Value y) { return x + clamped(y, Value{INT32_MAX} - x); }
   constexpr Long stop(Long main, bool left) const { return {left ? main.raw - gap : main.raw + gap}; }
   static constexpr bool clamp(Long& x, int32_t limit) {
     if (is_within(x, limit)) return false;

@@ -251,6 +251,7 @@ template <class RealType, template <class> class State, class OscillatorType> st
   }
   // A floating-point number has no fixed LSB.
   static constexpr Value lsb() { return 0; }
+  static constexpr Value clamped_difference(Value x, Value y) { return x - y; }
   static constexpr Value beyond_rounding(Value x) { return x; }
   static constexpr Value moved(Value x, int) { return x; }
   struct OwnUnit {

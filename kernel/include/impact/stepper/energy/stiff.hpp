@@ -143,7 +143,7 @@ template <class Format, class ContactLaw> struct StiffContact {
       if (step.is_inside && !is_positive(step.trial)) return false;
       const Value most = unscaled(v + Format::value(half(is_positive(d) ? d : Value{})));
       const Value deepest = is_positive(most) ? depth_of<false>(most) : Value{};
-      const Value pressed = Format::Units::clamped_sum(step.trial, -step.press);
+      const Value pressed = Format::clamped_difference(step.trial, step.press);
       const Value free = step.is_inside && is_positive(pressed) ? pressed : step.trial;
       const bool is_shallow = !is_positive(free - deepest);
       const auto sine = Format::share(phase_at(is_shallow ? free : deepest), step.plan.ease);

@@ -47,8 +47,8 @@ template <class Model> struct FrictionImpulse {
     return Friction::rubbed(m.plan, Penetration(m.state.impulse));
   }
 
-  // What stop() has found: by how much the last impulse exceeds that of a first step, and whether the ball was about to
-  // turn or to break loose, or slides on.
+  // What stop() has found: by how much the last impulse exceeds that of a first step. For a contact that feels friction
+  // also whether the ball is about to turn or to break loose, and whether its sliding lasts.
   struct Stopped {
     Penetration excess{};
     bool lacks_sliding = false, lasts = false;
@@ -60,7 +60,9 @@ template <class Model> struct FrictionImpulse {
       const Penetration displacement = m.plan.units.relative(m.displacement_ahead()), full = m.plan.friction.full;
       if constexpr (Contact::traits.feels_friction) {
         Friction::begin(m.plan, m.state, displacement, before.excess, full + full);
-        if (!before.lacks_sliding && lacks_sliding(m)) Friction::begin_sliding(m.plan, m.state, first_rate(m));
+        const Penetration rate = first_rate(m);
+        if (!before.lacks_sliding && Friction::lacks_sliding(m.plan, m.state, rate))
+          Friction::begin_sliding(m.plan, m.state, rate);
         if (before.lasts) Friction::let_last(m.plan, m.state);
       } else {
         Friction::begin(m.plan, m.state, displacement, before.excess, full);
@@ -77,8 +79,12 @@ template <class Model> struct FrictionImpulse {
         const auto work = still_to_work(m);
         m.state.slid.add(decltype(work){} - work);
       }
-      return {Friction::excess(m.plan, m.state, m.plan.units.relative(m.displacement_ahead())), lacks_sliding(m),
-              Friction::lasts(m.plan, m.state)};
+      Stopped found{Friction::excess(m.plan, m.state, m.plan.units.relative(m.displacement_ahead()))};
+      if constexpr (Contact::traits.feels_friction) {
+        found.lacks_sliding = Friction::lacks_sliding(m.plan, m.state, first_rate(m));
+        found.lasts = Friction::lasts(m.plan, m.state);
+      }
+      return found;
     } else {
       return {};
     }
@@ -116,14 +122,9 @@ template <class Model> struct FrictionImpulse {
       flight.load = m.plan.units.relative(m.displacement_ahead()) - flight.displacement;
     return flight;
   }
-  // The rate of sliding at the step's end, and at its start.
+  // The rate of sliding between two steps, before the half of the last impulse that acts in the coming one.
   static constexpr Penetration first_rate(const Model& m) { return m.relative_rate(false) + half_taken(m); }
-  static constexpr bool lacks_sliding(const Model& m) {
-    if constexpr (Contact::traits.feels_friction)
-      return Friction::lacks_sliding(m.plan, m.state, first_rate(m));
-    else
-      return false;
-  }
+  // The rate of sliding at the step's end.
   static constexpr Penetration sliding_rate(const Model& m) { return m.relative_rate(false) - half_taken(m); }
   static constexpr Penetration half_taken(const Model& m) {
     return Friction::half_taken(m.plan, Penetration(m.state.impulse));

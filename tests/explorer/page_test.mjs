@@ -9,7 +9,7 @@ import { pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
 import { check, finish } from './check.mjs';
 
-const [chromium, file, toolFile, golden] = process.argv.slice(2);
+const [chromium, file, toolFile] = process.argv.slice(2);
 const url = pathToFileURL(file).href, tool = resolve(toolFile);
 
 const runsAreDone = "explorer.due.size === 0 && Object.values(explorer.runs).every((run) => !run.isReady || run.isDone) && explorer.hasSpoken";
@@ -325,10 +325,10 @@ async function stillness() {
 
 async function selfTest() {
   const page = await Browser.open(chromium, `${url}#selftest`);
-  const count = readFileSync(golden, 'utf8').split('\n').filter((line) => line.startsWith('{')).length;
   await page.until("/selftest: \\d+ of \\d+/.test(document.body?.innerText)");
   const words = await page.value("document.body.innerText.split('\\n')[0]");
-  check(words === `selftest: ${count} of ${count}`, words);
+  const [, passed, count] = /^selftest: (\d+) of (\d+)$/.exec(words) ?? [];
+  check(count > 100 && passed === count, words);
   await page.close();
 }
 

@@ -186,14 +186,28 @@ template <class Numeric> constexpr auto with_parts() {
 template <class... Numerics> constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
 }
-// A third of them: each law with each stepper, each law with each drive and each stepper with each drive.
+// A third of these: each law with each stepper, each law with each drive and each stepper with each drive.
 template <class Numeric> constexpr auto pairwise() {
   return with_pairs<Numeric, HookeNewton, NoDrive, Sine, Sampled>() +
          with_pairs<Numeric, Hertz, Sine, Sampled, NoDrive>() +
          with_pairs<Numeric, HuntCrossley, Sampled, NoDrive, Sine>();
 }
+// A seventh: each law, stepper, drive and part of a scene, and what a part or a damping per impact adds to a stepper.
+template <class Numeric> constexpr auto each_once() {
+  return List<Configuration<HookeNewton, Moment, Numeric, NoDrive>, Configuration<Hertz, Impulsive, Numeric, Sampled>,
+              Configuration<Hertz, SubsteppedMoment<4>, Numeric, Sine>,
+              Configuration<HookeNewton, EnergyConsistent, Numeric, Sampled>,
+              Configuration<HuntCrossley, AverageAcceleration, Numeric, Sine>,
+              Configuration<Hertz, LinearAcceleration, Numeric, NoDrive>,
+              Configuration<HuntCrossley, FoxGoodwin, Numeric, Sampled>,
+              Configuration<HookeNewton, CentralDifference, Numeric, Sine>,
+              Configuration<Exact, SubsteppedMoment<4>, Numeric, Sine>,
+              Configuration<Exact, StiffEnergyConsistent, Numeric, Sine>,
+              Configuration<HuntCrossley, Moment, Numeric, Sine, Gravity>,
+              WithAllParts<Numeric, HuntCrossley, Moment, Sine>, WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>>{};
+}
 // The configurations whose trajectories are recorded. In an image of 256 K there is room for part of a format's:
-// Hertz's and Hunt-Crossley's (2), the others (1), or a third of each law's (3).
+// Hertz's and Hunt-Crossley's (2), the others (1), nearly half of all (3), or a seventh (4).
 #if !defined(IMPACT_GOLDEN_PART)
 #define IMPACT_GOLDEN_PART 0
 #endif
@@ -205,6 +219,8 @@ template <class... Numerics> constexpr auto golden_configurations() {
     return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...);
   else if constexpr (IMPACT_GOLDEN_PART == 3)
     return (pairwise<Numerics>() + ...) + (beside_the_laws<Numerics>() + ...) + (with_parts<Numerics>() + ...);
+  else if constexpr (IMPACT_GOLDEN_PART == 4)
+    return (each_once<Numerics>() + ...);
   else
     return all_configurations<Numerics...>() + (beside_the_laws<Numerics>() + ...) + (with_parts<Numerics>() + ...);
 }

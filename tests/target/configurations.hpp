@@ -204,7 +204,8 @@ template <class Numeric> constexpr auto each_once() {
               Configuration<Exact, SubsteppedMoment<4>, Numeric, Sine>,
               Configuration<Exact, StiffEnergyConsistent, Numeric, Sine>,
               Configuration<HuntCrossley, Moment, Numeric, Sine, Gravity>,
-              WithAllParts<Numeric, HuntCrossley, Moment, Sine>, WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>>{};
+              WithAllParts<Numeric, HuntCrossley, Moment, Sine>,
+              WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>>{};
 }
 // The configurations whose trajectories are recorded. In an image of 256 K there is room for part of a format's:
 // Hertz's and Hunt-Crossley's (2), the others (1), nearly half of all (3), or a seventh (4).

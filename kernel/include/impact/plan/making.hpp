@@ -31,7 +31,7 @@ template <class Plan> class PlanMaking {
   using Long = typename Plan::Long;
 
  public:
-  static constexpr Plan make(const Scene& scene, const Bounds& bounds, double h) {
+  [[gnu::cold]] static constexpr Plan make(const Scene& scene, const Bounds& bounds, double h) {
     const Plan plan = made(scene, bounds, h);
     if constexpr (Field::is_field) {
       // If there is room without the field, the status names the field.
@@ -58,7 +58,7 @@ template <class Plan> class PlanMaking {
     double friction_displacement;  // change of the sliding displacement per step by friction in one step, m
   };
 
-  static constexpr Plan made(Scene scene, const Bounds& bounds, double h) {
+  [[gnu::cold]] static constexpr Plan made(Scene scene, const Bounds& bounds, double h) {
     PlanStatus status = status_of_values(scene, bounds, h);
     if (status != PlanStatus::ok) return Plan::refused(status);
     if (scene.contact_damping == unstated_damping) scene.contact_damping = 19560;
@@ -145,7 +145,7 @@ template <class Plan> class PlanMaking {
   }
 
   // The largest values of a step's numbers.
-  static constexpr UnitBounds largest_of(const Scene& scene, const Bounds& bounds, const Basis& basis) {
+  [[gnu::cold]] static constexpr UnitBounds largest_of(const Scene& scene, const Bounds& bounds, const Basis& basis) {
     using constant::larger;
     const ContactTerms& terms = basis.terms;
     const double h = terms.step;
@@ -252,8 +252,8 @@ template <class Plan> class PlanMaking {
     return PlanStatus::ok;
   }
 
-  static constexpr Plan constants_of(const Scene& scene, const Bounds& bounds, const Basis& basis,
-                                     const UnitBounds& largest, const UnitExponents& exponents) {
+  [[gnu::cold]] static constexpr Plan constants_of(const Scene& scene, const Bounds& bounds, const Basis& basis,
+                                                   const UnitBounds& largest, const UnitExponents& exponents) {
     const LinearFlow &flow = basis.flow, &ball = basis.ball;
     const ContactTerms& terms = basis.terms;
     const double h = terms.step;

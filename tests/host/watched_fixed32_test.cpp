@@ -320,6 +320,39 @@ TEST(WatchedScenes, ACorrectionOfARubbingBallBeyondItsFlight) {
   while (!absorber.is_touching()) absorber.step();
   EXPECT_EQ(fault_after(absorber, -3.42538e-3, 0), Fault::penetration);
 }
+// To the deepest penetration that is no fault. Forces and impulses had no room there: their units were made for the
+// bound of penetration, not for its limit, for a main mass without spring and damper, and without what presses.
+template <class Law, class Stepper> void expect_room_at_the_deepest(Scene scene, const Bounds& bounds, double deepest) {
+  using Stored = Absorber<AtRunTime, Law, Stepper, NoDrive, Fixed32, EnergyLedger>;
+  scene.stops = Stops::right;
+  auto absorber = accepted<Stored>(scene, bounds, 1e-3);
+  while (!absorber.is_touching()) absorber.step();
+  EXPECT_EQ(fault_after(absorber, -0.97 * deepest, 0), Fault::none);
+  for (double share = 0.97; share < 1.02; share += 1e-4) fault_after(absorber, -share * deepest, 0);
+  EXPECT_EQ(fault_after(absorber, -1.02 * deepest, 0), Fault::penetration);
+}
+TEST(WatchedScenes, ACorrectionToTheDeepestPenetration) {
+  expect_room_at_the_deepest<HuntCrossley, EnergyConsistent>(
+      scene_of(0.17219005, 10142.075, 10.93905, 49.346705, 0.00091071746, 1.0636496e8, 1.2913492e8, 0, 0, 0, 0,
+               0.00044535873, 0.47480002),
+      {0.28536202, 1.5604819}, 0.0104);
+  expect_room_at_the_deepest<HuntCrossley, EnergyConsistent>(
+      scene_of(0.13189771, 31864.59, 68.799705, 68.581538, 0.0043164085, 4.10412e9, 1.9708155e9, 0, 0, 0, 0,
+               0.0021482043, 0.090621727),
+      {0.028143067, 2.4208156}, 0.00178);
+  expect_room_at_the_deepest<HookeNewton, EnergyConsistent>(
+      scene_of(1.2698827, 2322.8104, 306.71291, 150.14672, 0.0012526877, 122717.26, 0, 0, 0, 0, 0, 0.00061634383,
+               0.096313972),
+      {0.99544, 10.302724}, 0.1259);
+  expect_room_at_the_deepest<HookeNewton, SubsteppedMoment<>>(
+      scene_of(0.35974971, 19445.258, 10.442689, 148.06393, 0.0091539915, 3107055.6, 50.514253, 0, 0, 0, 0,
+               0.0045669958, 0.068628818),
+      {0.95870383, 0.8582577}, 0.01213);
+  expect_room_at_the_deepest<HookeNewton, SubsteppedMoment<>>(
+      scene_of(8.4083611, 277435.79, 1868.0449, 113.6164, 0.0021859997, 5613600.9, 412.51384, 0, 0, 0, 0, 0.0010829999,
+               0.12213366),
+      {0.15284531, 0.97517571}, 0.01247);
+}
 // A base that shakes ten thousand times as hard as friction holds: a ball that turns was stopped by more than friction
 // can do in a step, and its ledger wrapped.
 TEST(WatchedScenes, FrictionOnABaseThatShakesFarHarder) {

@@ -31,6 +31,7 @@ struct ContactTerms {
   double deepest = 0;                                // the deepest penetration that the bounds allow, m: depth.hpp
   double deepest_start = 0;                          // the same for a ball that starts apart, m
   double deepest_of_any_force = 0;                   // where a step does not follow the law's damping, m
+  double main_yield = 0;                             // of the main mass to a force of a step, m/N: set by the plan
   double pressing = 0;                               // the main mass's largest acceleration, m/s^2: set by the plan
   double rubbing = 0;                                // dry friction's on both masses, m/s^2: set by the plan
   double field = 0;                                  // the largest acceleration of a field, m/s^2: set by the plan

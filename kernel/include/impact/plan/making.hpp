@@ -108,6 +108,7 @@ template <class Plan> class PlanMaking {
     if constexpr (Friction::is_friction)
       basis.friction_displacement = scene.ball_friction * Friction::increment(basis.flow, basis.ball);
     basis.terms.step = h;
+    basis.terms.main_yield = basis.flow.constant_start();
     basis.terms.field = Field::largest(scene, bounds);
     basis.terms.rubbing = scene.ball_friction / basis.terms.reduced_mass();
     basis.terms.pressing = largest_acceleration(scene, bounds, Drive::largest(scene, bounds));

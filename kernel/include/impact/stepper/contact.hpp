@@ -158,8 +158,10 @@ struct ContactDefaults {
     // What presses may change a linear law's rate in a step by more than its bound.
     const double damping = terms.damping_time * (terms.largest_rate + (terms.is_linear ? h * terms.pressing : 0));
     const double unit = constant::power_of_two(constant::exponent_above(largest.penetration));
-    const double force = terms.is_linear ? k1 * (d + damping) : k1 * terms.to_the_power(d) * (1 + damping);
-    largest.force_factor = terms.is_linear ? (d + damping) / unit : terms.is_damped ? 1.01 + damping : 1;
+    // A penetration and a rate may exceed their bounds by up to 0.9 % before they are a fault (limit_of).
+    const double linear = 1.01 * (d + damping);
+    const double force = k1 * (terms.is_linear ? linear : terms.to_the_power(d) * (1 + damping));
+    largest.force_factor = terms.is_linear ? linear / unit : terms.is_damped ? 1.01 + damping : 1;
     // A damping set per impact is clamped from half of the range on, impact_damping.hpp.
     largest.force_factor = larger(largest.force_factor, 2 * terms.damping_ratio);
     largest.push = h * h * force / constant::smaller(terms.ball_mass, terms.main_mass);

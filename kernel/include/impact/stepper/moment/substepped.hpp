@@ -120,15 +120,15 @@ template <int named = 0> struct SubsteppedMoment {
       Penetration clearance;
     };
     // An impulse is in units of its effect in a sub-step. The n impulses of a step change the rate by at most n^2 of
-    // these, or twice the largest rate. A prediction may be off by as much again.
+    // these, or by twice the largest rate and twice what presses. A prediction may be off by as much again.
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
       Inner::room(in_a_part(terms), largest);
       // There is room for the sum of both masses' displacements.
       if (terms.is_linear) largest.push *= both_masses(terms);
       const double n = parts_for(resolution_of<ContactLaw>(terms), terms.step);
       const double by_friction = 2 * terms.rubbing * terms.step * terms.step;
-      largest.push = constant::larger(
-          largest.push, 2 * constant::smaller(2 * terms.largest_rate * terms.step, n * n * largest.push + by_friction));
+      const double turned = 2 * terms.step * (terms.largest_rate + terms.step * terms.pressing);
+      largest.push = constant::larger(largest.push, 2 * constant::smaller(turned, n * n * largest.push + by_friction));
       largest.push = constant::larger(largest.push, bending_noise * largest.penetration);
     }
     // A flight's change of rate follows from penetrations and rates, and is known to some LSBs of their unit.

@@ -44,6 +44,8 @@ struct ContactTerms {
   // The ball can cross the clearance within a step.
   constexpr bool crosses() const { return crossing <= step; }
   constexpr double reduced_mass() const { return 1 / (1 / ball_mass + 1 / main_mass); }
+  // By how much a force that acts for a step changes the penetration, m/N.
+  constexpr double compliance() const { return main_yield + step * step / (2 * ball_mass); }
   constexpr double to_the_power(double d) const { return is_linear ? d : d * constant::square_root(d); }
   // c/mu at the penetration d, 1/s.
   constexpr double damping_at(double d) const {

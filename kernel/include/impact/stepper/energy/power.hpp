@@ -71,18 +71,14 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const bool swings = terms.main_stiffness * terms.step * terms.step > 0.01 * terms.main_mass;
     return swings && terms.is_damped && !is_resolved(terms) ? terms.deepest_of_any_force : terms.deepest;
   }
-  // The penetration that a force of a step changes, m/N.
-  static constexpr double compliance_of(const ContactTerms& terms) {
-    return terms.step * terms.step / (2 * terms.ball_mass) + terms.main_yield;
-  }
   // V of the energy W = (2/5) k1 d^(5/2) stored at the depth d, V^2 = G W. The power is split, since d^(5/2) of a
   // deep flight is no finite number.
-  static constexpr double stored_rate_at(const ContactTerms& terms, double compliance, double d) {
-    return constant::square_root(0.4 * terms.stiffness * compliance * d) * constant::power(d, 0.75);
+  static constexpr double stored_rate_at(const ContactTerms& terms, double d) {
+    return constant::square_root(0.4 * terms.stiffness * terms.compliance() * d) * constant::power(d, 0.75);
   }
   // V that is stored at the limit of the penetration, with room for its rounding.
-  static constexpr double largest_stored_rate(const ContactTerms& terms, double compliance) {
-    return 1.001 * stored_rate_at(terms, compliance, limit_of(terms.deepest));
+  static constexpr double largest_stored_rate(const ContactTerms& terms) {
+    return 1.001 * stored_rate_at(terms, limit_of(terms.deepest));
   }
   // A ball whose stored energy is below an LSB is moved out of a stiff contact, in a field against its weight. From the
   // depth d where V is an LSB this gains up to this share of the fastest impact's energy: with g of stiff.hpp, g d =
@@ -90,10 +86,9 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   static constexpr double largest_lift = 1e-4;
   static constexpr double finest_penetration(const ContactTerms& terms) {
     if (!(terms.field > 0)) return 0;
-    const double compliance = compliance_of(terms), rate = terms.largest_rate;
-    const double lift = largest_lift * rate * rate * terms.step * terms.step / 4;
-    const double d = lift / (compliance * terms.ball_mass * terms.field + 1e-200);  // finite in the weakest field
-    return stored_rate_at(terms, compliance, d);
+    const double rate = terms.largest_rate, lift = largest_lift * rate * rate * terms.step * terms.step / 4;
+    // Finite in the weakest field.
+    return stored_rate_at(terms, lift / (terms.compliance() * terms.ball_mass * terms.field + 1e-200));
   }
   // In a step a force at most reverses the ball's speed and balances the pressing forces, and at most it is the law's
   // at the deepest penetration. The energy W stored there is represented by V, V^2 = G W (stiff.hpp), and V by a force
@@ -104,9 +99,9 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     largest.finest_penetration = finest_penetration(terms);
     // In a field a stiff contact may leave the ball deeper than its stored energy would have it (stiff.hpp).
     largest.is_as_deep_as_flight = terms.field > 0;
-    const double h = terms.step, rate = terms.largest_rate * h, compliance = compliance_of(terms);
+    const double h = terms.step, rate = terms.largest_rate * h, compliance = terms.compliance();
     const double law = terms.stiffness * terms.to_the_power(terms.deepest), turning = 1.05 * rate / compliance,
-                 pressing = 1.05 * h * h * terms.pressing / compliance, v = largest_stored_rate(terms, compliance),
+                 pressing = 1.05 * h * h * terms.pressing / compliance, v = largest_stored_rate(terms),
                  whole = rate / 2 + constant::square_root(rate * rate / 4 + v * v);
     largest.penetration = constant::smaller(largest.penetration, constant::larger(terms.deepest, 4 * rate));
     largest.penetration = constant::larger(largest.penetration, 1.02 * whole);
@@ -138,7 +133,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const double largest = is_per_impact ? 4 * (1 + terms.damping_ratio)
                                          : terms.damping_time / terms.step * power_of_two(unit.penetration);
     terms.damping_exponent = Format::exponent_of(constant::smaller(constant::larger(largest, 1), 0x1p20));
-    const double most = largest_stored_rate(terms, answer.penetration());
+    const double most = largest_stored_rate(terms);
     return {answer.gains<Format>(terms.force_unit, unit, true),
             Weight{Format::at_most_one(damping_gain<Format, ContactLaw>(terms, unit))},
             {},

@@ -59,7 +59,7 @@ struct ConstantForceResponse {
   double x1, dx1, x2, dx2;  // m/N
 
   constexpr ConstantForceResponse(const ContactTerms& terms, const LinearFlow& flow)
-      : x1(flow.constant_start()),
+      : x1(terms.main_yield),
         dx1(flow.e12 * (flow.c0 + flow.c1) + flow.e11 * x1),
         x2(terms.step * terms.step / (2 * terms.ball_mass)),
         dx2(2 * x2) {}

@@ -352,6 +352,11 @@ TEST(WatchedScenes, ACorrectionToTheDeepestPenetration) {
       scene_of(8.4083611, 277435.79, 1868.0449, 113.6164, 0.0021859997, 5613600.9, 412.51384, 0, 0, 0, 0, 0.0010829999,
                0.12213366),
       {0.15284531, 0.97517571}, 0.01247);
+  // Between two states that are just no fault, a flight is deeper by h^2 a/8.
+  expect_room_at_the_deepest<HuntCrossley, SubsteppedMoment<4>>(
+      scene_of(0.40704804, 1083.7626, 183.25206, 0.14165639, 0.0085176507, 10665.933, 4428.9774, 0, 0, 0, 0,
+               0.0042488253, 0.053830435),
+      {0.059543884, 1.1208613}, 0.031188274);
 }
 // A base that shakes ten thousand times as hard as friction holds: a ball that turns was stopped by more than friction
 // can do in a step, and its ledger wrapped.

@@ -168,6 +168,10 @@ template <class Plan> class PlanMaking {
                  flown = displacement / longer;
     const double of_flight = longer * constant::square_root(depth * depth + 1.25 * flown * flown);
     largest.penetration = of_flight;
+    // Sub-steps see the flight between two states within the limit, which may be deeper by h^2 a/8.
+    if constexpr (Contact::traits.starts_from_rate)
+      largest.penetration =
+          larger(largest.penetration, limit_of(terms.largest_penetration) + h * h / 8 * terms.pressing);
     // In a step an impact changes the sliding rate by at most twice the largest rate, and friction by at most that
     // rate.
     const double largest_change = scene.ball_friction > 0 ? 4 * terms.largest_rate * h : 0;

@@ -13,7 +13,7 @@ Planned plan_with_law(const Request& request, const Bounds& bounds) {
   switch (request.stepper) {
 #define IMPACT_PLAN(value, name, Type)                                             \
   case Stepper::value:                                                             \
-    if constexpr (sizeof...(Parts) == 0 || !is_classical(Stepper::value))          \
+    if constexpr (has_kernel(Stepper::value, sizeof...(Parts) > 0))                \
       return plan_with_drive<Format, ContactLaw, Type, Parts...>(request, bounds); \
     break;
     IMPACT_STEPPERS(IMPACT_PLAN)

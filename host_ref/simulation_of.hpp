@@ -209,6 +209,17 @@ Planned plan_with_drive(Request request, Bounds bounds) {
   return plan_for<Format, ContactLaw, Stepper, AnyDrive, Parts...>(request, bounds);
 }
 
+// True if a stepper has a kernel with the parts, or one without. In WebAssembly no stepper has both, since a page
+// should be small.
+constexpr bool has_kernel(Stepper stepper, bool with_parts) {
+  if (is_classical(stepper)) return !with_parts;
+#if defined(__wasm__)
+  return with_parts;
+#else
+  return true;
+#endif
+}
+
 // The result of `found` for the kernel's type of the request's law. `Exact` serves all laws that set the damping at
 // each impact, because make_simulation first computes the restitution that the law leads to.
 template <class Found> auto by_law(const Request& request, const Found& found) {
@@ -226,8 +237,9 @@ template <class Found> auto by_law(const Request& request, const Found& found) {
 template <class Format> Planned plan_simulation(const Request& request, const Bounds& bounds) {
   return by_law(request, [&](auto law) {
     using ContactLaw = decltype(law);
-    return has_parts(request) ? plan_with_law<Format, ContactLaw, AnyField, DryFriction>(request, bounds)
-                              : plan_with_law<Format, ContactLaw>(request, bounds);
+    return has_parts(request) || !has_kernel(request.stepper, false)
+               ? plan_with_law<Format, ContactLaw, AnyField, DryFriction>(request, bounds)
+               : plan_with_law<Format, ContactLaw>(request, bounds);
   });
 }
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds a fuzzer with Clang and runs it for IMPACT_FUZZ_SECONDS (10), first over the inputs that once failed:
+# Builds a fuzzer with Clang and runs it for IMPACT_FUZZ_SECONDS (3), first over the inputs that once failed:
 #   fuzz.sh PROJECT FOLDER kernel FORMAT
 #   fuzz.sh PROJECT FOLDER tool LIBRARY...
 # If the seconds are stated, it is compiled at -O1, which takes three times as long and runs three times as many inputs
@@ -25,6 +25,6 @@ compiled="-O0 -Dalways_inline=unused" && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || com
 clang++ -std=c++17 $compiled -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize-recover=all \
   $flags -I "$project" -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
 ./fuzzer "$project/tests/fuzz/found/$kind"/* >found.log 2>&1 || { cat found.log && exit 1; }
-./fuzzer -max_total_time="${IMPACT_FUZZ_SECONDS:-10}" -seed=1 -timeout=10 -max_len=300 -len_control=0 -print_funcs=0 \
+./fuzzer -max_total_time="${IMPACT_FUZZ_SECONDS:-3}" -seed=1 -timeout=10 -max_len=300 -len_control=0 -print_funcs=0 \
   -dict="$project/tests/fuzz/options.dict" corpus >run.log 2>&1 || { tail -50 run.log && exit 1; }
 tail -1 run.log

@@ -18,12 +18,16 @@ double run() {
   return absorber.reading().x1 + absorber.friction_dissipated();
 }
 template <class Format>
-double run_all() {
-  return run<Format, HookeNewton, Moment>() + run<Format, HuntCrossley, Moment>() +
-         run<Format, Exact, SubsteppedMoment<4>>() + run<Format, HuntCrossley, EnergyConsistent>() +
-         run<Format, Exact, Impulsive>() + run<Format, HuntCrossley, AverageAcceleration>();
+double run_some() {
+  return run<Format, HuntCrossley, Moment>() + run<Format, Exact, Impulsive>();
 }
-double run_formats() { return run_all<Fixed32>() + run_all<Float32>() + run_all<Float32Plain>() + run_all<Float64>(); }
+template <class Format>
+double run_all() {
+  return run_some<Format>() + run<Format, HookeNewton, Moment>() + run<Format, Exact, SubsteppedMoment<4>>() +
+         run<Format, HuntCrossley, EnergyConsistent>() + run<Format, HuntCrossley, AverageAcceleration>();
+}
+// Float32Plain and Float64 compute as Float32 does, without its compensated sums.
+double run_formats() { return run_all<Fixed32>() + run_all<Float32>() + run_some<Float32Plain>() + run_some<Float64>(); }
 END
 "$compiler" -std=c++17 -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffreestanding "$@" \
   -I "$project/kernel/include" -c "$folder/kernel.cpp" -o "$folder/kernel.o"

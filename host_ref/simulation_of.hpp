@@ -94,7 +94,7 @@ class KernelSimulation final : public Simulation {
     sample.x2 = now.x2;
     sample.v2 = now.v2;
     sample.penetration = penetration(now.x2 - now.x1);
-    if constexpr (has_impulse) {
+    if (has_impulse_) {
       sample.contact_force = std::abs(plan.units.fraction(kernel_.contact_force())) * plan.force_unit();
     } else if (kernel_.is_touching()) {
       // With a classical scheme, a force of Hooke-Newton may act at the end of a step that ends just outside.
@@ -132,14 +132,10 @@ class KernelSimulation final : public Simulation {
   }
 
  private:
-  // True if only the impulse of a contact is known, not its force.
-  static constexpr bool has_impulse =
-      detail::is_one_of<DryFriction, Parts...> || Kernel::Contact::traits.is_instantaneous;
-
   // The penetration from x2 - x1, of the stop that is touched, if any.
   double penetration(double y) const {
     const double gap = scene_.clearance / 2;
-    if (!has_impulse && kernel_.is_touching()) return (kernel_.state().at_left ? -1 : 1) * y - gap;
+    if (!has_impulse_ && kernel_.is_touching()) return (kernel_.state().at_left ? -1 : 1) * y - gap;
     if (scene_.stops == Stops::none) return -gap;
     return scene_.stops == Stops::right ? y - gap : scene_.stops == Stops::left ? -y - gap : std::abs(y) - gap;
   }
@@ -182,6 +178,8 @@ class KernelSimulation final : public Simulation {
   Scene scene_;
   double step_, position_unit_;
   bool is_sampled_;
+  // Only the impulse of a contact is known, not its force.
+  bool has_impulse_ = Kernel::Contact::traits.is_instantaneous || scene_.ball_friction > 0;
   double damping_ratio_ = impact::damping_ratio<ContactLaw>(scene_);
   Kernel kernel_;
   long steps_ = 0;

@@ -172,7 +172,7 @@ template <class Source, class... Features> struct Machine : Source {
   [[gnu::noinline]] constexpr bool clamp() {
     const auto& units = plan.units;
     const auto& limits = units.limits;
-    const bool is_main_far = units.clamp(state.x1, limits.main), is_ball_far = units.clamp(state.x2, limits.ball),
+    const bool is_main_far = units.clamp(state.x1, limits.main), is_ball_far = clamp_ball(),
                is_main_fast = units.clamp(state.dx1, limits.displacement),
                is_ball_fast = units.clamp(state.dx2, limits.displacement);
     const bool is_far = is_main_far || is_ball_far, is_beyond_speed = is_main_fast || is_ball_fast || is_fast();
@@ -185,6 +185,14 @@ template <class Source, class... Features> struct Machine : Source {
       units.clamp_speed(state.dx2, now.ball);
     }
     return true;
+  }
+  // Between two stops a ball that is too far goes to the middle of its cavity. At its limit it would be apart and far
+  // inside a stop, where no check at a flight's end sees it.
+  constexpr bool clamp_ball() {
+    if (!plan.left_stop || !plan.right_stop) return plan.units.clamp(state.x2, plan.units.limits.ball);
+    const bool is_far = !plan.units.is_within(state.x2, plan.units.limits.ball);
+    if (is_far) state.x2 = state.x1;
+    return is_far;
   }
   // Returns true if the state was beyond its limits.
   constexpr bool clamp_to_range() { return (!is_in_range(state) || is_fast()) && clamp(); }

@@ -216,17 +216,14 @@ template <class Model> struct Step {
     return is_positive(approach.penetration);
   }
 
-  // Computes the penetration at the step's end. If a Value has no room for it, places the ball at its stop, with a
-  // fault: a ball further out would never come back. Returns true if a contact continues or begins.
+  // Computes the penetration at the step's end, with a fault if a Value has no room for it. Returns true if a contact
+  // continues or begins.
   [[gnu::always_inline]] static constexpr bool find_contact(Model& m, Approach<Value>& approach, bool left) {
     const auto relative_displacement = mirrored(m.state.x2 - m.state.x1, left);
     approach.penetration = m.plan.units.penetration(relative_displacement);
     if (m.state.contact.phase == Phase::apart && !is_positive(approach.penetration)) return false;
-    if (m.plan.units.fits(relative_displacement)) return true;
-    m.raise(Fault::penetration);
-    m.end_contact();
-    m.state.x2 = m.plan.units.stop(m.state.x1, left);
-    return false;
+    if (!m.plan.units.fits(relative_displacement)) m.raise(Fault::penetration);
+    return true;
   }
 
   // Applies the contact's impulse to both masses. Returns false if the ball was put back to its stop or the state was

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Why a state is no longer valid. The first fault remains until clear_fault() or reset(). The kernel continues from a
-// state that is clamped at its bounds (StateLimits, numeric/units.hpp). The state is always finite: a NaN becomes 0. A
-// fault makes no step longer.
+// state that is clamped at its bounds (StateLimits, numeric/units.hpp). Between two stops a ball that is far beyond its
+// stop, or a NaN, goes to the middle of its cavity. The state is always finite: any other NaN becomes 0. A fault makes
+// no step longer.
 //
 // A step that clamps a displacement or a speed ends the contact under way, and features do not record it. A sample
 // beyond its bound is clamped to it. A force that is a NaN is replaced by the sample before, an acceleration by 0. In

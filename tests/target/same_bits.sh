@@ -6,8 +6,11 @@ project=$1 compiler=$2 && shift 2
 emulator="" && [ "$compiler" != powerpc-linux-gnu-g++ ] || emulator=qemu-ppc
 needs "$compiler" $emulator
 case "$*" in *-mfma*) grep -qw fma /proc/cpuinfo || { echo "skipped: this processor has no FMA" && exit 77; } ;; esac
-"$compiler" "$@" -std=c++17 -ffp-contract=off \
-  -DIMPACT_NUMERICS=impact::Fixed32,impact::Float32,impact::Float32Plain -I "$project/kernel/include" \
+case "$*" in
+  *IMPACT_NUMERICS*) ;;
+  *) set -- "$@" -DIMPACT_NUMERICS=impact::Fixed32,impact::Float32,impact::Float32Plain ;;
+esac
+"$compiler" "$@" -std=c++17 -ffp-contract=off -I "$project/kernel/include" \
   -I "$project/toolchains" "$project/tests/target/trajectory_test.cpp" \
   "$project/tests/target/host_console.cpp" -o "$folder/trajectory_test"
 $emulator "$folder/trajectory_test"

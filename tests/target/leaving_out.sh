@@ -71,7 +71,7 @@ feature "sampled drive" sampled no_drive noise 0
 feature "contact damping c1" paper hertz 1 0
 term "main damping c" paper no_main_damping
 term "main spring k" paper no_main_stiffness
-feature "second stop" paper right_stop noise 0
+feature "second stop" paper right_stop -270 0  # between two the range of the ball is neither checked nor clamped
 feature "EnergyLedger" ledger paper 1 1
 feature "ImpactLog" log paper 1 1
 feature "ContactForce" contact_force paper noise 1

@@ -409,6 +409,12 @@ TYPED_TEST(Faults, AForgedFieldIsNotRestored) {
     replace(forged.state.impulse, -1e20);
     EXPECT_FALSE(absorber.restore(forged));
   }
+  forged = saved;
+  const auto full = absorber.plan.friction.full;
+  forged.state.impulse = -(full + full);
+  EXPECT_TRUE(absorber.restore(forged));
+  forged.state.impulse = -(full + full + full);
+  EXPECT_FALSE(absorber.restore(forged));
   EXPECT_TRUE(absorber.restore(saved));
 }
 

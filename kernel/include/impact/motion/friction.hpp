@@ -87,12 +87,15 @@ struct DryFriction : ScenePart {
     Penetration<typename Format::Value> impulse;  // the last one
     Position<typename Format::Value> lasting;     // where y is more in the same direction, the sliding goes on
   };
-  // A push is at most the largest relative displacement of ball and main mass in a step.
+  // An impulse is at most 2 r, and a push the largest relative displacement of ball and main mass in a step.
   template <class Plan, class State> static constexpr bool is_sound(const Plan& plan, const State& state) {
+    using Value = decltype(state.impulse);
+    const Value half_impulse = Plan::FormatType::value(half(Value(state.impulse))), full = plan.friction.full;
     const auto most = plan.units.limits.displacement + plan.units.limits.displacement;
     return plan.units.is_within(state.main_push, most) && plan.units.is_within(state.ball_push, most) &&
            plan.units.is_sound(state.main_push) && plan.units.is_sound(state.ball_push) &&
-           plan.units.is_sound(state.impulse) && Plan::FormatType::is_sound(state.lasting);
+           plan.units.is_sound(state.impulse) && allows(Passive<Value>{-full, full}, half_impulse) &&
+           Plan::FormatType::is_sound(state.lasting);
   }
 
   // The rate that the last impulse works against: the rate of sliding and a small share of the main mass's own, since
@@ -127,10 +130,10 @@ struct DryFriction : ScenePart {
   // Changes the last impulse to that of a first step plus `excess`, up to `most`.
   template <class Plan, class State, class Value>
   static constexpr void begin(const Plan& plan, State& state, Value displacement, Value excess, Value most) {
-    const Value next = excess - DryFriction::excess(plan, state, displacement) + state.impulse,
-                change = clamped(Passive<Value>{-most, most}, next) - state.impulse;
-    move_masses(plan, state, change);
-    state.impulse = state.impulse + change;
+    const Value next =
+        clamped(Passive<Value>{-most, most}, excess - DryFriction::excess(plan, state, displacement) + state.impulse);
+    move_masses(plan, state, next - state.impulse);
+    state.impulse = next;
     state.lasting = never<Plan>();
   }
   // Removes from the state what the last impulse has already taken for the coming step.

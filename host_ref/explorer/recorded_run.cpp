@@ -89,7 +89,7 @@ void RecordedRun::end_impact(const Sample& now) {
   in_impact_ = false;
   const double mu = 1 / (1 / request_.scene.main_mass + 1 / request_.scene.ball_mass);
   const double brought = half_square(mu, now.impact_speed), lost = now.energy_dissipated - dissipated_at_impact_;
-  if (brought > 0) impacts_.push_back({now.t, now.impact_speed, std::sqrt(std::max(0.0, 1 - lost / brought))});
+  if (brought > 0) impacts_.push_back({now.t, now.impact_speed, std::sqrt(larger(1 - lost / brought, 0.0))});
 }
 
 double RecordedRun::motion_energy(const Sample& now) const {

@@ -1,6 +1,6 @@
-# The images of similar scenes, for leaving_out.sh. Sets leaving_out_numerics, and for each of these
-# formats and each scene an image leaving_out_NUMERIC_SCENE. Requires add_image(NAME SOURCE...). The cores and formats
-# are those of the table in tests/README.md.
+# The images of similar scenes, for leaving_out.sh. Sets leaving_out_numerics, and for each of these formats and each
+# scene an image leaving_out_NUMERIC_SCENE. Requires add_image(NAME SOURCE...). The cores and formats are those of the
+# table in tests/README.md.
 
 set(leaving_out_numerics "")
 if(IMPACT_TARGET MATCHES "^(cortex-m0|cortex-m3|rv32imac)$")

@@ -75,12 +75,11 @@ template <class Source, class... Features> struct Machine : Source {
         plan.units.relative(state.dx2, state.dx1) - rate_ahead_without_field() - Field::rate_apart(plan, state), left);
   }
 
-  constexpr bool contact_is_left() const {
-    return plan.left_stop && plan.right_stop ? state.is_left() : plan.left_stop;
-  }
+  constexpr bool has_both_stops() const { return plan.left_stop && plan.right_stop; }
+  constexpr bool contact_is_left() const { return has_both_stops() ? state.is_left() : plan.left_stop; }
   constexpr bool is_beyond_stop() const {
     const auto &x1 = state.x1, &x2 = state.x2;
-    if (plan.left_stop && plan.right_stop) return plan.units.beyond_stops(x2, x1);
+    if (has_both_stops()) return plan.units.beyond_stops(x2, x1);
     return plan.left_stop ? plan.units.beyond_stop(x1, x2) : plan.units.beyond_stop(x2, x1);
   }
   // The stop that the ball can touch: with two stops, the one on its side.
@@ -147,7 +146,7 @@ template <class Source, class... Features> struct Machine : Source {
   [[gnu::always_inline]] constexpr bool flight_is_in_range() const {
     const auto& limits = plan.units.limits;
     return plan.units.is_within(state.x1, limits.main) && plan.units.is_within(state.dx1, limits.displacement) &&
-           ((plan.left_stop && plan.right_stop) || plan.units.is_within(state.x2, limits.ball)) &&
+           (has_both_stops() || plan.units.is_within(state.x2, limits.ball)) &&
            (!moves_ball_in_flight || plan.units.is_within(state.dx2, limits.displacement)) && !is_fast();
   }
   // The displacements of the coming step do not show a speed where the forces change it too much in a step, or where
@@ -189,7 +188,7 @@ template <class Source, class... Features> struct Machine : Source {
   // Between two stops a ball that is too far goes to the middle of its cavity. At its limit it would be apart and far
   // inside a stop, where no check at a flight's end sees it.
   constexpr bool clamp_ball() {
-    if (!plan.left_stop || !plan.right_stop) return plan.units.clamp(state.x2, plan.units.limits.ball);
+    if (!has_both_stops()) return plan.units.clamp(state.x2, plan.units.limits.ball);
     const bool is_far = !plan.units.is_within(state.x2, plan.units.limits.ball);
     if (is_far) state.x2 = state.x1;
     return is_far;

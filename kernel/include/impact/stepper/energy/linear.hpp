@@ -42,7 +42,7 @@ template <class Format> struct EnergyLinear : ContactDefaults {
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const ConstantForceResponse answer(terms, flow);
-    const double damping = terms.damping_time / terms.step, stiffness = terms.stiffness * answer.penetration();
+    const double damping = terms.damping_time / terms.step, stiffness = terms.stiffness * terms.compliance();
     const double solved = 1 / (1 + stiffness * (0.5 + damping));
     const Scaled<Format> gain{unit};
     const double of_force = answer.impulse() * terms.force_unit;

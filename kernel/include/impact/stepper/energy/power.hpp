@@ -129,7 +129,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   static constexpr Plan make_stiff_plan(ContactTerms terms, const ConstantForceResponse& answer,
                                         const UnitExponents& unit) {
     using constant::power_of_two;
-    const double compliance = terms.force_unit * power_of_two(-unit.force) * answer.penetration();
+    const double compliance = terms.force_unit * power_of_two(-unit.force) * terms.compliance();
     const double largest = is_per_impact ? 4 * (1 + terms.damping_ratio)
                                          : terms.damping_time / terms.step * power_of_two(unit.penetration);
     terms.damping_exponent = Format::exponent_of(constant::smaller(constant::larger(largest, 1), 0x1p20));
@@ -139,9 +139,9 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
             {},
             {},
             Stiff::Plan::make(compliance * power_of_two(-unit.penetration),
-                              Format::gain(1 / (terms.force_unit * answer.penetration()), unit.penetration, 0),
+                              Format::gain(1 / (terms.force_unit * terms.compliance()), unit.penetration, 0),
                               bare(Penetration(Scaled<Format>{unit}(most))), terms.damping_exponent),
-            Scaled<Format>{unit}(answer.penetration() * terms.ball_mass / (terms.step * terms.step)),
+            Scaled<Format>{unit}(terms.compliance() * terms.ball_mass / (terms.step * terms.step)),
             {}};
   }
 

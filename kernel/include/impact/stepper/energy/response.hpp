@@ -64,9 +64,8 @@ struct ConstantForceResponse {
         x2(terms.step * terms.step / (2 * terms.ball_mass)),
         dx2(2 * x2) {}
 
-  constexpr double penetration() const { return x1 + x2; }
   // Twice the response to a force, m.
-  constexpr double impulse() const { return 2 * penetration(); }
+  constexpr double impulse() const { return 2 * (x1 + x2); }
 
   template <class Format>
   constexpr ConstantForceGains<Format> gains(double force_unit, const UnitExponents& unit,

@@ -150,13 +150,6 @@ template <class Numeric, class... Laws> constexpr auto with_laws(List<Laws...>) 
                         LinearAcceleration, FoxGoodwin, CentralDifference>;
   return (with_newmarks<Laws, Numeric>(Newmarks{}) + ...);
 }
-// The steppers with one drive each, of three drives in turn.
-template <class Numeric, class Law, class A, class B, class C> constexpr auto with_pairs() {
-  return List<Configuration<Law, Moment, Numeric, A>, Configuration<Law, SubsteppedMoment<4>, Numeric, B>,
-              Configuration<Law, EnergyConsistent, Numeric, C>, Configuration<Law, Impulsive, Numeric, A>,
-              Configuration<Law, AverageAcceleration, Numeric, B>, Configuration<Law, LinearAcceleration, Numeric, C>,
-              Configuration<Law, FoxGoodwin, Numeric, A>, Configuration<Law, CentralDifference, Numeric, B>>{};
-}
 // A damping that is set at each impact, by every stepper that computes it in its own way.
 template <class Numeric> constexpr auto with_damping_per_impact() {
   return List<Configuration<Exact, Moment, Numeric, Sine>, Configuration<Exact, SubsteppedMoment<4>, Numeric, Sine>,
@@ -186,12 +179,6 @@ template <class Numeric> constexpr auto with_parts() {
 template <class... Numerics> constexpr auto all_configurations() {
   return (with_laws<Numerics>(List<HookeNewton, Hertz, HuntCrossley>{}) + ...);
 }
-// A third of these: each law with each stepper, each law with each drive and each stepper with each drive.
-template <class Numeric> constexpr auto pairwise() {
-  return with_pairs<Numeric, HookeNewton, NoDrive, Sine, Sampled>() +
-         with_pairs<Numeric, Hertz, Sine, Sampled, NoDrive>() +
-         with_pairs<Numeric, HuntCrossley, Sampled, NoDrive, Sine>();
-}
 // A seventh: each law, stepper, drive and part of a scene, and what a part or a damping per impact adds to a stepper.
 template <class Numeric> constexpr auto each_once() {
   return List<Configuration<HookeNewton, Moment, Numeric, NoDrive>, Configuration<Hertz, Impulsive, Numeric, Sampled>,
@@ -208,7 +195,7 @@ template <class Numeric> constexpr auto each_once() {
               WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>>{};
 }
 // The configurations whose trajectories are recorded. In an image of 256 K there is room for part of a format's:
-// Hertz's and Hunt-Crossley's (2), the others (1), nearly half of all (3), or a seventh (4).
+// Hertz's and Hunt-Crossley's (2), the others (1), or a seventh (3).
 #if !defined(IMPACT_GOLDEN_PART)
 #define IMPACT_GOLDEN_PART 0
 #endif
@@ -219,8 +206,6 @@ template <class... Numerics> constexpr auto golden_configurations() {
   else if constexpr (IMPACT_GOLDEN_PART == 2)
     return (with_laws<Numerics>(List<Hertz, HuntCrossley>{}) + ...);
   else if constexpr (IMPACT_GOLDEN_PART == 3)
-    return (pairwise<Numerics>() + ...) + (beside_the_laws<Numerics>() + ...) + (with_parts<Numerics>() + ...);
-  else if constexpr (IMPACT_GOLDEN_PART == 4)
     return (each_once<Numerics>() + ...);
   else
     return all_configurations<Numerics...>() + (beside_the_laws<Numerics>() + ...) + (with_parts<Numerics>() + ...);

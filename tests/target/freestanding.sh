@@ -1,7 +1,7 @@
 #!/bin/sh
 # Clang compiles the kernel for a target without a C and a C++ library, where only its own <stdint.h>, <stddef.h>,
-# <float.h> and <limits.h> exist. It compiles every header (tests/host/headers.sh: each alone) and the targets'
-# configurations of a format in which each law, stepper and drive meets each other.
+# <float.h> and <limits.h> exist. It compiles every header (tests/host/headers.sh: each alone) and those of the targets'
+# configurations that have each law, stepper and drive in a format.
 #   freestanding.sh PROJECT TRIPLE FORMAT
 set -eu
 project=$1 triple=$2 format=$3

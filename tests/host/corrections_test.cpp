@@ -278,6 +278,48 @@ TYPED_TEST(CorrectionsInEveryFormat, OfZeroLeaveABallFarFromItsStop) {
   }
 }
 
+// A classical contact keeps the force of the corrected penetration and rate, or raises a fault if these are beyond what
+// its units have room for. The force lags by up to a step.
+TEST(Corrections, OfAClassicalContactKeepTheLawsForce) {
+  using Kernel = Absorber<AtRunTime, HookeNewton, AverageAcceleration, NoDrive, Fixed32>;
+  Scene scene;
+  scene.contact_damping = 10;
+  scene.stops = Stops::right;
+  const double step = 1e-5;
+  const Kernel start = accepted<Kernel>(scene, {0.1, 2, 0.03}, step);
+  const auto& units = start.plan.units;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> within(-1, 1);
+  int quiet = 0, faults = 0;
+  for (int n = 0; n < 20000; ++n) {
+    Kernel kernel = start;
+    auto saved = kernel.save();
+    const double x1 = 0.05 * within(random), depth = 0.029 * std::abs(within(random));
+    saved.state.x1 = units.state_at(x1);
+    saved.state.x2 = units.state_at(x1 + scene.clearance / 2 + depth);
+    saved.state.dx1 = units.state(2 * within(random) * step);
+    saved.state.dx2 = units.state(2 * within(random) * step);
+    saved.state.contact.phase = Phase::touching;
+    if (!kernel.restore(saved)) continue;
+    kernel.step();
+    if (kernel.fault() != Fault::none || !kernel.is_touching()) continue;
+    kernel.correct(Fixed32::sample(0.02 * within(random)), Fixed32::sample(within(random)));
+    if (kernel.fault() != Fault::none) ++faults;
+    if (kernel.fault() != Fault::none || !kernel.is_touching()) continue;
+    const auto now = kernel.reading();
+    const double rate = now.v2 - now.v1,
+                 law = scene.contact_stiffness * (now.x2 - now.x1 - scene.clearance / 2) + scene.contact_damping * rate,
+                 force = units.fraction(units.native_force(kernel.state().contact.force)) * kernel.plan.force_unit(),
+                 acceleration = force * (1 / scene.main_mass + 1 / scene.ball_mass);
+    ASSERT_NEAR(force, larger(law, 0.0),
+                step * (scene.contact_stiffness * std::abs(rate) + scene.contact_damping * acceleration) + 0.01)
+        << n;
+    ++quiet;
+  }
+  EXPECT_GT(quiet, 1000);
+  EXPECT_GT(faults, 1000);
+}
+
 // A correction by the bound of a displacement at the bound. If that is a power of two, the sum exceeds the unit of
 // Fixed32.
 TYPED_TEST(CorrectionsInEveryFormat, ToTwiceTheBoundEndAtIt) {

@@ -75,7 +75,7 @@ template <class Source, class... Features> struct Machine : Source {
         plan.units.relative(state.dx2, state.dx1) - rate_ahead_without_field() - Field::rate_apart(plan, state), left);
   }
 
-  constexpr bool has_both_stops() const { return plan.left_stop && plan.right_stop; }
+  [[gnu::always_inline]] constexpr bool has_both_stops() const { return plan.left_stop && plan.right_stop; }
   constexpr bool contact_is_left() const { return has_both_stops() ? state.is_left() : plan.left_stop; }
   constexpr bool is_beyond_stop() const {
     const auto &x1 = state.x1, &x2 = state.x2;

@@ -11,10 +11,10 @@ namespace impact::host {
 template <class Format, class ContactLaw, class... Parts>
 Planned plan_with_law(const Request& request, const Bounds& bounds) {
   switch (request.stepper) {
-#define IMPACT_PLAN(value, name, Type)                                             \
-  case Stepper::value:                                                             \
-    if constexpr (has_kernel(Stepper::value, sizeof...(Parts) > 0))                \
-      return plan_with_drive<Format, ContactLaw, Type, Parts...>(request, bounds); \
+#define IMPACT_PLAN(value, name, Type)                                                        \
+  case Stepper::value:                                                                        \
+    if constexpr (has_kernel(Stepper::value, sizeof...(Parts) > 0))                           \
+      return plan_with_drive<Format, ContactLaw, Parts...>(serving(Type{}), request, bounds); \
     break;
     IMPACT_STEPPERS(IMPACT_PLAN)
     case Stepper::automatic:

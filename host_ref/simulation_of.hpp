@@ -39,6 +39,23 @@ struct Ledger : EnergyLedger {
   }
 };
 
+// SubsteppedMoment<n> for any n, so that all n share a kernel. A plan is made by static functions, so what depends on n
+// belongs to the thread that makes one.
+struct AnySubsteppedMoment : SubsteppedMoment<> {
+  static inline thread_local int (*parts_of_named)(const Resolution&, double) = nullptr;
+  static inline thread_local Range (*steps_of_named)(const Resolution&) = nullptr;
+
+  static int parts_for(const Resolution& contact, double step) { return parts_of_named(contact, step); }
+  static Range steps(const Resolution& contact) { return steps_of_named(contact); }
+};
+// The stepper of the kernel that serves a named one.
+template <class Stepper> Stepper serving(Stepper stepper) { return stepper; }
+template <int n> AnySubsteppedMoment serving(SubsteppedMoment<n>) {
+  AnySubsteppedMoment::parts_of_named = SubsteppedMoment<n>::parts_for;
+  AnySubsteppedMoment::steps_of_named = SubsteppedMoment<n>::steps;
+  return {};
+}
+
 template <class Format, class ContactLaw, class Stepper, class Drive, class... Parts>
 class KernelSimulation final : public Simulation {
  public:
@@ -194,8 +211,8 @@ Planned plan_for(const Request& request, const Bounds& bounds) {
 }
 
 // A request without a drive has samples of 0. If Bounds::force is stated, the plan still reserves room for it.
-template <class Format, class ContactLaw, class Stepper, class... Parts>
-Planned plan_with_drive(Request request, Bounds bounds) {
+template <class Format, class ContactLaw, class... Parts, class Stepper>
+Planned plan_with_drive(Stepper, Request request, Bounds bounds) {
   if (request.drive != DriveKind::sine) request.scene.drive_pulsation = 0;
   if (request.drive == DriveKind::none) {
     request.scene.drive_amplitude = larger(request.scene.drive_amplitude, bounds.force);

@@ -73,7 +73,7 @@ async function sliders(page) {
   for (const [name, key] of [['drive-pulsation', 'ArrowRight'], ['contact-stiffness', 'ArrowLeft'], ['clearance', 'ArrowRight'], ['main-damping', 'ArrowRight'], ['step', 'ArrowRight']]) {
     const before = { number: await page.value(`document.getElementById('value-${name}-number').value`), ...(await inkOf(page, 'plot-displacement')) };
     await page.value(`document.getElementById('value-${name}').closest('details').open = true; document.getElementById('value-${name}').focus()`);
-    for (let i = 0; i < 25; ++i) await page.press(key);
+    for (let i = 0; i < 8; ++i) await page.press(key);
     await settled(page);
     const after = { number: await page.value(`document.getElementById('value-${name}-number').value`), ...(await inkOf(page, 'plot-displacement')) };
     check(before.number !== after.number && before.picture !== after.picture, `${key} on ${name}: ${before.number} to ${after.number}, and another picture`);
@@ -169,7 +169,7 @@ async function parts(page) {
   await page.click('[data-preset="paper"]');
   for (const [name, key] of [['gravity', 'ArrowLeft'], ['ball-friction', 'ArrowRight']]) {
     await page.value(`document.getElementById('value-${name}').closest('details').open = true; document.getElementById('value-${name}').focus()`);
-    for (let i = 0; i < 30; ++i) await page.press(key);
+    for (let i = 0; i < 10; ++i) await page.press(key);
     await settled(page);
     check((await text(page, 'command-a')).includes(`--${name}=`), `${key} on ${name}`);
     await checkAgainstTool(page, 'a', `after ${name}`);

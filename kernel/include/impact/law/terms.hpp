@@ -21,6 +21,7 @@ inline constexpr double never = 1e300;  // s
 
 struct ContactTerms {
   double step = 0;         // h, s
+  int parts = 1;           // sub-steps of a step: set by the plan
   bool is_linear = false;  // power = 1
   bool is_damped = false;
   double stiffness = 0;     // k1

@@ -116,6 +116,8 @@ template <class Plan> class PlanMaking {
     // A bound above what the other bounds allow is of use only where free flight goes deeper than that.
     constexpr bool flies_deeper = Contact::traits.is_instantaneous || Contact::traits.keeps_force;
     if (!(bounds.penetration > 0) || !flies_deeper) basis.terms.largest_penetration = basis.terms.deepest;
+    if constexpr (Contact::traits.starts_from_rate)
+      basis.terms.parts = Stepper::parts_for(resolution_of<ContactLaw>(basis.terms), h);
     return basis;
   }
 

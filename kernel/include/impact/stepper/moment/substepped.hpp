@@ -125,7 +125,7 @@ template <int named = 0> struct SubsteppedMoment {
       Inner::room(in_a_part(terms), largest);
       // There is room for the sum of both masses' displacements.
       if (terms.is_linear) largest.push *= both_masses(terms);
-      const double n = parts_for(resolution_of<ContactLaw>(terms), terms.step);
+      const double n = terms.parts;
       const double by_friction = 2 * terms.rubbing * terms.step * terms.step;
       const double turned = 2 * terms.step * (terms.largest_rate + terms.step * terms.pressing);
       largest.push = constant::larger(largest.push, 2 * constant::smaller(turned, n * n * largest.push + by_friction));
@@ -143,7 +143,7 @@ template <int named = 0> struct SubsteppedMoment {
       return 0x1p-20 * terms.largest_rate * in_a_part(terms).step;
     }
     static constexpr ContactTerms in_a_part(ContactTerms terms) {
-      terms.step /= parts_for(resolution_of<ContactLaw>(terms), terms.step);
+      terms.step /= terms.parts;
       return terms;
     }
     // The penetrations and impulses of a sub-step are small beside the displacements of a step and the sums of
@@ -152,7 +152,7 @@ template <int named = 0> struct SubsteppedMoment {
     // change.
     static constexpr UnitExponents units(const ContactTerms& terms, UnitExponents unit) {
       const ContactTerms sub = in_a_part(terms);
-      const double n = terms.step / sub.step;
+      const double n = terms.parts;
       const double unit_of_step = constant::power_of_two(unit.penetration);
       const int depth = Format::exponent_of(2 * (limit_of(terms.largest_penetration) + terms.largest_rate * sub.step));
       if (!is_linear && depth < unit.penetration) unit.penetration = depth;
@@ -169,7 +169,7 @@ template <int named = 0> struct SubsteppedMoment {
     }
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       ContactTerms sub = in_a_part(terms);
-      const double n = terms.step / sub.step;
+      const double n = terms.parts;
       Scene main{};
       main.main_mass = terms.main_mass;
       main.main_stiffness = terms.main_stiffness;
@@ -178,7 +178,7 @@ template <int named = 0> struct SubsteppedMoment {
       const MomentResponse answer(sub, part);
       const double mobility = answer.mobility(terms), share = 1 / (terms.ball_mass * mobility);
       Plan plan{};
-      plan.exponent = exponent_of(static_cast<int>(n + 0.5));
+      plan.exponent = exponent_of(terms.parts);
       for (int i = 0; i < plan.exponent; ++i) {
         const double k = constant::power_of_two(i);
         const LinearFlow over = exact_flow(main, k * sub.step);

@@ -1,6 +1,7 @@
 #pragma once
 // The kernel behind the run-time interface, for one law and one format, with every stepper and drive. With Parts it has
-// weight, a base that accelerates and dry friction. If their values are 0, the bits are those without these parts.
+// weight, a base that accelerates and dry friction, with every stepper except the classical ones. If their values are 0,
+// the bits are those without these parts.
 // CMakeLists.txt writes source files that instantiate plan_with_law, so that they compile in parallel.
 
 #include "host_ref/any_field.hpp"

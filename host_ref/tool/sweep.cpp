@@ -264,7 +264,7 @@ void print_steps(const std::vector<SweptScene>& scenes) {
 
 int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
   const Sweep sweep = read_sweep(settings, arguments);
-  print_steps(sweep.scenes);
+  if (!settings.is_quiet) print_steps(sweep.scenes);
   SummaryFile file(settings.output, sweep.header, sweep.keys);
   std::vector<const SweptScene*> waiting;
   for (const SweptScene& scene : sweep.scenes) {

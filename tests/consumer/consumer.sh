@@ -6,7 +6,7 @@ way=$1 project=$2 toolchain=${3-}
 [ -z "$toolchain" ] || needs arm-none-eabi-g++
 here=$project/tests/consumer
 sh "$here/from_readme.sh" "$project" "$folder"
-# All programs of the READMEs, except start.cpp, which is for a target, and exact.cpp, which is for the host.
+# All programs of the READMEs, except start.cpp, which is for a target.
 for example in "$folder"/*.cpp; do
   case $example in */start.cpp) continue ;; esac
   c++ -std=c++17 -fsyntax-only -I "$project" -I "$project/kernel/include" "$example"

@@ -322,7 +322,7 @@ class AbsorberOf
   // save() and restore() save and restore the state. The bytes are the same on every little-endian target and on a
   // 64-bit host, so a host that restores them continues bit for bit. restore() returns false and changes nothing if
   //     - the layout's version, the scene, the bounds, the step or a type differs,
-  //     - displacements, drive, friction or kind of contact are out of range,
+  //     - displacements, drive, friction, fault, kind of contact or features' records are out of range,
   //     - a contact under way is inconsistent.
   // It does not authenticate. If forged bytes pass these checks, every step is still defined and ends in range or with
   // a fault. But the motion may be impossible for this absorber, and the features' records may have any value.

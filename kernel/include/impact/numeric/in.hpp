@@ -4,8 +4,9 @@
 //
 //     Push + Push, half(Push), Push * number    a Push
 //     Push + Penetration, Push + Value          does not compile
-// gain * Push in the gain's second unit; its first one must be Push, or it does not compile Push * Push, root, quotient
-// a plain Value, for the inner arithmetic of a formula Push(value) the only conversion of a plain Value to a Push
+//     gain * Push                               in the gain's second unit; its first one must be Push
+//     Push * Push, root, quotient               a plain Value, for the inner arithmetic of a formula
+//     Push(value)                               the only conversion of a plain Value to a Push
 
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/formula.hpp>

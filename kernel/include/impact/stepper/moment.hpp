@@ -35,7 +35,7 @@ struct Moment {
   // The error of the energy of an undamped Hooke-Newton impact at `precise_steps`, relative. It goes with the sixth
   // power of the step.
   static constexpr double largest_gain = 1e-5;
-  // True if an impact gains no more than it loses, or 2.5e-6 of its energy (ten steps per contact).
+  // In which an impact gains no more than it loses, or 2.5e-6 of its energy (ten steps per contact), s.
   static constexpr double longest_passive_step(const Resolution& contact) {
     if (!contact.is_linear) return contact.shortest_part;
     const double e = contact.restitution, loss = constant::larger(1 - e * e, 2.5e-6);

@@ -1,8 +1,8 @@
 #pragma once
 // The kernel behind the run-time interface, for one law and one format, with every stepper and drive. With Parts it has
-// weight, a base that accelerates and dry friction, with every stepper except the classical ones. If their values are 0,
-// the bits are those without these parts.
-// CMakeLists.txt writes source files that instantiate plan_with_law, so that they compile in parallel.
+// weight, a base that accelerates and dry friction, with every stepper except the classical ones. If their values are
+// 0, the bits are those without these parts. CMakeLists.txt writes source files that instantiate plan_with_law, so that
+// they compile in parallel.
 
 #include "host_ref/any_field.hpp"
 #include "host_ref/simulation_of.hpp"

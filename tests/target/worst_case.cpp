@@ -1,8 +1,8 @@
 // A search for a step that takes longer than those of the paper's scene. It sets random states directly, with
-// penetrations and speeds from 2^-24 of twice their bounds on, at either side, apart, touching and released. Each is followed for
-// some steps. It covers every budgeted configuration on the paper's scene, and generated scenes, whose constants shift
-// by other amounts: ten on a Cortex-M3, two elsewhere. Prints rows for within_budget.sh and where the longest step was.
-// Fails unless it has found every change of the contact's phase, and every fault.
+// penetrations and speeds from 2^-24 of twice their bounds on, at either side, apart, touching and released. Each is
+// followed for some steps. It covers every budgeted configuration on the paper's scene, and generated scenes, whose
+// constants shift by other amounts: ten on a Cortex-M3, two elsewhere. Prints rows for within_budget.sh and where the
+// longest step was. Fails unless it has found every change of the contact's phase, and every fault.
 
 #include <board/console.hpp>
 

@@ -21,8 +21,8 @@ case $kind in
     sources=$(ls "$project"/host_ref/tool/*.cpp | grep -v benchmark) ;;
 esac
 compiled="-O0 -Dalways_inline=unused" && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || compiled="-O1 -gline-tables-only"
-# $compiled, $sources and $libraries are lists of words. The kernel has no pointers, and those of the tool are
-# AddressSanitizer's. Without UBSan's checks of pointers the fuzzers compile in half the time.
+# $compiled, $sources and $libraries are lists of words. Without UBSan's checks of each pointer and reference the fuzzers
+# compile in half the time. The kernel's point only to objects of the call; those of the tool are AddressSanitizer's.
 clang++ -std=c++17 $compiled -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize=null,alignment,object-size,vptr \
   -fno-sanitize-recover=all $flags -I "$project" -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
 ./fuzzer "$project/tests/fuzz/found/$kind"/* >found.log 2>&1 || { cat found.log && exit 1; }

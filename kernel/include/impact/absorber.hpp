@@ -325,7 +325,7 @@ class AbsorberOf
   //     - displacements, drive, friction, fault, kind of contact or features' records are out of range,
   //     - a contact under way is inconsistent.
   // It does not authenticate. If forged bytes pass these checks, every step is still defined and ends in range or with
-  // a fault. But the motion may be impossible for this absorber, and the features' records may have any value.
+  // a fault. But the motion may be impossible for this absorber, and the features' records may have any value in range.
   static constexpr uint32_t state_version = 6;
   struct Saved {
     uint32_t version, plan_identity;

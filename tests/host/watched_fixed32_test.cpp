@@ -308,6 +308,24 @@ TEST(WatchedScenes, ACorrectionBeyondTheReachOfAClassicalScheme) {
   for (int mm = -34; mm < 0; ++mm) fault_after(absorber, 1e-3 * mm, 0);
   EXPECT_EQ(fault_after(absorber, -0.034, 0), Fault::penetration);
 }
+// A ball that is corrected to the deepest penetration and leaves fast. Its penetration before the step, which no
+// classical scheme reads, wrapped.
+TEST(WatchedScenes, ACorrectionOfABallThatLeavesAClassicalContact) {
+  constexpr Scene scene{
+      53.8505242,   8.34508394, 0, 0.0784183097,  8.57818279e-06, 10322.4246, 85.1030897, 0.07085986099,
+      10.856916984, 0,          0, 3.1197420e-06, 0.070816932};
+  using Classical = Absorber<AtRunTime, HookeNewton, AverageAcceleration, Sine, Fixed32>;
+  auto absorber = accepted<Classical>(scene, {0.00841261892, 0.0840374853, 0, 0}, 0.000359273279);
+  int touching = 0;
+  for (int n = 0; n < 200; ++n) {
+    absorber.step();
+    if (!absorber.is_touching()) continue;
+    ++touching;
+    for (double micrometres = 480; micrometres < 490; micrometres += 0.1)
+      for (const double dv : {-0.1, 0.0, 0.1}) fault_after(absorber, -1e-6 * micrometres, dv);
+  }
+  EXPECT_GT(touching, 100);
+}
 // Deeper than a flight can end. Friction's room for rates was taken for one of penetrations: no fault, and the way out
 // of the stop wrapped.
 TEST(WatchedScenes, ACorrectionOfARubbingBallBeyondItsFlight) {

@@ -169,7 +169,7 @@ template <class Model> struct Step {
     if constexpr (feels_friction)
       if (rubbing.has_turned) displacement = rubbing.displacement;
     approach.travel = mirrored(displacement, left);
-    approach.before = approach.penetration - approach.travel;
+    if constexpr (!traits.keeps_force) approach.before = approach.penetration - approach.travel;
     if constexpr (traits.starts_from_rate) {
       approach.bend = -mirrored(change.bend, left);
       if (state.contact.phase == Phase::apart)
@@ -312,7 +312,8 @@ template <class Model> struct Step {
     return m.plan.units.relative(m.state.dx1) + m.rate_ahead();
   }
   template <class Units> static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
-    if (is_positive(approach.before) || !is_positive(approach.penetration) || !is_positive(approach.travel))
+    if (!is_positive(approach.penetration) || !is_positive(approach.travel) ||
+        is_positive(approach.penetration - approach.travel))
       return approach.rate;
     const auto divisor = Format::divisor(without_sign(approach.travel));
     return rate_at_touch<Format>(divisor, divisor.share(without_sign(approach.penetration)), approach.travel,

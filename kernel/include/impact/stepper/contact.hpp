@@ -58,7 +58,7 @@ template <class Value> struct Approach {
   static constexpr bool is_recorded = false, is_in_field = false, is_rubbed = false;
   Penetration<Value> penetration, rate;  // at the end of the step
   Penetration<Value> travel;             // of the penetration in the step
-  Penetration<Value> before;             // at its start
+  Penetration<Value> before;             // at its start; 0 for a contact that keeps_force
   Increment<Value> increment;  // of the rate by spring, drive and field from this step's end to the next one's, of a
                                // drive as it is at the end where the contact sees_change
 

@@ -136,6 +136,7 @@ make_report() {
   stage 5 "the paper's scene" report-first-look
   stage 89 "the tool impact-sim" impact-sim
   stage 76 "the kernel to play with, build/report/explorer.html" explorer
+  stage 60 "times on this host, with nothing beside" report-times
   for target in $targets; do
     stage 21 "images for an emulated $target" "report-images-$target"
   done

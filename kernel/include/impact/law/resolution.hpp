@@ -52,8 +52,9 @@ template <class ContactLaw> constexpr Resolution resolution_of(const ContactTerm
   return contact;
 }
 
-template <class ContactLaw> constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
-  const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
+// `terms` are contact_terms<ContactLaw>(scene, bounds).
+template <class ContactLaw>
+constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds, const ContactTerms& terms) {
   Resolution contact = resolution_of<ContactLaw>(terms);
   const double w0 = constant::square_root(scene.main_stiffness / scene.main_mass);
   const double field = constant::magnitude(scene.gravity) + bounds.base_acceleration;
@@ -65,6 +66,9 @@ template <class ContactLaw> constexpr Resolution resolution_of(const Scene& scen
   contact.field_share = (1 + scene.ball_mass / scene.main_mass) * field * contact.contact_time / terms.largest_rate;
   contact.swing = 0.5 * terms.largest_rate * terms.reduced_mass() / scene.main_mass / constant::larger(w0, 1);
   return contact;
+}
+template <class ContactLaw> constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds) {
+  return resolution_of<ContactLaw>(scene, bounds, contact_terms<ContactLaw>(scene, bounds));
 }
 
 }  // namespace impact

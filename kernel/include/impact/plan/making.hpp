@@ -62,7 +62,10 @@ template <class Plan> class PlanMaking {
     PlanStatus status = status_of_values(scene, bounds, h);
     if (status != PlanStatus::ok) return Plan::refused(status);
     if (scene.contact_damping == unstated_damping) scene.contact_damping = 19560;
-    Basis basis = basis_of(scene, bounds, h);
+    const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
+    status = status_of(Stepper::steps(resolution_of<ContactLaw>(scene, bounds, terms)), h);
+    if (status != PlanStatus::ok) return Plan::refused(status);
+    Basis basis = basis_of(scene, bounds, h, terms);
     status = status_of_motion(scene, bounds, basis);
     if (status != PlanStatus::ok) return Plan::refused(status);
     const UnitBounds largest = largest_of(scene, bounds, basis);
@@ -99,11 +102,11 @@ template <class Plan> class PlanMaking {
     if (!damping_ratio_range.holds(damping_ratio<ContactLaw>(scene))) return PlanStatus::restitution;
     if (ContactLaw::is_linear && scene.contact_damping > largest_linear_damping(scene))
       return PlanStatus::contact_damping;
-    return status_of(Stepper::steps(resolution_of<ContactLaw>(scene, bounds)), h);
+    return PlanStatus::ok;
   }
 
-  static constexpr Basis basis_of(const Scene& scene, const Bounds& bounds, double h) {
-    Basis basis{Stepper::flow(scene, h), {}, contact_terms<ContactLaw>(scene, bounds), 0};
+  static constexpr Basis basis_of(const Scene& scene, const Bounds& bounds, double h, const ContactTerms& terms) {
+    Basis basis{Stepper::flow(scene, h), {}, terms, 0};
     if constexpr (Field::is_field || Friction::is_friction) basis.ball = flow_of_ball<Stepper>(scene, h);
     if constexpr (Friction::is_friction)
       basis.friction_displacement = scene.ball_friction * Friction::increment(basis.flow, basis.ball);
@@ -292,7 +295,7 @@ template <class Plan> class PlanMaking {
         units.state(flow.e11 * scene.x1 + flow.e12 * scene.v1 * h + Drive::at_start(scene, flow) + main_in_field);
     plan.x2 = units.state_at(scene.x2);
     plan.dx2 = units.state(scene.v2 * h + ball_in_field);
-    plan.identity = Plan::identity_of(scene, bounds, h);
+    plan.identity = Plan::identity_of(scene, bounds, h, terms.damping_ratio);
     const Fingerprint of_state = fingerprint_of_state<Field>(scene, bounds, h, exponents),
                       of_contact = fingerprint_of_contact(terms, exponents, Contact::units(terms, exponents),
                                                           plan.contact.response.is_sudden);

@@ -112,7 +112,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     plan.status = why;
     return plan;
   }
-  static constexpr uint32_t identity_of(const Scene& scene, const Bounds& bounds, double h) {
+  static constexpr uint32_t identity_of(const Scene& scene, const Bounds& bounds, double h, double damping_ratio) {
     const uint32_t kinds[] = {static_cast<uint32_t>(ContactLaw::law),
                               ContactLaw::is_damped_per_impact,
                               Stepper::kind,
@@ -123,8 +123,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
                               sizeof(Long),
                               sizeof(Gain),
                               sizeof(ContactType)};
-    Fingerprint fingerprint =
-        fingerprint_of(scene, bounds, h, damping_ratio<ContactLaw>(scene), Stepper::longest_phase);
+    Fingerprint fingerprint = fingerprint_of(scene, bounds, h, damping_ratio, Stepper::longest_phase);
     for (uint32_t kind : kinds) fingerprint.add(kind);
 #define IMPACT_ADD(object, name, least, most, unit, its_status, meaning, part) \
   if constexpr (has<part>) fingerprint.add_number((object).name);

@@ -413,6 +413,19 @@ TEST(WatchedScenes, APullIsRestored) {
   EXPECT_TRUE(pulls);
 }
 
+// The force in the middle of a step around the correction, where half a step's displacement was beyond the unit.
+TEST(WatchedScenes, ACorrectionOfADeepContactOfASoftStop) {
+  constexpr Scene scene{0.350473773,    36.0074683,    0, 5.84618639,     0.0131578908, 359.718762,   0,
+                        0.007060212204, 10.4428942823, 0, -0.00284712468, 0.0054319372, -0.1154304895};
+  using Soft = Absorber<AtRunTime, Hertz, EnergyConsistent, Sine, Fixed32>;
+  auto absorber = accepted<Soft>(scene, {0.12051165653, 0.62837705461, 0, 0}, 0.007481049755);
+  for (int n = 0; n < 30; ++n) {
+    absorber.step();
+    for (double mm = 120; absorber.is_touching() && mm < 121; mm += 0.01)
+      for (const double dv : {-0.05, -0.04, -0.03}) fault_after(absorber, 1e-3 * mm, dv);
+  }
+}
+
 // Sequences of steps, corrections, changes of plan, saves and resets, in random scenes. Bounds are up to ten times what
 // a scene reaches, and corrections up to the whole bound. IMPACT_WATCHED_SEQUENCES=100000 sets their number.
 template <class Kernel> class WatchedSequences : public testing::Test {};

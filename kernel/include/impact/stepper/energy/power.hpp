@@ -173,8 +173,8 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
       return pushed(plan, Mean::of(Format::root(Format::value(within)) * within), displacement).j1;
     };
     const Penetration now = plan.response.travel(y(at, rate)), half_displacement = Format::value(half(rate));
-    taken(1) = y(at - half_displacement, rate + now);
-    const Value fall = taken(1) - bare(y(at + half_displacement, rate - now));
+    taken(1) = y(Penetration(Format::clamped_difference(at, half_displacement)), rate + now);
+    const Value fall = taken(1) - bare(y(Penetration(Format::clamped_difference(at, -half_displacement)), rate - now));
     const Value size = mirrored(fall, is_negative(fall)), most = is_positive(size - taken(1)) ? size : taken(1);
     taken(2) = taken(1) + fall;
     taken(3) = taken(2) + fall;

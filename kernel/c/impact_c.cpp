@@ -60,14 +60,19 @@ double impact_base_sample_unit() { return Absorber::base_sample_unit(); }
 #else
 static_assert(!Absorber::Field::is_sampled, "the rig has a BaseAcceleration: it needs IMPACT_C_BASE");
 #endif
+// Before impact_init() an absorber stands still at 0.
 #if defined(IMPACT_C_SAMPLED) && defined(IMPACT_C_BASE)
 void impact_step(impact_absorber* absorber, impact_number force, impact_number acceleration) {
-  as_cpp(absorber).step(in(force), in(acceleration));
+  if (made(absorber).is_made) as_cpp(absorber).step(in(force), in(acceleration));
 }
 #elif defined(IMPACT_C_SAMPLED) || defined(IMPACT_C_BASE)
-void impact_step(impact_absorber* absorber, impact_number sample) { as_cpp(absorber).step(in(sample)); }
+void impact_step(impact_absorber* absorber, impact_number sample) {
+  if (made(absorber).is_made) as_cpp(absorber).step(in(sample));
+}
 #else
-void impact_step(impact_absorber* absorber) { as_cpp(absorber).step(); }
+void impact_step(impact_absorber* absorber) {
+  if (made(absorber).is_made) as_cpp(absorber).step();
+}
 #endif
 
 impact_number impact_displacement(const impact_absorber* absorber) { return out(as_cpp(absorber).displacement()); }
@@ -102,7 +107,7 @@ impact_snapshot impact_get_snapshot(const impact_absorber* absorber) {
 #endif
 
 void impact_correct(impact_absorber* absorber, impact_number dx, impact_number dv) {
-  as_cpp(absorber).correct(in(dx), in(dv));
+  if (made(absorber).is_made) as_cpp(absorber).correct(in(dx), in(dv));
 }
 impact_fault impact_get_fault(const impact_absorber* absorber) {
   return made(absorber).is_made ? static_cast<impact_fault>(as_cpp(absorber).fault()) : impact_fault_plan;

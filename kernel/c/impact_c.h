@@ -80,7 +80,7 @@ typedef enum {
   impact_fault_plan
 } impact_fault;
 
-void impact_init(impact_absorber*);  /* call it first: until then an absorber of zeros has the fault plan */
+void impact_init(impact_absorber*);  /* call it first: before, an absorber of zeros stands still with the fault plan */
 void impact_reset(impact_absorber*); /* returns to the initial state and clears the fault */
 
 /* Advances by one step. A sample is the value at the step's end, in the units below. */

@@ -81,7 +81,10 @@ template <class Law, class Newmark, class Drive, class... Parts> constexpr Scene
     scene.contact_stiffness *= 1e4;
     scene.contact_damping *= 1e4;
   }
-  if (Law::is_damped_per_impact) scene.restitution = 0.68;
+  if (Law::is_damped_per_impact) {
+    scene.restitution = 0.68;
+    scene.contact_damping = 0;  // not read
+  }
   if (!Drive::is_sine) scene.x1 = scene.x2 = 0.03;
   constexpr bool is_shaken = impact::detail::is_one_of<BaseAcceleration, Parts...>;
   constexpr bool rubs = impact::detail::is_one_of<DryFriction, Parts...>;

@@ -35,7 +35,7 @@ template <int64_t largest_clearance_in_micrometres, bool is_in_range> struct Sto
                 "largest_clearance_in_micrometres named here. For a ball without stops state Stops::none");
 };
 
-template <class Rig, class PlanType, PlanStatus status> constexpr bool accepts() {
+template <class Rig, class PlanType, PlanStatus status> constexpr void check() {
 #define IMPACT_SAY(name, least, most, unit, its_status, ...)                             \
   static_assert(status != PlanStatus::its_status || name##_range.holds(Rig::scene.name), \
                 "Rig::scene." #name ": " #least " to " #most " " unit);
@@ -101,6 +101,14 @@ template <class Rig, class PlanType, PlanStatus status> constexpr bool accepts()
       status != PlanStatus::ok || PlanType::LawType::is_damped_per_impact || !(Rig::scene.restitution < 1),
       "Rig::scene.restitution is stated, but this law does not read it. Take Exact, or state contact_damping, "
       "which impact-sim --restitution computes");
+  constexpr bool is_accepted_per_impact = status == PlanStatus::ok && PlanType::LawType::is_damped_per_impact;
+  static_assert(!is_accepted_per_impact || Rig::scene.restitution < 1,
+                "Rig::scene.restitution is not stated, but this law's damping follows from it: 0.01 to below 1. An "
+                "elastic stop is Hertz");
+  static_assert(!is_accepted_per_impact || Rig::scene.contact_damping == unstated_damping ||
+                    !(Rig::scene.contact_damping > 0),
+                "Rig::scene.contact_damping is stated, but this law does not read it: its damping follows from "
+                "restitution. Take HuntCrossley, or leave contact_damping out");
   static_assert(!PlanType::DriveType::is_sampled || status == PlanStatus::force_bound || Rig::bounds.force > 0,
                 "the drive is Sampled: state Rig::bounds.force, N, the largest sample");
   // True if samples may balance the weight, or without a spring. Otherwise a weight that stretches the spring beyond
@@ -119,18 +127,18 @@ template <class Rig, class PlanType, PlanStatus status> constexpr bool accepts()
   using ContactLaw = typename PlanType::LawType;
   if constexpr (status == PlanStatus::stop_out_of_reach)
     (void)sizeof(StopInReach<static_cast<int64_t>(largest_clearance(Rig::bounds) * 1e6), false>);
-  if constexpr (status == PlanStatus::step) {
-    constexpr double longest = longest_step(Rig::scene, Stepper::longest_phase);
-    (void)sizeof(Step<static_cast<int64_t>(longest * 1e9), false>);
-  }
-  if constexpr (status == PlanStatus::steps_per_contact) {
+  if constexpr (status == PlanStatus::step || status == PlanStatus::steps_per_contact) {
     constexpr Resolution contact = resolution_of<ContactLaw>(Rig::scene, Rig::bounds);
     constexpr bool has_parts = PlanType::FieldType::is_field || PlanType::FrictionType::is_friction;
-    constexpr double most = Stepper::steps(contact).most,
+    constexpr double most = constant::smaller(Stepper::steps(contact).most,
+                                              longest_step(Rig::scene, Stepper::longest_phase)),
                      longest = has_parts ? constant::smaller(most, contact.crossing / 2) : most;
-    (void)sizeof(StepsPerContact<static_cast<int64_t>(longest * 1e9), false>);
+    constexpr auto nanoseconds = static_cast<int64_t>(longest * 1e9);
+    if constexpr (status == PlanStatus::step)
+      (void)sizeof(Step<nanoseconds, false>);
+    else
+      (void)sizeof(StepsPerContact<nanoseconds, false>);
   }
-  return status == PlanStatus::ok;
 }
 
 }  // namespace impact::refusal

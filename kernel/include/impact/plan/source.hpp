@@ -27,11 +27,11 @@ template <class Rig, class PlanType_, uint32_t identity> class PlanSource {
     return plan.base_sample_of(acceleration);
   }
 
-  static constexpr bool is_refused() { return false; }
+  static constexpr bool is_refused() { return plan.status != PlanStatus::ok; }
   static constexpr bool is_constant = true;
 
  protected:
-  constexpr PlanSource() { (void)refusal::accepts<Rig, PlanType, plan.status>(); }
+  constexpr PlanSource() { refusal::check<Rig, PlanType, plan.status>(); }
 };
 
 // An absorber's copy of its plan. Programs may read it. Only retune() replaces it.

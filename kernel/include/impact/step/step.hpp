@@ -6,7 +6,7 @@
 //
 // with the new x1 and the old dx1 on the right. If the ball is then inside a stop, the contact (stepper/contact.hpp)
 // computes the impulse J0 and the moment J1 of its force in the step, to which both masses respond. Dry friction acts
-// at the step's end. compiler.hpp explains hints for compilers.
+// at the step's end, or within it if the contact feels_friction. compiler.hpp explains hints for compilers.
 
 #include <impact/compiler.hpp>
 #include <impact/step/friction_impulse.hpp>
@@ -124,7 +124,7 @@ template <class Model> struct Step {
         if (rubbing.meets_stop)
           FrictionStep::after_stop(m, rubbing, flight);
         else if (rubbing.has_turned)
-          FrictionStep::Friction::put_again(m.plan, m.state);
+          Friction::put_again(m.plan, m.state);
         else
           FrictionStep::after_flight(m, main_travel);
       }
@@ -184,7 +184,7 @@ template <class Model> struct Step {
       approach.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
     }
     const bool goes_on = apply_contact(m, approach, increment, left, change.to_end);
-    if constexpr (!traits.starts_from_rate)
+    if constexpr (traits.crosses_cavity && !traits.starts_from_rate)
       if (goes_on && plan.crosses && state.contact.phase == Phase::apart) cross_cavity(m, increment, !left);
   }
   // A ball leaves one stop and reaches the other in the same step. The flight between them is computed as free, at the
@@ -226,8 +226,8 @@ template <class Model> struct Step {
     return true;
   }
 
-  // Applies the contact's impulse to both masses. Returns false if the ball was put back to its stop or the state was
-  // clamped.
+  // Applies the contact's impulse to both masses. Returns false if the ball was put back and no contact remains, or if
+  // the state was clamped.
   [[gnu::always_inline]] static constexpr bool apply_contact(Model& m, StopApproach& approach, Increment increment,
                                                              bool left, [[maybe_unused]] Increment to_end) {
     const auto& plan = m.plan;

@@ -13,6 +13,8 @@
 //     solve         (plan, units, approach)     a step in contact: returns the Reaction
 //     resume        (plan, units, standing)     continues after a correction: returns the penetration at which the step
 //                                               then places the ball
+//     is_at_rest    if it is_instantaneous: the ball rests on its stop
+//     is_beyond_reach (plan, approach or standing)    if it keeps_force: true if the force would exceed its largest
 //     valid         (plan, units)               true if a restored contact is consistent
 //     stores_too_much (plan)                    true if it then stores more energy than the bounds allow
 //     change_rate   (plan, by)                  call it when friction has changed the rate at the step's end
@@ -49,7 +51,7 @@ struct ContactTraits {
                                     // share in the displacements of the coming one, dx1_share and dx2_share
   bool puts_back = false;           // a ball that is inside goes back to its stop before the touch
   bool feels_friction = false;      // follows dry friction within the step (stepper/rubbing.hpp)
-  bool knows_displacement = false;  // its force is constant in a step: reaction.displacement tells the work to rounding
+  bool knows_displacement = false;  // its force is constant in a step: record.displacement tells the work to rounding
 };
 
 // A step of free flight in the coordinates of the stop: penetrations and their changes in a step, positive into the

@@ -16,9 +16,8 @@ template <class Units, class State, class Value>
 }
 
 // The change of the state at the step's end by an impulse of the contact force within the step, and by its moment. x1
-// and dx1
-// are the main mass's displacement and its displacement per step, x2 and dx2 the ball's. Signs are those of a push on
-// the right stop: x1 and dx1 grow, the others fall.
+// and dx1 are the main mass's displacement and its displacement per step, x2 and dx2 the ball's. Signs are those of a
+// push on the right stop: x1 and dx1 grow, the others fall.
 //
 // `is_sudden` is true if a response may change the rate of penetration by more than a force over that step can.
 template <class Gain, class Unit> struct MainAnswer {

@@ -8,7 +8,7 @@
 
 namespace impact {
 
-// How far the cubic is above its chord, u steps before the step's end. `j` is the cubic's bend; the acceleration is
+// How far the cubic is above its chord, u steps before the step's end. `bend` is the cubic's; the acceleration is
 // halved.
 template <class Format, class Share, class Value>
 [[gnu::always_inline]] constexpr Value above_chord(Share u, Value bend, Value half_acceleration) {

@@ -31,7 +31,7 @@ std::string limit_of_crossing(const Request& request) {
 }
 
 // The reason why a step is too long: status.hpp, law/resolution.hpp.
-std::string limit_of_step(const Settled& settled) {
+std::string limit_of_step(const Settled& settled, double longest) {
   const Request& request = settled.request;
   const Scene& scene = request.scene;
   switch (settled.planned.status) {
@@ -49,8 +49,10 @@ std::string limit_of_step(const Settled& settled) {
              std::string(name_of(request.stepper)) +
              " requires more steps in it; auto takes a stepper that suits the step";
     case PlanStatus::step:
-      if (scene.drive_pulsation * request.step > longest_turn) return "a step may span at most 2.95 rad of the drive";
-      if (scene.main_damping * request.step > scene.main_mass) return "a step may be at most M/c, for the damper";
+      if (scene.drive_pulsation * 1.001 * longest > longest_turn)
+        return "a step may span at most 2.95 rad of the drive";
+      if (scene.main_damping * 1.001 * longest > scene.main_mass) return "a step may be at most M/c, for the damper";
+      if (1.001 * longest > step_range.most) return "a step may be at most 0.1 s";
       return "a step must be a small part of a period of the main mass's own vibration, which has " +
              short_text(natural_pulsation(scene)) + " rad/s";
     default:
@@ -64,13 +66,18 @@ std::string condition_of(const Explanation& found, const Settled& settled) {
   std::string text;
   // A value's own range holds with any bounds.
   if (range_of(found.parameter).holds(found.value)) text = bounds_text(settled);
+  if (settled.is_estimated && !text.empty())
+    text += std::string(" (estimates: a run may pass them)") +
+            (found.parameter == Parameter::step ? "; without --step the tool chooses one" : "");
   if (found.parameter == Parameter::contact_damping && request.damping_is_by_restitution)
     text += ", without --restitution";
   const bool is_out_of_reach =
       found.parameter == Parameter::clearance && settled.planned.status == PlanStatus::stop_out_of_reach;
-  const std::string limit = found.parameter == Parameter::step ? limit_of_step(settled)
-                            : is_out_of_reach ? "no ball within --bound-displacement reaches a stop farther away"
-                                              : "";
+  const std::string limit = found.parameter == Parameter::step ? limit_of_step(settled, found.allowed.most)
+                            : is_out_of_reach
+                                ? "no ball within --bound-displacement " + short_text(request.bounds->displacement) +
+                                      " reaches a stop farther away"
+                                : "";
   return limit.empty() ? text : text + " (" + limit + ")";
 }
 

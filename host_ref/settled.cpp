@@ -171,6 +171,7 @@ double depth_within_steps(const Request& request, double speed) {
 struct Measured {
   Bounds bounds;
   bool is_of_run;  // false if no run could be made
+  bool is_found;   // true if a run stayed within the bounds of its plan
 };
 
 // 1.5 times what a float64 run reaches, so that no rounding passes them. A run counts if it stays within the bounds of
@@ -178,7 +179,7 @@ struct Measured {
 // bounds that were found, its run must stay within them too. If no bound is wide enough, the requested run raises the
 // fault.
 Measured measure(const Request& asked) {
-  constexpr int most_rounds = 20, doubled_rounds = 6;
+  constexpr int most_rounds = 26, doubled_rounds = 12;
   const Bounds stated = stated_in(asked);
   Request request = asked;
   request.numeric = Numeric::float64;
@@ -196,10 +197,10 @@ Measured measure(const Request& asked) {
     bool is_made = false;
     for (double times = 2; may_be_other && !is_made && times < 1e4; times *= 2)
       is_made = makes_plan_with(scaled(asked, bounds, 1 / times)) || makes_plan_with(scaled(asked, bounds, times));
-    if (!is_made) return {bounds, false};
+    if (!is_made) return {bounds, false, false};
     bounds = *request.bounds;
   }
-  bool is_of_run = false;
+  bool is_found = false;
   for (int round = 0; round < most_rounds; ++round) {
     if (round > 0 && !makes_plan_with(bounds)) break;
     const Stepper stepper = request.stepper;
@@ -215,14 +216,14 @@ Measured measure(const Request& asked) {
       bounds = wider_than(asked, bounds, reached, round < doubled_rounds ? 2 : 16);
       continue;
     }
-    if (is_of_run) break;
+    if (is_found) break;
     if (reached.penetration > 0)
       reached.penetration = larger(reached.penetration, depth_within_steps(request, reached.impact_speed));
     bounds = bounds_of(asked, reached);
-    is_of_run = true;
+    is_found = true;
     if (makes_plan_with(bounds) && request.stepper == stepper) break;
   }
-  return {bounds, true};
+  return {bounds, true, is_found};
 }
 
 }  // namespace
@@ -276,13 +277,14 @@ bool depends_on_bounds(PlanStatus status, const Request& request) {
 }
 
 Settled settled(const Request& asked, bool may_run) {
-  Settled result{asked, asked.stepper == Stepper::automatic, stated_in(asked), {}};
+  Settled result{asked, asked.stepper == Stepper::automatic, stated_in(asked), false, {}};
   Request& request = result.request;
   if (asked.drive != DriveKind::sine) request.scene.drive_amplitude = 0;  // no plan is to make room for it
   const Request open = request;
-  Measured found{estimated_bounds(open), false};
+  Measured found{estimated_bounds(open), false, false};
   if (may_run && has_open_bounds(open)) found = measure(open);
   request.bounds = found.bounds;
+  result.is_estimated = has_open_bounds(open) && !found.is_found;
   const auto planned = [&](Request& with) {
     if (result.is_automatic) with.stepper = chosen(with);
     return plan(with);

@@ -13,6 +13,7 @@ struct Settled {
   Request request;    // with a stepper and bounds
   bool is_automatic;  // true if the rule chose the stepper
   Bounds stated;      // the stated bounds; the others are open
+  bool is_estimated;  // true if no run has found the open bounds
   Planned planned;
 };
 // Without `may_run` open bounds are estimated, and no run is made.

@@ -174,11 +174,11 @@ Refusal refusal_before_a_run(const Request& asked) {
   return may_be_taken ? Refusal{} : refusal_of(made);
 }
 
-double automatic_step(const Request& asked) {
+namespace {
+
+double preferred_step(Request open) {
   constexpr double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
   constexpr double longest_phase = 0.2, longest_displacement = 0.25, usual = 1e-4, longest_run = 1e7;
-  Request open = asked;
-  state_true_restitution(open);
   Request request = open;
   request.bounds = estimated_bounds(open);
   const Scene& scene = request.scene;
@@ -204,10 +204,23 @@ double automatic_step(const Request& asked) {
   return step > 0 ? step : usual;
 }
 
-double restitution_at(const Request& request, double speed) {
-  if (request.damping != Damping::constant)
-    return true_restitution(request.damping, request.scene.restitution).value_or(0);
-  Request fast = request;
+}  // namespace
+
+double automatic_step(const Request& asked) {
+  Request open = asked;
+  state_true_restitution(open);
+  open.step = preferred_step(open);
+  // With weight or friction the speed that a run has found also limits the step.
+  for (int halvings = 0; has_parts(open) && halvings < 10; ++halvings) {
+    if (settled(open).planned.status != PlanStatus::clearance) break;
+    open.step /= 2;
+  }
+  return open.step;
+}
+
+double restitution_at(const Request& made, double speed) {
+  if (made.damping != Damping::constant) return made.scene.restitution;
+  Request fast = made;
   fast.bounds.emplace().speed = speed / 2;  // of either mass
   return resolution(fast).restitution;
 }

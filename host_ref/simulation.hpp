@@ -156,7 +156,7 @@ Outcome make_simulation(const Request& request);
 std::optional<Request> widened(const Request& asked, const Outcome& outcome);
 
 // The restitution of the law for an impact of two free masses at this speed.
-double restitution_at(const Request& request, double speed);
+double restitution_at(const Request& made, double speed);
 
 // The refusals that are possible without a run. The field is empty if the request may be accepted.
 Refusal refusal_before_a_run(const Request& request);

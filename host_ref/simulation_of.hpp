@@ -224,6 +224,12 @@ Planned plan_with_drive(Stepper, Request request, Bounds bounds) {
   return plan_for<Format, ContactLaw, Stepper, AnyDrive, Parts...>(request, bounds);
 }
 
+#define IMPACT_CHECK_ORDER(value, name, Type)                                                                      \
+  static_assert(is_classical(Stepper::value) == Type::template Contact<Float64, HuntCrossley>::traits.keeps_force, \
+                "the classical schemes are the first of IMPACT_STEPPERS");
+IMPACT_STEPPERS(IMPACT_CHECK_ORDER)
+#undef IMPACT_CHECK_ORDER
+
 // True if a stepper has a kernel with the parts, or one without. In WebAssembly no stepper has both, since a page
 // should be small.
 constexpr bool has_kernel(Stepper stepper, bool with_parts) {

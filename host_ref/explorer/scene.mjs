@@ -10,7 +10,7 @@ export const groups = [
     { name: 'contact-damping', label: 'Damping, c1', unit: (scene) => scene.law === 'hooke-newton' ? 'N s/m' : 'N s/m^2.5', least: 1, most: 1e12, log: true, shown: (scene) => scene.law !== 'hertz' && scene['damping-by'] === 'c1' },
     { name: 'restitution', label: 'Restitution, e', unit: () => '', least: 0.05, most: 1, shown: (scene) => scene.law !== 'hertz' && scene['damping-by'] !== 'c1' },
     { name: 'impact-speed', label: 'at an impact speed of', unit: () => 'm/s', least: 0.01, most: 10, log: true, shown: (scene) => scene.law !== 'hertz' && ['restitution', 'paper'].includes(scene['damping-by']) },
-    { name: 'tension', label: 'A stop may pull', choices: { clamp: 'no, it releases the ball at zero force', allow: 'yes, as the paper writes it' } },
+    { name: 'tension', label: 'A stop may pull', choices: { clamp: 'no, it releases the ball at zero force', allow: 'yes, as the paper writes it' }, shown: (scene) => scene.law === 'hooke-newton' },
     { name: 'stops', label: 'Stops', choices: { both: 'both', left: 'left', right: 'right' } },
   ] },
   { title: 'Masses and spring', values: [
@@ -30,8 +30,8 @@ export const groups = [
   { title: 'Weight, base, friction', values: [
     { name: 'gravity', label: 'Weight (upright: -9.81)', unit: () => 'm/s\u00b2', least: -20, most: 20 },
     { name: 'ball-friction', label: 'Dry friction of the ball', unit: () => 'N', least: 1e-3, most: 100, log: true, zero: true },
-    { name: 'base', label: 'The base accelerates', choices: { still: 'no', example: 'like a machine that starts up', samples: 'by samples' } },
-    { name: 'base-acceleration-file', label: 'Acceleration of the base, one sample per step', samples: 'm/s\u00b2', shown: (scene) => scene.base === 'samples' },
+    { name: 'base', label: 'The base accelerates', choices: { still: 'no', example: 'like a machine that starts up', samples: 'by samples' }, shown: (scene) => scene.drive !== 'base-file' },
+    { name: 'base-acceleration-file', label: 'Acceleration of the base, one sample per step', samples: 'm/s\u00b2', shown: (scene) => scene.drive !== 'base-file' && scene.base === 'samples' },
   ] },
   { title: 'Start', values: [
     { name: 'x1', label: 'Main mass at x1', unit: () => 'm', least: -0.1, most: 0.1 },
@@ -82,7 +82,7 @@ export function optionsOf(scene, files) {
     if (!isShown(value, scene) || pageOnly.includes(value.name) || (value.name === 'drive' && isSampled(scene))) continue;
     options.push([value.name, String(scene[value.name])]);
   }
-  if (scene.base === 'example') options.push(['base-acceleration-file', files.example(scene.step, Math.round(scene.duration / scene.step))]);
+  if (scene.drive !== 'base-file' && scene.base === 'example') options.push(['base-acceleration-file', files.example(scene.step, Math.round(scene.duration / scene.step))]);
   if (scene.law === 'hertz') options.push(['contact-damping', '0']);
   else if (scene['damping-by'] === 'paper') options.push(['paper-damping', 'yes']);
   else if (!['c1', 'restitution'].includes(scene['damping-by'])) options.push(['damping', scene['damping-by']]);

@@ -67,7 +67,10 @@ Option number(const ParameterEntry& row) {
   const Field<double> field = [&row](Settings& settings) -> double& { return value_in(settings.request, row); };
   const std::string name = option_of(row);
   Option option = number(name, row.unit, row.range, field, true, row.meaning);
-  if (row.in_bounds) option.initial = "1.5 times what a float64 run reaches";
+  if (row.in_bounds) {
+    const bool is_of_samples = row.in_bounds == &Bounds::force || row.in_bounds == &Bounds::base_acceleration;
+    option.initial = is_of_samples ? "the largest sample" : "1.5 times what a float64 run reaches";
+  }
   for (const auto& [of, initial] :
        {std::pair("step",
                   "0.0001; with --newmark auto and without a file of samples the tool chooses it. It is the longest "
@@ -135,7 +138,8 @@ const std::vector<Option>& options() {
     std::vector<Option> all = {
         choice("law", laws, field(&Request::law), "contact law"),
         choice("newmark", steppers, field(&Request::stepper),
-               "time stepper. auto is the kernel's rule, which prints its choice on standard error. average to central "
+               "time stepper. auto is the kernel's rule, also with sub-steps, and prints its choice on standard error. "
+               "average to central "
                "are Newmark's classical schemes. moment-4 and moment-8 divide a step in contact into 4 and 8 "
                "sub-steps, moment-n into as many as required"),
         choice("numeric", numerics, field(&Request::numeric),
@@ -223,7 +227,11 @@ size_t edits_between(const std::string& a, const std::string& b) {
 }
 
 // Names in C++ and in the READMEs, if the option has another name.
-constexpr std::pair<const char*, const char*> other_names[] = {{"stepper", "newmark"}, {"format", "numeric"}};
+constexpr std::pair<const char*, const char*> other_names[] = {{"stepper", "newmark"},
+                                                               {"format", "numeric"},
+                                                               {"k1", "contact-stiffness"},
+                                                               {"c1", "contact-damping"},
+                                                               {"dt", "step"}};
 
 // The name in lower case and without dashes, to compare it with a name in C++.
 std::string plain(const std::string& name) {
@@ -259,7 +267,7 @@ const Option& option_named(const std::string& name, const std::string& value) {
   const auto nearest = std::min_element(options().begin(), options().end(), [&](const Option& a, const Option& b) {
     return edits_between(name, a.name) < edits_between(name, b.name);
   });
-  const bool near = edits_between(name, nearest->name) <= 2;
+  const bool near = name.size() > 3 && edits_between(name, nearest->name) <= 2;
   throw BadInput("--" + name, value,
                  "the options of --help" + (near              ? "; --" + nearest->name + "?"
                                             : holding.empty() ? holding

@@ -84,6 +84,8 @@ void settle(Settings& settings, const Given& given) {
   refuse_unless(!has("restitution"), "contact-damping", "only without --restitution");
   refuse_unless(request.law != Law::hertz || scene.contact_damping == 0, "contact-damping",
                 "only 0 with --law hertz, which has no damping");
+  refuse_unless(request.law == Law::hooke_newton || scene.tension == Tension::clamp, "tension",
+                "clamp; allow only with --law hooke-newton, because the other laws never pull");
   refuse_unless(has("restitution"), "impact-speed", "only with --restitution");
   refuse_unless(has("restitution"), "paper-damping", "only with --restitution");
   const bool per_impact = request.damping != Damping::constant;
@@ -105,6 +107,8 @@ void settle(Settings& settings, const Given& given) {
   if (is_sampled_sine) request.drive = DriveKind::sine;
   const bool has_samples = has("drive-file") || has("base-file");
   refuse_unless(!has("drive-file"), "base-file", "only without --drive-file, because both are forces on the main mass");
+  refuse_unless(!has("base-file"), "base-acceleration-file",
+                "only without --base-file, because both are the motion of the base");
   refuse_unless(!has_samples, "drive", "only without --drive-file and --base-file, which drive the main mass");
   for (const char* name : {"drive-amplitude", "drive-pulsation"})
     refuse_unless(!has_samples && request.drive == DriveKind::sine, name, "only with --drive sine or sampled");

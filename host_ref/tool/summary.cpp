@@ -33,7 +33,17 @@ StepCost step_cost(const std::string& part, const Request& made) {
     if (columns[5] == "free") cost.free = std::stol(columns[6]);
     if (columns[5] == "contact") cost.contact = std::stol(columns[6]);
   });
-  return has_parts(made) || made.damping != Damping::constant ? StepCost{} : cost;
+  const Resolution contact = resolution(made);
+  const bool is_stiff =
+      made.stepper == Stepper::energy && !contact.is_linear && made.step > EnergyConsistent::longest_resolved(contact);
+  if (has_parts(made) || made.damping != Damping::constant || is_stiff) return {};
+  if (made.stepper == Stepper::moment_n) {
+    constexpr int measured = 32;  // sub-steps, of the budgets' rows; more cost at most in proportion
+    const int parts = std::max(measured, sub_steps(made));
+    cost.free = cost.free * parts / measured;
+    cost.contact = cost.contact * parts / measured;
+  }
+  return cost;
 }
 
 std::string known_parts() {
@@ -67,7 +77,10 @@ std::vector<std::string> Summary::lines() const {
                percent(scene.main_damping / (2 * scene.main_mass * w0)) + " of critical damping";
   lines.push_back(machine);
   const bool is_still = largest_v1_ == 0 && largest_v2_ == 0;
-  if (last_.impacts == 0 && scene.stops != Stops::none)
+  const double inside = initial_penetration(scene);
+  if (inside > 0)
+    lines.push_back("the ball starts " + three_digits(inside) + " m inside a stop, which is in contact but no impact");
+  else if (last_.impacts == 0 && scene.stops != Stops::none)
     lines.push_back(is_still ? "NO IMPACT: nothing moves. State a drive or initial values, such as --v1 or --x1"
                              : "NO IMPACT: the ball has not reached a stop");
   if (last_.impacts > 0) {
@@ -86,6 +99,11 @@ std::vector<std::string> Summary::lines() const {
     peaks += ": " + percent(larger(largest_x1_, largest_x2_) / made.bounds->displacement) + " and " +
              percent(larger(largest_v1_, largest_v2_) / made.bounds->speed) + " of the bounds";
   lines.push_back(peaks);
+  const double fastest = larger(largest_v1_, largest_v2_);
+  if (settings_.request.bounds && made.bounds->speed >= 64 * fastest && fastest > 0)
+    lines.push_back("--bound-speed " + three_digits(made.bounds->speed) + " m/s is " +
+                    three_digits(made.bounds->speed / fastest) +
+                    " times the largest speed. Steps per contact count at twice the bound, so it costs precision");
   if (made.numeric == Numeric::fixed32) {
     const double reach = std::max({largest_x1_, largest_x2_, scene.clearance / 2});
     const double bits = std::floor(std::log2(made.bounds->displacement / reach));

@@ -13,6 +13,7 @@
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/run.hpp>
 #include <host_ref/tool/summary_file.hpp>
+#include <impact/explain.hpp>
 #include <impact/numeric/fingerprint.hpp>
 #include <impact/status.hpp>
 #include <iostream>
@@ -203,12 +204,9 @@ class BareRuns {
 double BareRuns::largest(const Request& request, const std::string& drive_file) {
   Request bare = without_absorber(request);
   bare.counts_drive_work = false;
-  const Scene& scene = bare.scene;
-  const bool is_sine = bare.drive == DriveKind::sine;
-  const Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration,
-                 scene.main_mass, scene.main_stiffness, scene.main_damping, is_sine ? scene.drive_amplitude : 0,
-                 is_sine ? scene.drive_pulsation : 0, scene.x1, scene.v1, scene.gravity},
-                drive_file};
+  Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration}, drive_file};
+  for (const ParameterEntry& row : parameters)
+    if (row.in_scene) key.first.push_back(bare.scene.*row.in_scene);
   std::promise<double> result;
   std::shared_future<double> known;
   {

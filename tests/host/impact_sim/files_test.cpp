@@ -155,7 +155,8 @@ TEST_F(ImpactSim, FilesOfDifferentLengthAreRefused) {
   EXPECT_THAT(
       run("--drive-file three --base-acceleration-file two").err,
       HasSubstr("--base-acceleration-file two with 2 lines: allowed: 3, as the other file has, or else a --duration"));
-  EXPECT_THAT(run("--base-file two --base-acceleration-file three").err, HasSubstr("--base-file two with 2 lines"));
+  EXPECT_THAT(run("--drive-file two --base-acceleration-file three").err, HasSubstr("--drive-file two with 2 lines"));
+  expect_refusal("--base-file three --base-acceleration-file three", "only without --base-file");
   EXPECT_EQ(run("--drive-file three --base-acceleration-file two --duration 2e-4").code, 0);
   EXPECT_EQ(run("--drive-file three --base-acceleration-file three").code, 0);
 }

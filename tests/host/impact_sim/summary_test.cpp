@@ -1,5 +1,6 @@
 // The summary at the end of a run, recomputed from the rows that the tool has written.
 
+#include "host_ref/closed_form.hpp"
 #include "impact_sim.hpp"
 
 namespace impact::host {
@@ -87,6 +88,50 @@ TEST_F(ImpactSim, SummarizesTheExpectedError) {
   ASSERT_NE(at, std::string::npos) << said;
   const double shown = std::stod(said.substr(at + 15));
   EXPECT_NEAR(number_of(read(file("summary.json")), "expected_error_m"), shown, 0.5 * shown);
+}
+
+// A formula does not have the restitution that it is given.
+TEST_F(ImpactSim, SaysTheRestitutionOfAFormula) {
+  for (const auto& [name, damping] :
+       {std::pair("lee-wang", Damping::lee_wang), {"flores", Damping::flores}, {"exact", Damping::exact}}) {
+    const double e = restitution({Law::hunt_crossley, 1, damping_ratio(damping, 0.5).value(), 1, 1}).value();
+    succeed("--restitution 0.5 --damping " + std::string(name) + " --summary summary.json");
+    EXPECT_NEAR(number_of(read(file("summary.json")), "restitution"), e, 1e-9) << name;
+  }
+}
+
+TEST_F(ImpactSim, AStartInsideAStopIsNoMissingImpact) {
+  const std::string said = run("--newmark moment --duration 0.01 --x2 0.012").err;
+  EXPECT_THAT(said, HasSubstr("the ball starts 0.002 m inside a stop"));
+  EXPECT_THAT(said, Not(HasSubstr("NO IMPACT")));
+}
+
+// The budgets have 32 sub-steps, and a contact that EnergyConsistent resolves.
+TEST_F(ImpactSim, ScalesTheCostOfSubStepsAndKnowsNoneOfAStiffStop) {
+  const auto contact = [&](const std::string& newmark, const std::string& stiffness) {
+    succeed(
+        "--numeric fixed32 --part cortex-m3 --duration 0.2 --step 1e-3 --bound-displacement 0.1 --bound-speed 2 "
+        "--bound-penetration 0 --contact-damping 0 --newmark " +
+        newmark + " --contact-stiffness " + stiffness + " --summary summary.json");
+    const std::string json = read(file("summary.json"));
+    return json.find("\"instructions_contact\":null") == std::string::npos ? number_of(json, "instructions_contact")
+                                                                           : 0;
+  };
+  const double few = contact("moment-n", "3.26e8"), many = contact("moment-n", "3.26e10");
+  EXPECT_GT(few, 1000);
+  EXPECT_TRUE(many == 4 * few || many == 8 * few) << few << " " << many;
+  EXPECT_GT(contact("energy", "32600"), 100);
+  EXPECT_EQ(contact("energy", "3.26e10"), 0);
+}
+
+TEST_F(ImpactSim, ABoundFarAboveTheSpeedIsSaid) {
+  EXPECT_THAT(run("--bound-speed 1000 --step 1e-3 --numeric fixed32").err, HasSubstr("times the largest speed"));
+}
+
+// A weight so large that the step which suits the estimated speed does not suit the true one.
+TEST_F(ImpactSim, ChoosesAStepThatItsOwnPlanAccepts) {
+  for (const char* heavy : {"--gravity 981", "--gravity -9.81 --clearance 0.0005 --main-stiffness 3000"})
+    succeed(std::string("--duration 0.2 ") + heavy);
 }
 
 TEST_F(ImpactSim, SaysWhatAStepCostsWhereItIsKnown) {

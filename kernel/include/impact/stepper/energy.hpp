@@ -30,11 +30,15 @@ struct EnergyConsistent {
   static constexpr Range steps(const Resolution& contact) {
     using constant::smaller;
     if (contact.is_linear) return {0, smaller(contact.contact_time, 2 / (contact.damping + 1e-300))};
+    const double in_field = largest_field_share * contact.contact_time / (contact.field_share + 1e-300);
+    return {0, smaller(any_step.most, constant::larger(longest_resolved(contact), in_field))};
+  }
+  // The longest step that resolves a contact of a power law. A longer one costs several times as much.
+  static constexpr double longest_resolved(const Resolution& contact) {
+    using constant::smaller;
     const double damped = smaller(largest_damping_of_energy / (contact.damping + 1e-300),
-                                  largest_lasting_damping_of_energy / (contact.lasting_damping + 1e-300)),
-                 resolved = smaller(0.2 / contact.pulsation, damped),
-                 in_field = largest_field_share * contact.contact_time / (contact.field_share + 1e-300);
-    return {0, smaller(any_step.most, constant::larger(resolved, in_field))};
+                                  largest_lasting_damping_of_energy / (contact.lasting_damping + 1e-300));
+    return smaller(0.2 / contact.pulsation, damped);
   }
 
   template <class Format, class ContactLaw>

@@ -122,7 +122,7 @@ Command random_command(Random& random) {
   const std::string samples = random.one_of({"0", "1", "3", "20", "1000"});
   if (is_driven) {
     for (const char* other : {"drive", "drive-amplitude", "drive-pulsation"}) command.erase(other);
-    command[random.one_of({"drive-file", "base-file"})] = folder() + samples;
+    command[is_shaken ? "drive-file" : random.one_of({"drive-file", "base-file"})] = folder() + samples;
   }
   if (is_shaken) command["base-acceleration-file"] = folder() + samples;
   return command;

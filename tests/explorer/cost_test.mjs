@@ -37,4 +37,15 @@ for (const part of targets) {
 // A configuration without a row is shown as not measured. It does not take the row of another.
 for (const [scene, stepper] of [[{ gravity: 1 }, 'impulsive'], [{}, 'moment-8'], [{ 'damping-by': 'exact' }, 'energy']])
   check('Not measured' in shown(targets[0], scene, stepper), `${JSON.stringify(scene)}, ${stepper}: ${shown(targets[0], scene, stepper)['Not measured']}`);
+// The page offers every law, damping, stepper and format of the tool, and the report draws every damping.
+const { valueNamed } = await import(pathToFileURL(`${folder}/scene.mjs`));
+const source = (file) => readFileSync(`${folder}/../${file}`, 'utf8');
+const namesIn = (text, list) => [...text.split(list)[1].split(/;|\n#/)[0].matchAll(/"([a-z0-9-]+)"/g)].map(([, name]) => name);
+const dampings = namesIn(source('names.hpp'), 'dampings[]').filter((name) => !['constant', 'per-impact'].includes(name));
+for (const [value, names] of [['damping-by', dampings], ...[['law', 'LAWS'], ['newmark', 'STEPPERS'], ['numeric', 'FORMATS']].map(
+  ([value, list]) => [value, namesIn(source('simulation.hpp'), `IMPACT_${list}(X)`)])])
+  for (const name of names.length > 2 ? names : ['?']) check(name in valueNamed(value).choices, `the page's ${value} has ${name}`);
+const picture = source('report/page/view.mjs').split('restitution: () =>')[1].split('\n').slice(0, 3).join();
+for (const name of dampings) check(picture.includes(name), `the picture of restitutions has ${name}`);
+
 finish();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The one table of the numbers that a plan is made from. Status, explanation, compile-time messages, identity, and the
-// tool's options, rigs and explorer follow from it. It consists of macros, because a message must be a literal, and an
+// tool's options and rigs follow from it. It consists of macros, because a message must be a literal, and an
 // image holds only the entries that it reads.
 //
 //     VALUE(member, least, most, unit, status of the rejected plan, meaning, the part that it belongs to)

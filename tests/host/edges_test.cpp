@@ -98,13 +98,20 @@ struct Rig {
 struct LinearRig : Rig {
   static constexpr Scene scene = paper_scene(Law::hooke_newton);
 };
+struct LossyRig : Rig {
+  static constexpr Scene scene = [] {
+    Scene lossy;
+    lossy.restitution = 0.68;
+    return lossy;
+  }();
+};
 
 template <class Kernel> struct States : testing::Test {};
 using Kernels = testing::Types<
     Absorber<Rig, HuntCrossley, Moment, Sine, Fixed32>, Absorber<Rig, HuntCrossley, Moment, Sine, Float32>,
     Absorber<LinearRig, HookeNewton, Moment, Sine, Fixed32>, Absorber<Rig, Hertz, AverageAcceleration, Sine, Fixed32>,
     Absorber<Rig, HuntCrossley, FoxGoodwin, Sine, Float32Plain, EnergyLedger, ImpactLog>,
-    Absorber<Rig, HuntCrossleyPerImpact, Moment, Sine, Fixed32, EnergyLedger, ImpactLog>>;
+    Absorber<LossyRig, HuntCrossleyPerImpact, Moment, Sine, Fixed32, EnergyLedger, ImpactLog>>;
 TYPED_TEST_SUITE(States, Kernels);
 
 template <class Kernel> bool same(const Kernel& a, const Kernel& b) {

@@ -31,6 +31,9 @@ static_assert(too_long.allowed.most > 4.7e-3 && too_long.allowed.most < 5e-3);
 static_assert(accepts<Fixed>(Parameter::step, too_long.allowed.least));
 static_assert(accepts<Fixed>(Parameter::step, too_long.allowed.most));
 static_assert(!accepts<Fixed>(Parameter::step, 1.00001 * too_long.allowed.most));
+// What is accepted needs no change.
+constexpr Explanation suits = changed<Fixed>(Parameter::step, 1e-3);
+static_assert(suits.parameter == Parameter::step && suits.allowed.holds(suits.value));
 
 // For a value outside its own range, that range is the allowed one.
 TEST(Explain, NamesTheRangeOfAValue) {

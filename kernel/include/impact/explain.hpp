@@ -195,9 +195,12 @@ constexpr Range accepted_near(double refused, const Range& within, const StatusA
 
 }  // namespace detail
 
-// `status_with(values)` returns the status of a plan of these values. For `refused` it must not be ok.
+// `status_with(values)` returns the status of a plan of these values. If it is ok, the answer is the step, which is
+// allowed.
 template <class StatusWith> constexpr Explanation explain(const Values& refused, const StatusWith& status_with) {
-  const Explanation first = explain(status_with(refused), refused);
+  const PlanStatus why = status_with(refused);
+  if (why == PlanStatus::ok) return {Parameter::step, refused.step, {refused.step, refused.step}, true};
+  const Explanation first = explain(why, refused);
   const Range own = range_of(first.parameter);
   if (first.parameter != Parameter::step && !own.holds(first.value)) return first;
   // True if the other values limit this one, as the start limits a bound, and the bounds limit the clearance.

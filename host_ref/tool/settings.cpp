@@ -93,6 +93,8 @@ void settle(Settings& settings, const Given& given) {
                 "constant; the others only with --restitution and --law hunt-crossley");
   refuse_unless(!per_impact, "impact-speed",
                 "only with --damping constant, because the others use the speed of each impact");
+  refuse_unless(!per_impact || scene.restitution < 1, "rig",
+                "only with --restitution below 1, because the kernel's elastic stop is --law hertz");
   refuse_unless(!per_impact || request.damping == Damping::hunt_crossley, "paper-damping",
                 "only with --damping constant or hunt-crossley, which is (2.9)");
   request.damping_is_by_restitution = has("restitution") && !per_impact;

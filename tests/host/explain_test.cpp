@@ -126,12 +126,13 @@ template <class PlanType> Explanation explanation_with_accepted_limits(Values va
   return said;
 }
 
-// No step has room for a penetration of 10 km beside a vibration of 2 m/s. The explanation names another value, whose
-// limits are accepted.
+// No step has room for a penetration of 10 km beside a vibration of 2 m/s, with a stepper that reads this bound. The
+// explanation names another value, whose limits are accepted.
 TEST(Explain, NamesABoundThatLeavesNoRoom) {
+  using Classical = Absorber<AtRunTime, HuntCrossley, AverageAcceleration, Sine, Fixed32>::PlanType;
   Values values{Scene{}, Bounds{}, 1e-3};
   values.bounds.penetration = 1e4;
-  const Explanation said = explanation_with_accepted_limits<Fixed>(values);
+  const Explanation said = explanation_with_accepted_limits<Classical>(values);
   EXPECT_FALSE(said.allowed.holds(said.value)) << name_of(said.parameter);
 }
 

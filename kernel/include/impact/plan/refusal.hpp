@@ -35,7 +35,7 @@ template <int64_t largest_clearance_in_micrometres, bool is_in_range> struct Sto
                 "largest_clearance_in_micrometres named here. For a ball without stops state Stops::none");
 };
 
-template <class Rig, class PlanType, PlanStatus status> constexpr void check() {
+template <class Rig, class PlanType, PlanStatus status> constexpr void require_accepted() {
 #define IMPACT_SAY(name, least, most, unit, its_status, ...)                             \
   static_assert(status != PlanStatus::its_status || name##_range.holds(Rig::scene.name), \
                 "Rig::scene." #name ": " #least " to " #most " " unit);
@@ -105,10 +105,10 @@ template <class Rig, class PlanType, PlanStatus status> constexpr void check() {
   static_assert(!is_accepted_per_impact || Rig::scene.restitution < 1,
                 "Rig::scene.restitution is not stated, but this law's damping follows from it: 0.01 to below 1. An "
                 "elastic stop is Hertz");
-  static_assert(!is_accepted_per_impact || Rig::scene.contact_damping == unstated_damping ||
-                    !(Rig::scene.contact_damping > 0),
-                "Rig::scene.contact_damping is stated, but this law does not read it: its damping follows from "
-                "restitution. Take HuntCrossley, or leave contact_damping out");
+  static_assert(
+      !is_accepted_per_impact || Rig::scene.contact_damping == unstated_damping || !(Rig::scene.contact_damping > 0),
+      "Rig::scene.contact_damping is stated, but this law does not read it: its damping follows from "
+      "restitution. Take HuntCrossley, or leave contact_damping out");
   static_assert(!PlanType::DriveType::is_sampled || status == PlanStatus::force_bound || Rig::bounds.force > 0,
                 "the drive is Sampled: state Rig::bounds.force, N, the largest sample");
   // True if samples may balance the weight, or without a spring. Otherwise a weight that stretches the spring beyond

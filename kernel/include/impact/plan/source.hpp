@@ -31,7 +31,7 @@ template <class Rig, class PlanType_, uint32_t identity> class PlanSource {
   static constexpr bool is_constant = true;
 
  protected:
-  constexpr PlanSource() { refusal::check<Rig, PlanType, plan.status>(); }
+  constexpr PlanSource() { refusal::require_accepted<Rig, PlanType, plan.status>(); }
 };
 
 // An absorber's copy of its plan. Programs may read it. Only retune() replaces it.

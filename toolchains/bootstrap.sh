@@ -117,7 +117,7 @@ test_target() {
 }
 
 # What each stage of the report takes, in seconds on two cores at 2 GHz; the time to go is what has passed, scaled.
-report_seconds=413
+report_seconds=409
 
 # stage SECONDS WHAT TARGET...
 stage() {
@@ -136,11 +136,11 @@ make_report() {
   stage 5 "the paper's scene" report-first-look
   stage 89 "the tool impact-sim" impact-sim
   stage 76 "the kernel to play with, build/report/explorer.html" explorer
-  stage 60 "times on this host, with nothing beside" report-times
+  stage 67 "times on this host, with nothing beside" report-times
   for target in $targets; do
     stage 21 "images for an emulated $target" "report-images-$target"
   done
-  stage 117 "error, cost, stability and the page" report
+  stage 46 "error, cost, stability and the page" report
   cmake --build build --target explorer  # again: the costs of a step stand in it now
   build/host_ref/impact-sim --output build/paper_scene.csv
   echo "bootstrap: the paper's scene is in build/paper_scene.csv, the report in build/report/index.html," \

@@ -84,8 +84,8 @@ void settle(Settings& settings, const Given& given) {
   refuse_unless(!has("restitution"), "contact-damping", "only without --restitution");
   refuse_unless(request.law != Law::hertz || scene.contact_damping == 0, "contact-damping",
                 "only 0 with --law hertz, which has no damping");
-  refuse_unless(request.law == Law::hooke_newton || scene.tension == Tension::clamp, "tension",
-                "clamp; allow only with --law hooke-newton, because the other laws never pull");
+  if (request.law != Law::hooke_newton && scene.tension == Tension::allow)
+    settings.remarks.push_back("--tension allow has no effect: only with --law hooke-newton can a stop pull");
   refuse_unless(has("restitution"), "impact-speed", "only with --restitution");
   refuse_unless(has("restitution"), "paper-damping", "only with --restitution");
   const bool per_impact = request.damping != Damping::constant;

@@ -62,7 +62,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--stops up", "--stops", "up", "both, left, right, none"},
         Refused{"--tension yes", "--tension", "yes", "allow, clamp"},
         Refused{"--damping exact --restitution 1 --rig r.hpp", "--rig", "r.hpp", "--law hertz"},
-        Refused{"--tension allow", "--tension", "allow", "only with --law hooke-newton"},
         Refused{"--k1 1e9", "--k1", "1e9", "--contact-stiffness?"},
         Refused{"--step 0.1", "--step", "0.1", "a small part of a period of the main mass's own vibration"},
         Refused{"--every 0", "--every", "0", "from 1"}, Refused{"--every 2.5", "--every", "2.5", "whole number"},

@@ -128,6 +128,11 @@ TEST_F(ImpactSim, ABoundFarAboveTheSpeedIsSaid) {
   EXPECT_THAT(run("--bound-speed 1000 --step 1e-3 --numeric fixed32").err, HasSubstr("times the largest speed"));
 }
 
+TEST_F(ImpactSim, ATensionThatNoLawHasIsSaid) {
+  EXPECT_THAT(run("--duration 0.01 --tension allow").err, HasSubstr("--tension allow has no effect"));
+  EXPECT_THAT(run("--duration 0.01 --tension allow --law hooke-newton").err, Not(HasSubstr("has no effect")));
+}
+
 // A weight so large that the step which suits the estimated speed does not suit the true one.
 TEST_F(ImpactSim, ChoosesAStepThatItsOwnPlanAccepts) {
   for (const char* heavy : {"--gravity 981", "--gravity -9.81 --clearance 0.0005 --main-stiffness 3000"})

@@ -66,9 +66,12 @@ std::string condition_of(const Explanation& found, const Settled& settled) {
   std::string text;
   // A value's own range holds with any bounds.
   if (range_of(found.parameter).holds(found.value)) text = bounds_text(settled);
-  if (settled.is_estimated && !text.empty())
-    text += std::string(" (estimates: a run may pass them)") +
-            (found.parameter == Parameter::step ? "; without --step the tool chooses one" : "");
+  if (settled.is_estimated && !text.empty()) {
+    text += " (estimates: a run may pass them)";
+    const bool has_file = !request.samples.empty() || request.is_shaken;
+    if (found.parameter == Parameter::step && settled.is_automatic && !has_file)
+      text += "; without --step the tool chooses one";
+  }
   if (found.parameter == Parameter::contact_damping && request.damping_is_by_restitution)
     text += ", without --restitution";
   const bool is_out_of_reach =

@@ -1,6 +1,7 @@
 // What a step costs on a part, from step_budget.csv of the report, which counts instructions under an emulator.
 
 import { short } from './numbers.mjs';
+import { baseOf } from './scene.mjs';
 
 // Lines of [what, value], or one that says what is missing. What the parts of a scene add is counted with Hunt-Crossley,
 // and so are stiff stops.
@@ -33,7 +34,7 @@ function lawOf(scene) {
 }
 // Of the parts; a base that accelerates takes weight with it.
 function namesOf(scene) {
-  const field = scene.base !== 'still' ? ['base'] : scene.gravity !== 0 ? ['gravity'] : [];
+  const field = baseOf(scene) !== 'still' ? ['base'] : scene.gravity !== 0 ? ['gravity'] : [];
   return [...field, ...(scene['ball-friction'] > 0 ? ['friction'] : [])];
 }
 

@@ -31,7 +31,7 @@ export const groups = [
     { name: 'gravity', label: 'Weight (upright: -9.81)', unit: () => 'm/s\u00b2', least: -20, most: 20 },
     { name: 'ball-friction', label: 'Dry friction of the ball', unit: () => 'N', least: 1e-3, most: 100, log: true, zero: true },
     { name: 'base', label: 'The base accelerates', choices: { still: 'no', example: 'like a machine that starts up', samples: 'by samples' }, shown: (scene) => scene.drive !== 'base-file' },
-    { name: 'base-acceleration-file', label: 'Acceleration of the base, one sample per step', samples: 'm/s\u00b2', shown: (scene) => scene.drive !== 'base-file' && scene.base === 'samples' },
+    { name: 'base-acceleration-file', label: 'Acceleration of the base, one sample per step', samples: 'm/s\u00b2', shown: (scene) => baseOf(scene) === 'samples' },
   ] },
   { title: 'Start', values: [
     { name: 'x1', label: 'Main mass at x1', unit: () => 'm', least: -0.1, most: 0.1 },
@@ -57,6 +57,8 @@ export const valueNamed = (name) => values.find((value) => value.name === name);
 
 function statesBounds(scene) { return scene.numeric === 'fixed32' && scene.bounds === 'stated'; }
 export const isSampled = ({ drive }) => drive === 'drive-file' || drive === 'base-file';
+// A base that moves by samples of its displacement does not accelerate as well.
+export function baseOf({ drive, base }) { return drive === 'base-file' ? 'still' : base; }
 export const isShown = (value, scene) => !value.shown || value.shown(scene);
 
 // The kernel's defaults, and values that only the page has.
@@ -82,7 +84,7 @@ export function optionsOf(scene, files) {
     if (!isShown(value, scene) || pageOnly.includes(value.name) || (value.name === 'drive' && isSampled(scene))) continue;
     options.push([value.name, String(scene[value.name])]);
   }
-  if (scene.drive !== 'base-file' && scene.base === 'example') options.push(['base-acceleration-file', files.example(scene.step, Math.round(scene.duration / scene.step))]);
+  if (baseOf(scene) === 'example') options.push(['base-acceleration-file', files.example(scene.step, Math.round(scene.duration / scene.step))]);
   if (scene.law === 'hertz') options.push(['contact-damping', '0']);
   else if (scene['damping-by'] === 'paper') options.push(['paper-damping', 'yes']);
   else if (!['c1', 'restitution'].includes(scene['damping-by'])) options.push(['damping', scene['damping-by']]);

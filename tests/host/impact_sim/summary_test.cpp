@@ -137,6 +137,9 @@ TEST_F(ImpactSim, ATensionThatNoLawHasIsSaid) {
 TEST_F(ImpactSim, ChoosesAStepThatItsOwnPlanAccepts) {
   for (const char* heavy : {"--gravity 981", "--gravity -9.81 --clearance 0.0005 --main-stiffness 3000"})
     succeed(std::string("--duration 0.2 ") + heavy);
+  // A refusal names this way out only where there is one.
+  EXPECT_THAT(run("--step 0.1").err, HasSubstr("without --step"));
+  EXPECT_THAT(run("--step 0.1 --newmark energy").err, Not(HasSubstr("without --step")));
 }
 
 TEST_F(ImpactSim, SaysWhatAStepCostsWhereItIsKnown) {

@@ -36,7 +36,7 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
   const int n = is_divided ? SubsteppedMoment<>::parts_for(contact, h) : 1;
   const double turn = contact.main_pulsation * h, phase = contact.pulsation * h / n, damping = contact.damping * h / n,
                steps = n * contact.shortest_part / h,
-               longest = is_divided ? longest_sub_stepped_phase : Moment::longest_phase;
+               longest = is_divided ? SubsteppedMoment<>::longest_phase : Moment::longest_phase;
   if (turn > longest) return beyond("w0 h is ", turn, longest);
   if (is_divided && h * SubsteppedMoment<>::fewest_steps_across > contact.crossing)
     return "the ball can cross the clearance in half a step";
@@ -72,25 +72,20 @@ std::string expected_text(const Request& request, const Resolution& contact) {
 
 // The automatic choice and its reasons. For a stepper that was named, a warning only. It warns of a classical scheme
 // with fewer than 10 steps per contact, where average acceleration has an error of 2e-3 to 4e-2 of the restitution. It
-// also warns of sub-steps if the main mass's vibration advances in a step by more than the rule allows, or if there are
-// more of them than it allows.
+// also warns of more sub-steps than the rule allows.
 std::string description(const Request& request, bool is_automatic) {
   const Resolution contact = resolution(request);
   const double steps = contact.shortest_part / request.step;  // the rule's N
   const bool is_coarse = is_classical(request.stepper) && steps < 10;
-  const double swing = contact.main_pulsation * request.step;
   const int parts = sub_steps(request);
-  const bool swings = parts > 1 && swing > longest_sub_stepped_phase,
-             rounds = parts > most_sub_steps_in(request.numeric, request.law);
+  const bool rounds = parts > most_sub_steps_in(request.numeric, request.law);
   const std::string resolved =
       rough_text(steps) + (contact.shortest_part < contact.contact_time ? " steps in the shortest part of a contact"
                                                                         : " steps per contact");
-  if (!is_automatic && !is_coarse && !swings && !rounds) return {};
+  if (!is_automatic && !is_coarse && !rounds) return {};
   if (!is_automatic)
     return std::string(name_of(request.stepper)) + " may gain energy with " +
-           (is_coarse ? "only " + resolved
-            : swings  ? rough_text(swing) + " rad of the main mass's vibration in a step"
-                      : std::to_string(parts) + " sub-steps, which round too often") +
+           (is_coarse ? "only " + resolved : std::to_string(parts) + " sub-steps, which round too often") +
            "; auto would take " + std::string(name_of(chosen(request)));
   std::string line = std::string(name_of(request.stepper)) + ", " + resolved + " at " +
                      rough_text(2 * request.bounds->speed) + " m/s, " + rough_text(contact.main_phase) +

@@ -49,14 +49,10 @@ inline double largest_supply_by_friction(const CoupledScene& found) { return 0.0
 
 // The largest accepted gain, as a share of the scene's energy. Moment-fitted steppers create up to 1e-5 in each of some
 // hundred contacts. Named ones with fewer than the 8 steps per contact of the rule create up to 6e-5. The other
-// steppers create none, except for rounding. Named sub-steps beyond the rule's limits of phase or number create more,
-// and the tool warns of them.
+// steppers create none, except for rounding. More sub-steps than the rule allows create more, and the tool warns of
+// them.
 inline double largest_energy_gain(const CoupledScene& found) {
-  const Scene& scene = found.request.scene;
-  const int parts = sub_steps(found.request);
-  const double swing = std::sqrt(scene.main_stiffness / scene.main_mass) * found.request.step;
-  const bool is_beyond_rule = parts > 1 && (swing > longest_sub_stepped_phase ||
-                                            parts > most_sub_steps_in(found.request.numeric, found.request.law));
+  const bool is_beyond_rule = sub_steps(found.request) > most_sub_steps_in(found.request.numeric, found.request.law);
   return (is_beyond_rule ? 0.03 : 0.01) + energy_rounded(found);
 }
 

@@ -74,15 +74,14 @@ TEST_P(CoupledScenes, CreateNoEnergyAndRaiseNoFault) {
   }
 }
 
-// The one scene of 5000 in which named sub-steps gain more than 1 %. The tool warns of it.
-TEST(CoupledSceneOfSubSteps, ThatGainsEnergyIsWarnedOf) {
+// Without the response of spring and damper to the impulses of the sub-steps before, it gained more than 1 %.
+TEST(CoupledSceneOfSubSteps, OfAHeavyBallGainsNoEnergy) {
   CoupledScene found = coupled_scene(Law::hertz, Edge::heavy_ball, 206);
   found.request.stepper = Stepper::moment_4;
   const CoupledRun run = run_coupled(found);
   ASSERT_TRUE(run.is_accepted);
-  EXPECT_GT(run.gain, 0.01);
-  EXPECT_LE(run.gain, largest_energy_gain(found));
-  EXPECT_TRUE(run.is_warned);
+  EXPECT_LE(run.gain, 1e-3);
+  EXPECT_FALSE(run.is_warned);
 }
 
 // Stiff stops with strong damping, on a main mass that oscillates by 0.4 to 0.9 rad per step. There EnergyConsistent

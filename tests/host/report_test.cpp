@@ -77,7 +77,7 @@ TEST(MachineRule, TakesImpulsiveForAShortContactOnly) {
   EXPECT_EQ(machine_rule(Law::hunt_crossley, 1e-4, 1e4), "moment");
   EXPECT_EQ(machine_rule(Law::hunt_crossley, 1e-3, 1e10), "impulsive");
   EXPECT_EQ(machine_rule(Law::hunt_crossley, 5e-3, 3e4), "moment-n");  // a contact of few steps and half a radian
-  EXPECT_EQ(machine_rule(Law::hunt_crossley, 1e-2, 1e4), "energy");    // w0 h = 0.32, too long for sub-steps
+  EXPECT_EQ(machine_rule(Law::hunt_crossley, 1.1e-2, 1e4), "energy");  // w0 h = 0.35, too long for sub-steps
 }
 
 }  // namespace

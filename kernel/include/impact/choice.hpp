@@ -61,9 +61,8 @@ constexpr double expected_error(Choice choice, const Resolution& contact, double
   return contact.swing * (constant::smaller(0.05, 2 * part * part) + 0.1 * square);
 }
 
-// The largest w0 tc for Impulsive, and the largest w0 h with sub-steps, rad. The latter is below SubsteppedMoment's own
-// limit, so that heavy balls without damping gain less than 1 % in the worst scene of a search.
-inline constexpr double longest_instant = 0.05, longest_sub_stepped_phase = 0.25;
+// The largest w0 tc for Impulsive, rad.
+inline constexpr double longest_instant = 0.05;
 
 constexpr Choice choice_for(const Resolution& contact, double step, int most_sub_steps = 1) {
   const double e = contact.restitution, loss = 1 - e * e;
@@ -81,8 +80,7 @@ constexpr Choice choice_for(const Resolution& contact, double step, int most_sub
   const int parts = SubSteps::parts_for(contact, step);
   const bool is_instant =
       part(1) > 1 && Impulsive::is_instant(contact, longest_instant) && Impulsive::steps(contact).holds(step);
-  const bool has_sub_steps =
-                 is_right(SubSteps::steps(contact), longest_sub_stepped_phase, parts) && is_passive_in(parts),
+  const bool has_sub_steps = is_right(SubSteps::steps(contact), SubSteps::longest_phase, parts) && is_passive_in(parts),
              takes_sub_steps = has_sub_steps && parts <= most_sub_steps &&
                                !(is_instant && expected_error(Choice::impulsive, contact, step) <=
                                                    expected_error(Choice::sub_steps, contact, step)),

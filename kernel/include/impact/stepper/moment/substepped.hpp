@@ -266,13 +266,13 @@ template <int named = 0> struct SubsteppedMoment {
       [[maybe_unused]] Work work{plan, start_rate};
       while (i < n) {
         ++i;
-        sums.advance(plan, 0);
+        const Recoil by_flow = sums.advance(plan, 0);
         if constexpr (Seen::is_rubbed) friction.act(plan, sums);
         const auto s = Format::parts(n - i, plan.exponent, plan.part);
         bool is_across = (crossings & 1) != 0;
-        Penetration part_trial = (i == n ? trial : free.at(s)) - sums.displacement(plan);
+        Penetration part_trial = free.at(s) - sums.displacement(plan);
         if (is_across) part_trial = across(plan, part_trial);
-        const Penetration rate_now = (i == n ? free.rate : free.rate_at(s)) - sums.rate(plan);
+        const Penetration rate_now = free.rate_at(s) - sums.rate(plan);
         if (this->phase == Phase::apart) {
           if (plan.crosses && is_positive(across(plan, part_trial))) {
             part_trial = across(plan, part_trial);
@@ -294,16 +294,14 @@ template <int named = 0> struct SubsteppedMoment {
         part.rate = rate_in_a_part(plan, mirrored(rate_now, is_across));
         part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
         part.travel = part.penetration - part.before;
-        Penetration bending = plan.square * (i == n ? free.acceleration() : free.acceleration_at(s));
+        Penetration bending = plan.square * free.acceleration_at(s) - rate_in_a_part(plan, Sums::travel(plan, by_flow));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(mirrored(bending, is_across)));  // as Inner reads it
         sums.add(plan, mirrored(Inner::impulse_of(plan.inner, units, part), is_across));
-        if constexpr (Seen::is_rubbed)
-          friction.turn(plan, *this, sums, (i == n ? free.rate : free.rate_at(s)) - sums.rate(plan), at);
+        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free.rate_at(s) - sums.rate(plan), at);
         at = lowered(plan, this->penetration);
         if constexpr (Seen::is_recorded)
-          if (this->phase == Phase::apart)
-            work.end((i == n ? free.rate : free.rate_at(s)) - sums.rate(plan), sums.w - friction.taken);
+          if (this->phase == Phase::apart) work.end(free.rate_at(s) - sums.rate(plan), sums.w - friction.taken);
         if (this->phase == Phase::apart && !plan.crosses) {
           Sums end = sums;
           for (int stride = 0; stride < plan.exponent; ++stride)
@@ -403,13 +401,16 @@ template <int named = 0> struct SubsteppedMoment {
       typename Format::Sum x, y;
       Recoil u, w;
 
-      constexpr void advance(const Plan& plan, int stride) {
+      // Returns the change of the rate by spring and damper.
+      [[gnu::always_inline]] constexpr Recoil advance(const Plan& plan, int stride) {
         const Stride& flow = plan.strides[stride];
         const Recoil at(x.value());
         const int bits = plan.exponent - stride;
         x.add(u + flow.by_x_to_x * at + flow.by_u_to_x * u, bits, flow.part);
-        u = u + flow.by_x_to_u * at + flow.by_u_to_u * u;
+        const Recoil by_flow = flow.by_x_to_u * at + flow.by_u_to_u * u;
+        u = u + by_flow;
         y.add(w, bits, flow.part);
+        return by_flow;
       }
       constexpr void add(const Plan& plan, const Impulse<Force<Value>>& by) {
         add_changes(plan, plan.by_impulse * by.j0, plan.by_moment * by.j1);

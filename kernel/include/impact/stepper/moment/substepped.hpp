@@ -6,8 +6,9 @@
 //     ball        displacement D += R/n                    R: rate, per step
 //     main mass   (X, U) by its own exact flow over a sub-step, linear_flow.hpp
 //
-// so that a sub-step's trial is the free quartic at its end less X + D. Sub-steps before the touch and after the
-// separation are skipped. It is of fourth order in h/n for w0 h < 1.
+// so that a sub-step's trial is the free quartic at its end less X + D. Its change of rate without contact is the
+// quartic's, less what the flow changes of U. Sub-steps before the touch and after the separation are skipped. It is of
+// fourth order in h/n for w0 h < 1.
 
 #include <stddef.h>
 
@@ -272,7 +273,7 @@ template <int named = 0> struct SubsteppedMoment {
         bool is_across = (crossings & 1) != 0;
         Penetration part_trial = free.at(s) - sums.displacement(plan);
         if (is_across) part_trial = across(plan, part_trial);
-        const Penetration rate_now = free.rate_at(s) - sums.rate(plan);
+        const Penetration free_rate = free.rate_at(s), rate_now = free_rate - sums.rate(plan);
         if (this->phase == Phase::apart) {
           if (plan.crosses && is_positive(across(plan, part_trial))) {
             part_trial = across(plan, part_trial);
@@ -298,10 +299,10 @@ template <int named = 0> struct SubsteppedMoment {
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(mirrored(bending, is_across)));  // as Inner reads it
         sums.add(plan, mirrored(Inner::impulse_of(plan.inner, units, part), is_across));
-        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free.rate_at(s) - sums.rate(plan), at);
+        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free_rate - sums.rate(plan), at);
         at = lowered(plan, this->penetration);
         if constexpr (Seen::is_recorded)
-          if (this->phase == Phase::apart) work.end(free.rate_at(s) - sums.rate(plan), sums.w - friction.taken);
+          if (this->phase == Phase::apart) work.end(free_rate - sums.rate(plan), sums.w - friction.taken);
         if (this->phase == Phase::apart && !plan.crosses) {
           Sums end = sums;
           for (int stride = 0; stride < plan.exponent; ++stride)

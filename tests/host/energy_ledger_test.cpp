@@ -90,6 +90,36 @@ TEST(EnergyLedger, In32BitsIsThatOfDouble) {
     }
 }
 
+// The bound of displacement allows rates of a step that are 10^4 times the penetrations. With their unit as that of
+// forces, an LSB was 8 N, and the second step of this contact, whose force is 2.4 N on average, did no work. An LSB of
+// v2 changes the work by 1e-5, and the phase of the contact in the step by 2e-3.
+TEST(EnergyLedger, OfFixed32HasWorkOfForcesFarBelowTheUnitOfRates) {
+  Request request;
+  Scene& scene = request.scene;
+  scene.main_mass = 18.056230048672653;
+  scene.main_stiffness = 562375.8718658582;
+  scene.main_damping = 0;
+  scene.ball_mass = 19.900048007607214;
+  scene.clearance = 0.06982344970793633;
+  scene.contact_stiffness = 6362103156295.825;
+  scene.contact_damping = 661965128952583;
+  scene.v1 = -0.0025345495425073373;
+  scene.x2 = 0.03321885695634879;
+  scene.v2 = 0.004800608406780541;
+  request.drive = DriveKind::none;
+  request.step = 1.4685487050347006e-3;
+  request.bounds = Bounds{0.03530191581408315, 0.005697610099778938};
+  for (const Stepper stepper : {Stepper::automatic, Stepper::moment_n}) {
+    request.stepper = stepper;
+    request.numeric = Numeric::float64;
+    const Sample exact = kernel_samples(request, duration, duration).back();
+    request.numeric = Numeric::fixed32;
+    const Sample rounded = kernel_samples(request, duration, duration).back();
+    EXPECT_GT(exact.impacts, 0);
+    EXPECT_NEAR(rounded.energy_dissipated, exact.energy_dissipated, 2e-3 * exact.energy_dissipated);
+  }
+}
+
 TEST(EnergyLedger, HertzDissipatesNothing) {
   for (const double step : {1e-3, 1e-4}) {
     const Sample end = kernel_samples(paper_request(Law::hertz, Stepper::moment, step), duration, duration).back();

@@ -7,11 +7,11 @@
 //
 //     N >= 20                    Moment             fourth order
 //     n N >= 8                   SubsteppedMoment<> with n sub-steps, a power of two: fourth order. It requires that
-//                                                   the caller allows n, that w0 h <= 0.25, and that Impulsive is not
+//                                                   the caller allows n, that w0 h <= 0.32, and that Impulsive is not
 //                                                   expected to have a smaller error
 //     N >= 8                     Moment
 //     w0 tc <= 0.05              Impulsive          the law's own restitution, at an instant
-//     n N >= 8                   SubsteppedMoment<> with up to 16 sub-steps, if w0 h <= 0.25
+//     n N >= 8                   SubsteppedMoment<> with up to 16 sub-steps, if w0 h <= 0.32
 //     w0 tc <= 0.25              Impulsive, if EnergyConsistent rejects a Hooke-Newton contact of less than one step, a
 //                                                   damper with h c1/mu > 2, or a field in a long contact
 //     any                        EnergyConsistent   passive at any stiffness, damping and clearance

@@ -270,8 +270,11 @@ struct Fixed32Units {
   constexpr Force<Value> elastic(Penetration<Value> x) const {
     return Force<Value>({force_bits >= 0 ? x.raw >> force_bits : to_left(x.raw, -force_bits)});
   }
+  // Clamped, since a contact may be deeper than its force has room for, in a step that then raises a fault.
   constexpr Energy elastic(Energy x) const {
-    return {force_bits >= 0 ? x.raw >> force_bits : static_cast<int64_t>(static_cast<uint64_t>(x.raw) << -force_bits)};
+    if (force_bits >= 0) return {x.raw >> force_bits};
+    const int64_t most = (int64_t{1} << 62) >> -force_bits;
+    return {(x.raw < most ? x.raw : most) << -force_bits};
   }
 };
 

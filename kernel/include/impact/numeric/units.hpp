@@ -49,6 +49,7 @@ struct UnitBounds {
   bool is_as_deep_as_flight;  // the ball may end a step as deep as its free flight takes it
   double finest_penetration;  // the smallest change of a penetration that a contact must resolve; 0: any
   double finest_force;        // the smallest force that it must resolve, N; 0: any
+  double recorded_force;      // the largest force, N, if steps only record it; else 0
   StateLimits limits;
 };
 

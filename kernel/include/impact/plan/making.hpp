@@ -69,11 +69,19 @@ template <class Plan> class PlanMaking {
     status = status_of_motion(scene, bounds, basis);
     if (status != PlanStatus::ok) return Plan::refused(status);
     const UnitBounds largest = largest_of(scene, bounds, basis);
-    const UnitExponents exponents = Format::Units::exponents(largest);
+    UnitExponents exponents = Format::Units::exponents(largest);
     basis.terms.force_unit = force_unit_of(Contact::traits, basis.terms, exponents);
-    basis.terms.damping_exponent = exponents.force + (basis.terms.is_linear ? exponents.penetration : 0);
     status = status_of_units(scene, basis, largest, exponents);
     if (status != PlanStatus::ok) return Plan::refused(status);
+    if (largest.recorded_force > 0) {
+      // An LSB of an impulse is at most the unit of forces.
+      const double lighter = constant::smaller(scene.ball_mass, scene.main_mass),
+                   least = constant::power_of_two(exponents.recoil - 30) * lighter / (h * h);
+      const double used = constant::larger(largest.recorded_force, least) / basis.terms.force_unit;
+      exponents.force += Format::exponent_of(constant::smaller(used, 1));
+      basis.terms.force_unit = force_unit_of(Contact::traits, basis.terms, exponents);
+    }
+    basis.terms.damping_exponent = exponents.force + (basis.terms.is_linear ? exponents.penetration : 0);
     const Plan plan = constants_of(scene, bounds, basis, largest, exponents);
     const auto& limits = plan.units.limits;
     if (!plan.units.is_within(plan.x1, limits.main) || !plan.units.is_within(plan.x2, limits.ball))

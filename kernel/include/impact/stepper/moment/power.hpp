@@ -48,6 +48,17 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     int raised_bits;               // K's shift to the left before it is multiplied by an impulse in a coarser unit
     DampingLimit<Format, ContactLaw::is_damped_per_impact> limit;
   };
+  // The unit of penetrations also holds the rates of a step, which may be far larger than a penetration. Forces are
+  // only recorded, so they have a finer unit of their own. Its room is for what turns the fastest ball around in a step
+  // against all that presses, or for the law's force in the deepest contact. A damping set per impact may exceed that.
+  static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
+    ContactDefaults::room(terms, largest);
+    const double turning =
+        terms.reduced_mass() * (2 * terms.largest_rate / terms.step + terms.pressing + terms.rubbing);
+    const double law = terms.stiffness * terms.to_the_power(1.01 * terms.largest_penetration) *
+                       (1.01 + terms.damping_time * terms.largest_rate);
+    largest.recorded_force = ContactLaw::is_damped_per_impact ? 1.02 * turning : constant::smaller(1.02 * turning, law);
+  }
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
     const MomentResponse response(terms, flow);
     const double of_force = terms.force_unit * terms.step * terms.step * response.mobility(terms);

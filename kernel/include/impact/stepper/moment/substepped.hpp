@@ -115,7 +115,7 @@ template <int named = 0> struct SubsteppedMoment {
       int depth_bits, moment_bits;  // its unit of penetrations is 2^depth_bits as fine, that of J1 2^moment_bits
       GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton, from forces
       Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
-      GainOf<Gain, unit::Recoil, unit::Force> force;                  // from the ball's impulse
+      GainOf<typename Format::ClampedGain, unit::Recoil, unit::Force> force;  // from the ball's impulse
       int travel_bits;
       bool crosses;
       Penetration clearance;

@@ -1,27 +1,46 @@
 #pragma once
-// The kernel behind the run-time interface, for one law and one format, with every stepper and drive. With Parts it has
-// weight, a base that accelerates and dry friction, with every stepper except the classical ones. If their values are
-// 0, the bits are those without these parts. CMakeLists.txt writes source files that instantiate plan_with_law, so that
-// they compile in parallel.
+// The kernel behind the run-time interface, for one law and one format, with every stepper and drive. It has weight, a
+// base that accelerates and dry friction, with every stepper except the classical ones. If their values are 0, the bits
+// are those without these parts. CMakeLists.txt writes source files that instantiate plan_with_law, so that they
+// compile in parallel.
 
 #include "host_ref/any_field.hpp"
 #include "host_ref/simulation_of.hpp"
 
 namespace impact::host {
 
-template <class Format, class ContactLaw, class... Parts>
-Planned plan_with_law(const Request& request, const Bounds& bounds) {
+#if defined(IMPACT_PLAIN_KERNELS)  // as most firmware has it, for the report, which measures its time
+template <class Format, class ContactLaw, bool, class Stepper>
+Planned plan_with_stepper(Stepper, const Request& request, const Bounds& bounds) {
+  if (request.drive != DriveKind::sine) std::abort();
+  return plan_for<Format, ContactLaw, Stepper, Sine>(request, bounds);
+}
+#else
+// A request without a drive has samples of 0. If Bounds::force is stated, the plan still reserves room for it.
+template <class Format, class ContactLaw, bool has_parts, class Stepper>
+Planned plan_with_stepper(Stepper, Request request, Bounds bounds) {
+  if (request.drive != DriveKind::sine) request.scene.drive_pulsation = 0;
+  if (request.drive == DriveKind::none) {
+    request.scene.drive_amplitude = larger(request.scene.drive_amplitude, bounds.force);
+    bounds.force = 0;
+  }
+  if constexpr (has_parts)
+    return plan_for<Format, ContactLaw, Stepper, AnyDrive, AnyField, DryFriction>(request, bounds);
+  else
+    return plan_for<Format, ContactLaw, Stepper, AnyDrive>(request, bounds);
+}
+#endif
+
+template <class Format, class ContactLaw> Planned plan_with_law(const Request& request, const Bounds& bounds) {
   switch (request.stepper) {
-#define IMPACT_PLAN(value, name, Type)                                                        \
-  case Stepper::value:                                                                        \
-    if constexpr (has_kernel(Stepper::value, sizeof...(Parts) > 0))                           \
-      return plan_with_drive<Format, ContactLaw, Parts...>(serving(Type{}), request, bounds); \
-    break;
+#define IMPACT_PLAN(value, name, Type) \
+  case Stepper::value:                 \
+    return plan_with_stepper<Format, ContactLaw, !is_classical(Stepper::value)>(serving(Type{}), request, bounds);
     IMPACT_STEPPERS(IMPACT_PLAN)
     case Stepper::automatic:
       break;
   }
-  std::abort();  // refused, or chosen, before
+  std::abort();  // chosen before
 }
 
 }  // namespace impact::host

@@ -19,10 +19,8 @@ struct Planned {
   PlanStatus status = PlanStatus::ok;
 };
 
-// Plans with any stepper and drive (simulation_instance.hpp).
-template <class Format, class ContactLaw, class... Parts>
-Planned plan_with_law(const Request& request, const Bounds& bounds);
-struct AnyField;  // any_field.hpp
+// Plans with any stepper, drive and parts (simulation_instance.hpp).
+template <class Format, class ContactLaw> Planned plan_with_law(const Request& request, const Bounds& bounds);
 
 // The force of the law in double, from a penetration and its rate. The tool prints it with the state.
 template <class ContactLaw> double law_force(const Scene& scene, double damping, double penetration, double rate) {
@@ -48,8 +46,22 @@ struct AnySubsteppedMoment : SubsteppedMoment<> {
   static int parts_for(const Resolution& contact, double step) { return parts_of_named(contact, step); }
   static Range steps(const Resolution& contact) { return steps_of_named(contact); }
 };
+// Likewise a classical scheme for any beta.
+struct BetaOfNamed {
+  static inline thread_local double of_named = 0;
+  static inline thread_local uint32_t kind = 0;
+  static inline thread_local double longest_phase = 0;
+
+  static double value() { return of_named; }
+};
 // The stepper of the kernel that serves a named one.
 template <class Stepper> Stepper serving(Stepper stepper) { return stepper; }
+template <class Beta> Pointwise<BetaOfNamed> serving(Pointwise<Beta>) {
+  BetaOfNamed::of_named = Beta::value();
+  BetaOfNamed::kind = Beta::kind;
+  BetaOfNamed::longest_phase = Beta::longest_phase;
+  return {};
+}
 template <int n> AnySubsteppedMoment serving(SubsteppedMoment<n>) {
   AnySubsteppedMoment::parts_of_named = SubsteppedMoment<n>::parts_for;
   AnySubsteppedMoment::steps_of_named = SubsteppedMoment<n>::steps;
@@ -210,36 +222,11 @@ Planned plan_for(const Request& request, const Bounds& bounds) {
   return {std::make_unique<Run>(request, plan), PlanStatus::ok};
 }
 
-// A request without a drive has samples of 0. If Bounds::force is stated, the plan still reserves room for it.
-template <class Format, class ContactLaw, class... Parts, class Stepper>
-Planned plan_with_drive(Stepper, Request request, Bounds bounds) {
-  if (request.drive != DriveKind::sine) request.scene.drive_pulsation = 0;
-  if (request.drive == DriveKind::none) {
-    request.scene.drive_amplitude = larger(request.scene.drive_amplitude, bounds.force);
-    bounds.force = 0;
-  }
-  // The configuration of most sweeps has a kernel of its own, which is 5 % faster.
-  if constexpr (std::is_same_v<Stepper, Moment> && sizeof...(Parts) == 0)
-    if (request.drive == DriveKind::sine) return plan_for<Format, ContactLaw, Stepper, Sine>(request, bounds);
-  return plan_for<Format, ContactLaw, Stepper, AnyDrive, Parts...>(request, bounds);
-}
-
 #define IMPACT_CHECK_ORDER(value, name, Type)                                                                      \
   static_assert(is_classical(Stepper::value) == Type::template Contact<Float64, HuntCrossley>::traits.keeps_force, \
                 "the classical schemes are the first of IMPACT_STEPPERS");
 IMPACT_STEPPERS(IMPACT_CHECK_ORDER)
 #undef IMPACT_CHECK_ORDER
-
-// True if a stepper has a kernel with the parts, or one without. In WebAssembly no stepper has both, since a page
-// should be small.
-constexpr bool has_kernel(Stepper stepper, bool with_parts) {
-  if (is_classical(stepper)) return !with_parts;
-#if defined(__wasm__)
-  return with_parts;
-#else
-  return true;
-#endif
-}
 
 // The result of `found` for the kernel's type of the request's law. `Exact` serves all laws that set the damping at
 // each impact, because make_simulation first computes the restitution that the law leads to.
@@ -256,12 +243,7 @@ template <class Found> auto by_law(const Request& request, const Found& found) {
 }
 
 template <class Format> Planned plan_simulation(const Request& request, const Bounds& bounds) {
-  return by_law(request, [&](auto law) {
-    using ContactLaw = decltype(law);
-    return has_parts(request) || !has_kernel(request.stepper, false)
-               ? plan_with_law<Format, ContactLaw, AnyField, DryFriction>(request, bounds)
-               : plan_with_law<Format, ContactLaw>(request, bounds);
-  });
+  return by_law(request, [&](auto law) { return plan_with_law<Format, decltype(law)>(request, bounds); });
 }
 
 }  // namespace impact::host

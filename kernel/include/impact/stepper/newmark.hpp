@@ -32,14 +32,17 @@
 
 namespace impact {
 
-template <int beta_numerator, int beta_denominator> struct Pointwise {
+template <int numerator, int denominator> struct Beta {
   // A saved state is of one kind of stepper, and of one beta.
-  static constexpr uint32_t kind = 34 | beta_numerator << 8 | beta_denominator << 16;
-  static constexpr double beta = static_cast<double>(beta_numerator) / beta_denominator;
+  static constexpr uint32_t kind = 34 | numerator << 8 | denominator << 16;
+  static constexpr double value() { return static_cast<double>(numerator) / denominator; }
   // The main oscillator's largest angle in a step, rad. Beyond 2/sqrt(1 - 4 beta) the scheme is unstable (Hughes 1987);
   // the average acceleration never is.
-  static constexpr double longest_phase = 4 * beta < 1 ? 1.98 / constant::square_root(1 - 4 * beta) : 1e6;
-  static constexpr LinearFlow flow(const Scene& scene, double h) { return newmark_flow(scene, h, beta); }
+  static constexpr double longest_phase = 4 * value() < 1 ? 1.98 / constant::square_root(1 - 4 * value()) : 1e6;
+};
+
+template <class BetaType> struct Pointwise : BetaType {
+  static constexpr LinearFlow flow(const Scene& scene, double h) { return newmark_flow(scene, h, BetaType::value()); }
 
   static constexpr Range steps(const Resolution&) { return any_step; }
 
@@ -67,6 +70,7 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
       } slope;  // of a power law: - d law / d force, in its own unit
       int passes;
       bool clamped;
+      decltype(Format::constant(0)) beta;
     };
     struct Reach {
       double trial, rate, push;  // m; `push` by both masses
@@ -105,7 +109,7 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
 
     static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
       const double force_unit = terms.force_unit, k1 = terms.stiffness, damping = terms.damping_time / terms.step;
-      const double ball = terms.step * terms.step / terms.ball_mass;
+      const double ball = terms.step * terms.step / terms.ball_mass, beta = BetaType::value();
       const double by_penetration = flow.b1 + beta * ball, by_rate = flow.c1 + ball / 2;
       double slope = k1 * by_penetration + k1 * damping * by_rate;
       if (!ContactLaw::is_linear) {
@@ -144,7 +148,8 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
           {Format::gain(force_unit * by_penetration, 0, unit.penetration + slope_unit),
            Format::gain(force_unit * by_rate, 0, unit.penetration + slope_unit), Format::power_of_two(-1 - slope_unit)},
           passes,
-          terms.clamped};
+          terms.clamped,
+          Format::constant(beta)};
     }
 
     static constexpr ContactTraits traits = [] {
@@ -188,9 +193,10 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
       reaction.penetration = penetration_after(plan.response, trial, impulse);
       if constexpr (Seen::is_recorded) {
         // Linear over the step between its values before and after.
+        const Force half_before = Format::value(half(force_before));
         reaction.record.force = {
-            Format::value(half(force_before)) + Format::value(half(force)),
-            Format::value(Format::constant(0.5 - beta) * force_before) + Format::value(Format::constant(beta) * force)};
+            half_before + Format::value(half(force)),
+            half_before - Format::value(plan.beta * force_before) + Format::value(plan.beta * force)};
         if (touches) reaction.record.stored = ContactLaw::template stored<Format>(units, reaction.penetration);
         reaction.record.rate = rate_after(plan.response, trial_rate, impulse);
       }
@@ -257,9 +263,9 @@ template <int beta_numerator, int beta_denominator> struct Pointwise {
   };
 };
 
-using AverageAcceleration = Pointwise<1, 4>;
-using LinearAcceleration = Pointwise<1, 6>;
-using FoxGoodwin = Pointwise<1, 12>;
-using CentralDifference = Pointwise<0, 1>;
+using AverageAcceleration = Pointwise<Beta<1, 4>>;
+using LinearAcceleration = Pointwise<Beta<1, 6>>;
+using FoxGoodwin = Pointwise<Beta<1, 12>>;
+using CentralDifference = Pointwise<Beta<0, 1>>;
 
 }  // namespace impact

@@ -300,7 +300,7 @@ template <class RealType, template <class> class State, class OscillatorType> st
   }
   // parts: k times `part`. parts_of: the number of whole parts in x, for x from -1 to 1.
   static constexpr Real parts(int k, int, Gain part) { return static_cast<Real>(k) * part; }
-  static constexpr int parts_of(Real x, int, Gain part) { return static_cast<int>(x / part); }
+  static constexpr int parts_of(Real x, int bits, Gain) { return static_cast<int>(x * static_cast<Real>(1 << bits)); }
   static constexpr Real times(Real x, int k) { return x * static_cast<Real>(k); }
   static constexpr Real raised(Real x, int) { return x; }
   // A sum of terms part * x, or of terms x.

@@ -113,8 +113,8 @@ template <int named = 0> struct SubsteppedMoment {
       Gain square;                                             // 1/n^2, likewise
       Stride strides[static_cast<size_t>(exponent_of(most))];  // over 1, 2, 4, .. sub-steps
       int depth_bits, moment_bits;  // its unit of penetrations is 2^depth_bits as fine, that of J1 2^moment_bits
-      GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton, from forces
-      Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
+      GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;          // of Hooke-Newton, from forces
+      Gain main_x, main_u, main_u_by_moment, ball;                            // the masses' shares in these
       GainOf<typename Format::ClampedGain, unit::Recoil, unit::Force> force;  // from the ball's impulse
       int travel_bits;
       bool crosses;
@@ -253,23 +253,23 @@ template <int named = 0> struct SubsteppedMoment {
       if constexpr (Seen::is_in_field) by_spring = by_spring + units.increment_of_rate(step.ball_increment);
       const Quartic free(trial, step.rate, trial - at, start_rate,
                          plan.quartic * by_spring + plan.drive_quartic * step.bend);
-      int i = 0;
-      if (begins) skip_flight(plan, free, i, at);
+      int left = 1 << plan.exponent;  // sub-steps to the step's end
+      if (begins) skip_flight(plan, free, left, at);
       Sums sums{};  // the effect of the impulses so far
-      const int n = 1 << plan.exponent;
       [[maybe_unused]] Friction friction{};
       if constexpr (Seen::is_rubbed) {
-        const Penetration now = i > 0 ? free.rate_at(Format::parts(n - i, plan.exponent, plan.part)) : start_rate;
+        const Penetration now =
+            left < 1 << plan.exponent ? free.rate_at(Format::parts(left, plan.exponent, plan.part)) : start_rate;
         friction.begin(plan, *step.rubbing, now, begins ? at - step.before : Penetration{});
       }
       uint32_t crossings = 0;  // odd: at the other stop than at the start
       [[maybe_unused]] Penetration rate_at_crossing{};
       [[maybe_unused]] Work work{plan, start_rate};
-      while (i < n) {
-        ++i;
+      while (left > 0) {
+        --left;
         const Recoil by_flow = sums.advance(plan, 0);
         if constexpr (Seen::is_rubbed) friction.act(plan, sums);
-        const auto s = Format::parts(n - i, plan.exponent, plan.part);
+        const auto s = Format::parts(left, plan.exponent, plan.part);
         bool is_across = (crossings & 1) != 0;
         Penetration part_trial = free.at(s) - sums.displacement(plan);
         if (is_across) part_trial = across(plan, part_trial);
@@ -303,17 +303,18 @@ template <int named = 0> struct SubsteppedMoment {
         at = lowered(plan, this->penetration);
         if constexpr (Seen::is_recorded)
           if (this->phase == Phase::apart) work.end(free_rate - sums.rate(plan), sums.w - friction.taken);
-        if (this->phase == Phase::apart && !plan.crosses) {
+        if (this->phase == Phase::apart) {
           Sums end = sums;
           for (int stride = 0; stride < plan.exponent; ++stride)
-            if ((((n - i) >> stride) & 1) != 0) end.advance(plan, stride);
+            if (((left >> stride) & 1) != 0) end.advance(plan, stride);
           [[maybe_unused]] Friction last = friction;
-          if constexpr (Seen::is_rubbed) last.leave(plan, end, free.rate, n - i);
-          if (is_positive(trial - end.displacement(plan))) continue;
+          if constexpr (Seen::is_rubbed) last.leave(plan, end, free.rate, left);
+          const Penetration ended = trial - end.displacement(plan);
+          if (is_positive(ended) || (plan.crosses && is_positive(across(plan, ended)))) continue;
           sums = end;
           if constexpr (Seen::is_rubbed) {
             friction = last;
-            friction.slide(trial - end.displacement(plan) - at);
+            friction.slide(ended - at);
           }
           break;
         }
@@ -511,20 +512,28 @@ template <int named = 0> struct SubsteppedMoment {
         taken = taken + impulse;
       }
     };
-    // Advances to a sub-step or two before the touch.
-    static constexpr void skip_flight(const Plan& plan, const Quartic& free, int& i, Penetration& at) {
-      const Penetration travel = free.end - at;
-      if (is_positive(at) || !is_positive(travel)) return;
-      const auto divisor = Format::divisor(without_sign(travel));
-      const auto u = divisor.share(without_sign(free.end));
-      const Value earlier = earlier_than_chord<Format>(divisor, u, free.bend, free.half_acceleration);
-      const int n = 1 << plan.exponent, left = Format::parts_of(Format::value(u), plan.exponent, plan.part) +
-                                               Format::parts_of(earlier, plan.exponent, plan.part) + 3;
-      if (left < 1 || left >= n) return;
-      const Penetration there = free.at(Format::parts(left, plan.exponent, plan.part));
-      if (is_positive(there)) return;
-      i = n - left;
-      at = there;
+    // Advances to the start of the sub-step in which the ball touches. It is found by bisection. If there are many
+    // sub-steps, those at the cubic's touch are tried first.
+    static constexpr void skip_flight(const Plan& plan, const Quartic& free, int& left, Penetration& at) {
+      if (is_positive(at) || !is_positive(free.end)) return;
+      int inside = 0, guess = 0;  // `left` where the ball is inside; where it may touch
+      if (plan.exponent > 4) {
+        const auto divisor = Format::divisor(without_sign(free.end - at));
+        const auto u = divisor.share(without_sign(free.end));
+        const Value earlier = earlier_than_chord<Format>(divisor, u, free.bend, free.half_acceleration);
+        guess = Format::parts_of(Units::clamped_sum(Format::value(u), earlier), plan.exponent, plan.part);
+      }
+      for (int tried = 0; left - inside > 1; ++tried) {
+        const bool is_guess = tried < 2 && guess > inside && guess < left;
+        const int seen = is_guess ? guess++ : (inside + left) / 2;
+        const Penetration there = free.at(Format::parts(seen, plan.exponent, plan.part));
+        if (is_positive(there)) {
+          inside = seen;
+        } else {
+          left = seen;
+          at = there;
+        }
+      }
     }
   };
 };

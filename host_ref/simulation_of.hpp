@@ -56,7 +56,7 @@ struct BetaOfNamed {
 };
 // The stepper of the kernel that serves a named one.
 template <class Stepper> Stepper serving(Stepper stepper) { return stepper; }
-template <class Beta> Pointwise<BetaOfNamed> serving(Pointwise<Beta>) {
+template <class Beta> Newmark<BetaOfNamed> serving(Newmark<Beta>) {
   BetaOfNamed::of_named = Beta::value();
   BetaOfNamed::kind = Beta::kind;
   BetaOfNamed::longest_phase = Beta::longest_phase;

@@ -41,7 +41,7 @@ template <int numerator, int denominator> struct Beta {
   static constexpr double longest_phase = 4 * value() < 1 ? 1.98 / constant::square_root(1 - 4 * value()) : 1e6;
 };
 
-template <class BetaType> struct Pointwise : BetaType {
+template <class BetaType> struct Newmark : BetaType {
   static constexpr LinearFlow flow(const Scene& scene, double h) { return newmark_flow(scene, h, BetaType::value()); }
 
   static constexpr Range steps(const Resolution&) { return any_step; }
@@ -263,9 +263,10 @@ template <class BetaType> struct Pointwise : BetaType {
   };
 };
 
-using AverageAcceleration = Pointwise<Beta<1, 4>>;
-using LinearAcceleration = Pointwise<Beta<1, 6>>;
-using FoxGoodwin = Pointwise<Beta<1, 12>>;
-using CentralDifference = Pointwise<Beta<0, 1>>;
+template <int numerator, int denominator> using Pointwise = Newmark<Beta<numerator, denominator>>;
+using AverageAcceleration = Pointwise<1, 4>;
+using LinearAcceleration = Pointwise<1, 6>;
+using FoxGoodwin = Pointwise<1, 12>;
+using CentralDifference = Pointwise<0, 1>;
 
 }  // namespace impact

@@ -230,7 +230,6 @@ CoupledRun run_coupled(const CoupledScene& found) {
   const Outcome outcome = make_simulation(found.request);
   if (!outcome.simulation) return result;
   result.is_accepted = true;
-  result.is_warned = found.request.stepper != Stepper::automatic && !outcome.description.empty();
   const Scene& scene = found.request.scene;
   const double h = found.request.step, size = found.request.bounds->force, largest_base = found.base;
   const DriveKind drive = found.request.drive;

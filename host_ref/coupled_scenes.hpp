@@ -50,7 +50,6 @@ std::string text_of(const Request& request);
 // the larger one counts.
 struct CoupledRun {
   bool is_accepted = false, has_fault = false;
-  bool is_warned = false;  // true if the tool warns that the named stepper may gain energy
   double gain = 0;
   double returned = 0;  // the largest decrease of the ledger, relative to the same energy
   // The same two numbers with friction and its ledger.

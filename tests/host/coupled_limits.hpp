@@ -2,12 +2,10 @@
 // The largest accepted energy gain of a coupled scene, for the random scenes and for the search.
 
 #include <cmath>
-#include <impact/choice.hpp>
 #include <impact/law/depth.hpp>
 
 #include "host_ref/coupled_scenes.hpp"
 #include "host_ref/extremes.hpp"
-#include "host_ref/settled.hpp"
 
 namespace impact::host {
 
@@ -49,11 +47,7 @@ inline double largest_supply_by_friction(const CoupledScene& found) { return 0.0
 
 // The largest accepted gain, as a share of the scene's energy. Moment-fitted steppers create up to 1e-5 in each of some
 // hundred contacts. Named ones with fewer than the 8 steps per contact of the rule create up to 6e-5. The other
-// steppers create none, except for rounding. More sub-steps than the rule allows create more, and the tool warns of
-// them.
-inline double largest_energy_gain(const CoupledScene& found) {
-  const bool is_beyond_rule = sub_steps(found.request) > most_sub_steps_in(found.request.numeric, found.request.law);
-  return (is_beyond_rule ? 0.03 : 0.01) + energy_rounded(found);
-}
+// steppers create none, except for rounding.
+inline double largest_energy_gain(const CoupledScene& found) { return 0.01 + energy_rounded(found); }
 
 }  // namespace impact::host

@@ -1,6 +1,6 @@
 #pragma once
-// The tool's field: a base's acceleration if the bounds have one, else weight. Each kernel with parts is therefore
-// compiled only once. Every bit is that of BaseAcceleration or of Gravity.
+// The tool's field: a base's acceleration if the bounds have one, weight if the scene has it, or none. Each kernel is
+// therefore compiled only once. Every bit is that of BaseAcceleration, of Gravity or of a kernel without a field.
 
 #include <impact/motion/field.hpp>
 
@@ -8,7 +8,7 @@ namespace impact::host {
 
 struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samples have no effect
   template <class Format> struct FieldPlan : BaseAcceleration::FieldPlan<Format> {
-    bool is_shaken;
+    bool is_shaken, is_heavy;
     Gravity::FieldPlan<Format> weight;
   };
   static constexpr bool is_shaken_in(const Bounds& bounds) { return bounds.base_acceleration > 0; }
@@ -17,8 +17,11 @@ struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samp
   static constexpr FieldPlan<Format> make_plan(const Scene& scene, const Bounds& bounds, const LinearFlow& main,
                                                const LinearFlow& ball, const UnitExponents& unit, const Units& units) {
     if (is_shaken_in(bounds))
-      return {BaseAcceleration::make_plan<Format>(scene, bounds, main, ball, unit, units), true, {}};
-    return {{}, false, Gravity::make_plan<Format>(scene, bounds, main, ball, unit, units)};
+      return {BaseAcceleration::make_plan<Format>(scene, bounds, main, ball, unit, units), true, false, {}};
+    return {{},
+            false,
+            scene.gravity < 0 || scene.gravity > 0,
+            Gravity::make_plan<Format>(scene, bounds, main, ball, unit, units)};
   }
   using BaseAcceleration::at_once;
   template <class Units>
@@ -45,11 +48,15 @@ struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samp
   [[gnu::always_inline]] static constexpr void fly(const Plan& plan, State& state, Value next) {
     if (plan.is_shaken)
       BaseAcceleration::fly(plan, state, next);
-    else
+    else if (plan.is_heavy)
       Gravity::fly(plan.weight, state, next);
+    else
+      state.x2.advance(state.dx2);
   }
   template <class Plan, class State> static constexpr auto ball_travel(const Plan& plan, const State& state) {
-    return plan.is_shaken ? BaseAcceleration::ball_travel(plan, state) : Gravity::ball_travel(plan.weight, state);
+    return plan.is_shaken  ? BaseAcceleration::ball_travel(plan, state)
+           : plan.is_heavy ? Gravity::ball_travel(plan.weight, state)
+                           : state.dx2;
   }
   template <class Plan, class State> static constexpr auto ball_increment(const Plan& plan, const State& state) {
     return plan.is_shaken ? BaseAcceleration::ball_increment(plan, state) : Gravity::ball_increment(plan.weight, state);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <host_ref/tool/options.hpp>
+#include <impact/absorber.hpp>
 #include <sstream>
 
 #include "coupled_limits.hpp"
@@ -202,6 +203,46 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
   std::printf("  %u first impacts, off by at most %.2g of the energy, with a damping that is clamped %.2g\n", compared,
               worst, worst_clamped);
   EXPECT_GE(compared, GetParam().damping != Damping::constant ? 10u : 20u);
+}
+
+// The tool's kernels have weight, a base and friction, whose values are 0 here. A machine's kernel has no such parts.
+template <class Format, class ContactLaw, class Stepper>
+void expect_bits_without_parts(Request request, Stepper, host::Stepper stepper, Numeric numeric) {
+  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format>;
+  request.stepper = stepper;
+  request.numeric = numeric;
+  const auto plan = Kernel::PlanType::make(request.scene, *request.bounds, request.step);
+  const Outcome made = make_simulation(request);
+  ASSERT_EQ(plan.status == PlanStatus::ok, made.simulation != nullptr) << text_of(request);
+  if (!made.simulation) return;
+  Kernel kernel(plan);
+  for (int n = 0; n < 2000; ++n) {
+    kernel.step();
+    made.simulation->step(0);
+    const auto bits = kernel.reading();
+    const Sample sample = made.simulation->sample();
+    ASSERT_EQ(bits.x1, sample.x1) << n << " " << text_of(request);
+    ASSERT_EQ(bits.v1, sample.v1) << n << " " << text_of(request);
+    ASSERT_EQ(bits.x2, sample.x2) << n << " " << text_of(request);
+    ASSERT_EQ(bits.v2, sample.v2) << n << " " << text_of(request);
+  }
+}
+TEST(CoupledSceneOfTheTool, HasTheBitsOfAKernelWithoutParts) {
+  unsigned run = 0;
+  for (unsigned index = 0; index < 400; ++index) {
+    const CoupledScene found = coupled_scene(Law::hertz, index % 2 ? Edge::none : Edge::heavy_ball, index);
+    if (found.request.drive != DriveKind::sine) continue;
+    ++run;
+    const auto expect = [&](auto stepper, Stepper named) {
+      expect_bits_without_parts<Float32, Hertz>(found.request, stepper, named, Numeric::float32);
+      expect_bits_without_parts<Fixed32, Hertz>(found.request, stepper, named, Numeric::fixed32);
+    };
+    expect(Moment{}, Stepper::moment);
+    expect(EnergyConsistent{}, Stepper::energy);
+    expect(SubsteppedMoment<>{}, Stepper::moment_n);
+    expect(Impulsive{}, Stepper::impulsive);
+  }
+  EXPECT_GE(run, 50u);
 }
 
 // A failing test prints a command. With it the tool computes the same motion.

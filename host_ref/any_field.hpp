@@ -20,7 +20,7 @@ struct AnyField : BaseAcceleration {  // for weight its constants are 0, so samp
       return {BaseAcceleration::make_plan<Format>(scene, bounds, main, ball, unit, units), true, false, {}};
     return {{},
             false,
-            scene.gravity < 0 || scene.gravity > 0,
+            Gravity::largest(scene, bounds) > 0,
             Gravity::make_plan<Format>(scene, bounds, main, ball, unit, units)};
   }
   using BaseAcceleration::at_once;

@@ -196,7 +196,7 @@ TEST(TuningOfAStopInFixed32, LeavesTheBallInPlace) {
     scene->drive_amplitude = 0;
     scene->x1 = scene->x2 = -0.00981;
     scene->contact_damping = scene == &softer ? 100 : 200;
-    scene->contact_stiffness = scene == &softer ? 3e5 : 6e5;
+    scene->contact_stiffness = scene == &softer ? 4e5 : 8e5;
   }
   expect_ball_left_in_place<Absorber<AtRunTime, HookeNewton, Impulsive, NoDrive, Fixed32, Gravity>>(softer, harder,
                                                                                                     1e-3, 1e-10);

@@ -11,6 +11,8 @@
 //                   even steps of y = a/(2 + a), of 1/64 and of 1/16. If the damping is set per impact, a and both are
 //                   constant.
 //
+// What a pressing acceleration changes is in free_impact.hpp.
+//
 // Bounds: loss within 3e-5 (restitution within 6e-5); depth within 1.5 % for e >= 0.2 and 3 % for e >= 0.05, of which
 // power_four_fifths.hpp has 1 %. V counts in 2^penetration metres per step, depth in 2^penetration metres.
 
@@ -23,7 +25,11 @@
 
 namespace impact {
 
-template <class Value> struct Bounce { Value depth, loss; };
+// `reach` is V times the time to the centroid of an undamped contact. `share` is what pressed_rate() reads.
+template <class Value, class Share> struct Bounce {
+  Value reach, depth, loss;
+  Share share;
+};
 
 // By y = a/(2 + a), from 0 to 1; depth as a share of that without damping.
 template <class Format> struct HuntCrossleyRebounds {
@@ -49,36 +55,45 @@ constexpr bool restitution_falls_with_speed =
 // For laws with one restitution at all speeds.
 template <class Format, class ContactLaw, bool = restitution_falls_with_speed<ContactLaw>> struct Rebound {
   using Value = typename Format::Value;
+  using Gain = typename Format::Gain;
 
-  typename Format::Gain depth;
+  Gain reach, depth;
   Value loss;
+  Gain way, back;
 
   static constexpr Rebound make(const ContactTerms& terms, const UnitExponents& unit) {
     const double largest = constant::power_of_two(unit.penetration) / terms.step;  // m/s
     const FreeImpact impact = free_impact<ContactLaw>(terms, largest);
-    return {Format::gain(impact.centroid / terms.step, 0, 0), Format::sample((1 - impact.restitution) / 2)};
+    const Press press = press_of<ContactLaw>(terms, impact);
+    return {Format::gain(undamped_centroid<ContactLaw>(terms, largest) / terms.step, 0, 0),
+            Format::gain(impact.centroid / terms.step, 0, 0), Format::sample((1 - impact.restitution) / 2),
+            Format::gain(press.way, 0, 0), Format::gain(press.back, 0, 0)};
   }
-  constexpr Bounce<Value> at(Value speed) const {
-    if constexpr (ContactLaw::is_linear)
-      return {depth * speed, loss};
+  constexpr auto at(Value speed) const {
+    if constexpr (!ContactLaw::is_linear) speed = Format::template power_four_fifths<true>(speed);
+    const Value reached = reach * speed;
+    if constexpr (ContactLaw::is_damped)
+      return Bounce<Value, Gain>{reached, depth * speed, loss, back};
     else
-      return {depth * Format::template power_four_fifths<true>(speed), ContactLaw::is_damped ? loss : Value{}};
+      return Bounce<Value, Gain>{reached, reached, Value{}, back};
   }
+  // back A t0, of A t0
+  static constexpr Value pressed_rate(Gain back, Value hastened) { return back * hastened; }
 };
 
 template <class Format, class ContactLaw> struct Rebound<Format, ContactLaw, true> {
   using Value = typename Format::Value;
 
-  typename Format::Gain depth;
+  typename Format::Gain reach, way;
   typename Format::Gain speed_share;            // y = speed_share V / (speed_share V + damping_share)
   decltype(Format::constant(0)) damping_share;  // of 2 k1/c1
 
   static constexpr Rebound make(const ContactTerms& terms, const UnitExponents& unit) {
     const double largest = constant::power_of_two(unit.penetration) / terms.step;  // m/s
-    const FreeImpact impact = free_impact<Hertz>(terms, largest);
     // The shares are at most 1 and 1/2: their sum has room in 32 bits.
     const double a = constant::larger(terms.damping_time * largest, 1e-12), scale = constant::larger(1, 4 / a);
-    return {Format::gain(impact.centroid / terms.step, 0, 0), Format::gain(1 / scale, 0, 0),
+    return {Format::gain(undamped_centroid<ContactLaw>(terms, largest) / terms.step, 0, 0),
+            Format::gain(detail::power_law_press(0).way, 0, 0), Format::gain(1 / scale, 0, 0),
             Format::constant(2 / a / scale)};
   }
   // y of an impact's speed > 0.
@@ -89,19 +104,22 @@ template <class Format, class ContactLaw> struct Rebound<Format, ContactLaw, tru
     else
       return Format::quotient(share, share + damping_share);
   }
-  constexpr Bounce<Value> at(Value speed) const {
+  constexpr auto at(Value speed) const {
     const auto y = damped_share(speed);
     const auto& known = hunt_crossley_rebounds<Format>;
-    const Value undamped = depth * Format::template power_four_fifths<true>(speed);
-    return {Format::value(undamped * Format::interpolated(known.depth, y)), Format::interpolated(known.loss, y)};
+    const Value reached = reach * Format::template power_four_fifths<true>(speed);
+    return Bounce<Value, decltype(y)>{reached, Format::value(reached * Format::interpolated(known.depth, y)),
+                                      Format::interpolated(known.loss, y), y};
+  }
+  template <class Share> static constexpr Value pressed_rate(Share y, Value hastened) {
+    const Value damped = Format::value(y * hastened);
+    return Format::value(hastened * Format::short_constant(1.0 / 3)) + damped + Format::value(half(quarter(damped)));
   }
 };
 
 // m, for the fastest impact; damping reduces it.
 template <class ContactLaw> constexpr double deepest_rebound(const ContactTerms& terms) {
-  const FreeImpact impact = ContactLaw::is_linear ? free_impact<HookeNewton>(terms, terms.largest_rate)
-                                                  : free_impact<Hertz>(terms, terms.largest_rate);
-  return terms.largest_rate * impact.centroid;
+  return terms.largest_rate * undamped_centroid<ContactLaw>(terms, terms.largest_rate);
 }
 
 }  // namespace impact

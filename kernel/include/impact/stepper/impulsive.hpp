@@ -5,13 +5,14 @@
 // step's end. Derivation: kernel/docs/impulsive.md.
 //
 //     x2 -= t h J/m    x1 += p J/M    p = t h (1 - c t h/(2 M) - (w0 t h)^2/6)        J = 2 mu (Vi - loss V)
-//     v2 -= J/m        v1 += g J/M    g = 1 - c t h/M - (w0 t h)^2/2                  V = Vi - A tau >= 0
+//     v2 -= J/m        v1 += g J/M    g = 1 - c t h/M - (w0 t h)^2/2                  V = Vi - back A t0 >= 0
 //
-// Vi is the rate of free flight at that instant, A the acceleration towards the stop by spring and drive, and tau the
-// time from touch to centroid. An impact creates no energy, for any t and any restitution. If A presses the ball to its
-// stop, a force over the step, f = d/(b + h^2/2m), ends the step with the ball on the stop. From then on the ball
-// rests: the force keeps it there and does no work. In a field the ball is lifted only as far as the energy
-// suffices that the force has taken. There is one impact per step. Dry friction turns at the impact's instant.
+// Vi is the rate of free flight at that instant, and A the acceleration towards the stop by spring and drive at the
+// touch. What A does during the contact is taken to first order (Press in law/free_impact.hpp). An impact creates no
+// energy, for any t and any restitution. If A presses the ball to its stop, a force over the step, f = d/(b + h^2/2m),
+// ends the step with the ball on the stop. From then on the ball rests: the force keeps it there and does no work. In a
+// field the ball is lifted only as far as the energy suffices that the force has taken. There is one impact per step.
+// Dry friction turns at the impact's instant.
 
 #include <impact/law/impact_force.hpp>
 #include <impact/law/rebound.hpp>
@@ -206,29 +207,33 @@ struct Impulsive {
       const auto divisor = Format::divisor(without_sign(pace));
       const Value half_acceleration = Format::value(half(acceleration)),
                   bend = Format::beyond_rounding(travel - rate + half_acceleration);
-      Value speed = pace;
-      if (is_positive(travel)) {
-        Value at_touch = rate_at_touch<Format>(divisor, divisor.share(without_sign(trial)), Penetration(travel),
-                                               Penetration(rate), Penetration(acceleration), 0);
-        if (is_positive(before))
-          at_touch = at_touch - Format::value(acceleration * Format::value(divisor.ratio(before)));
-        if (is_positive(at_touch)) speed = at_touch;
-      }
+      // Drive and spring change the acceleration in the step. At the touch the rate is `speed`, and the acceleration
+      // `pressing`.
+      const auto since_touch = divisor.share(without_sign(trial));
+      const Value half_change = plan.acceleration * step.half_change,
+                  half_jerk = half_change + Format::value(half(plan.turn * Value(step.main_rate))),
+                  later = Format::value(since_touch * half_jerk), average = acceleration - later,
+                  pressing = average - later, by_chord = Format::value(since_touch * average);
+      Value speed = rate - by_chord +
+                    Format::value((by_chord - Format::value(since_touch * by_chord)) *
+                                  Format::value(divisor.ratio(half_acceleration)));
+      if (is_positive(before)) speed = speed - Format::value(acceleration * Format::value(divisor.ratio(before)));
+      if (!is_positive(speed)) speed = pace;
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
       // All factors may be small compared with their unit, which has room for the pressing force at the bounds.
-      const auto unit = Format::own_unit(Format::spare_bits(acceleration, bounce.depth, rate, travel));
-      const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(acceleration) * unit.own(bounce.depth));
+      const auto unit = Format::own_unit(Format::spare_bits(pressing, bounce.reach, rate, travel));
+      const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(pressing) * unit.own(bounce.reach));
       const Value half_rate = Format::value(half(rate));
       if (!is_positive(pressed - Format::value(half(own_rate * own_rate)))) {
         // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
         const Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace))),
                     beyond = trial - bounce.depth -
-                             Format::value(half(hastened * Format::value(divisor.ratio(bounce.depth))));
+                             (plan.rebound.way * Format::value(hastened * Format::value(divisor.ratio(bounce.depth))));
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto chord = divisor.share(without_sign(beyond));
         const auto t = Format::moved_share(chord, divisor.ratio(above_chord<Format>(chord, bend, half_acceleration)));
-        const Instant at(plan, t, rate, acceleration, main_part, plan.acceleration * step.half_change, step.main_rate);
-        const Value touch_rate = at.rate - hastened;
+        const Instant at(plan, t, rate, acceleration, main_part, half_change, half_jerk);
+        const Value touch_rate = at.rate - plan.rebound.pressed_rate(bounce.share, hastened);
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
         const Value impulse =
             clamped(plan, units, plan.fades ? asked : no_more(asked, at.undamped(plan, t, step.damped)));
@@ -321,12 +326,11 @@ struct Impulsive {
 
       template <class Share>
       constexpr Instant(const Plan& plan, Share t, Value rate_at_end, Value acceleration, Value main_part,
-                        Value half_change, Value main_rate)
+                        Value half_change, Value half_jerk)
           : turned(plan.turn * Format::value(square(t))),
             faded(plan.fading * Format::value(t)),
             rate(rate_at_end - Format::value(t * (acceleration - sixth(main_part))) +
-                 Format::value(square(t) * (half_change - Format::value(half(sixth(half_change))))) +
-                 Format::value(half(turned * main_rate))) {}
+                 Format::value(square(t) * (half_jerk - Format::value(half(sixth(half_change)))))) {}
       // Without the damper's change since then.
       template <class Share> constexpr Value undamped(const Plan& plan, Share t, Increment<Value> damped) const {
         const Value part = plan.acceleration * damped;

@@ -10,7 +10,12 @@ namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
-using Eigen::VectorXd;
+
+// N and its tangents dN/dx and dN/dx'.
+struct InternalForce {
+  Vector2d force;
+  Matrix2d stiffness, damping;
+};
 
 struct ContactForce {
   double force, stiffness, damping;  // f, df/d delta, df/d delta'
@@ -72,41 +77,42 @@ Sample initial_sample(const Case& run) {
 
 }  // namespace
 
-Motion newmark_step(const LinearSystem& system, double beta, double h, const Motion& start, const VectorXd& external,
-                    const InternalForceLaw& internal) {
-  constexpr double gamma = 0.5;
-  const VectorXd displacement = start.displacement + h * start.velocity + h * h * (0.5 - beta) * start.acceleration;
-  const VectorXd velocity = start.velocity + h * (1 - gamma) * start.acceleration;
-  Motion end{displacement, velocity, VectorXd::Zero(displacement.size())};
-  // Convergence is quadratic; the cap ends the last-bit cycles of a root that rounding does not let settle.
-  for (int iteration = 0; iteration < 50; ++iteration) {
-    const InternalForce inner = internal(end.displacement, end.velocity);
-    const VectorXd residual = external - system.mass * end.acceleration - system.damping * end.velocity -
-                              system.stiffness * end.displacement - inner.force;
-    const Eigen::MatrixXd tangent = system.mass + gamma * h * (system.damping + inner.damping) +
-                                    beta * h * h * (system.stiffness + inner.stiffness);
-    const VectorXd correction = tangent.partialPivLu().solve(residual);
-    end.acceleration += correction;
-    end.velocity = velocity + gamma * h * end.acceleration;
-    end.displacement = displacement + beta * h * h * end.acceleration;
-    if (correction.norm() <= 1e-14 * end.acceleration.norm()) break;
-  }
-  return end;
-}
-
 TextbookNewmark::TextbookNewmark(const Case& run, double beta, double step)
     : run_(run), beta_(beta), step_(step), sample_(initial_sample(run)) {
   const Scene& scene = run.scene;
-  system_.mass = Vector2d(scene.main_mass, scene.ball_mass).asDiagonal();
-  system_.damping = Vector2d(scene.main_damping, 0).asDiagonal();
-  system_.stiffness = Vector2d(scene.main_stiffness, 0).asDiagonal();
+  mass_ = Vector2d(scene.main_mass, scene.ball_mass).asDiagonal();
+  damping_ = Vector2d(scene.main_damping, 0).asDiagonal();
+  stiffness_ = Vector2d(scene.main_stiffness, 0).asDiagonal();
   motion_.displacement = Vector2d(scene.x1, scene.x2);
   motion_.velocity = Vector2d(scene.v1, scene.v2);
   if (sample_.penetration > 0) side_ = nearest_stop(scene, scene.x1, scene.x2);
   const double force = side_ * sample_.contact_force;
-  motion_.acceleration =
-      system_.mass.partialPivLu().solve(Vector2d(drive_force(run, 0) + force, -force) -
-                                        system_.damping * motion_.velocity - system_.stiffness * motion_.displacement);
+  motion_.acceleration = mass_.inverse() * (Vector2d(drive_force(run, 0) + force, -force) -
+                                            damping_ * motion_.velocity - stiffness_ * motion_.displacement);
+}
+
+template <class Internal>
+TextbookNewmark::Motion TextbookNewmark::step_end(const Vector2d& load, const Internal& internal) const {
+  constexpr double gamma = 0.5;
+  const double h = step_;
+  const Vector2d displacement =
+      motion_.displacement + h * motion_.velocity + h * h * (0.5 - beta_) * motion_.acceleration;
+  const Vector2d velocity = motion_.velocity + h * (1 - gamma) * motion_.acceleration;
+  Motion end{displacement, velocity, Vector2d::Zero()};
+  // Convergence is quadratic; the cap ends the last-bit cycles of a root that rounding does not let settle.
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const InternalForce inner = internal(end.displacement, end.velocity);
+    const Vector2d residual =
+        load - mass_ * end.acceleration - damping_ * end.velocity - stiffness_ * end.displacement - inner.force;
+    const Matrix2d tangent =
+        mass_ + gamma * h * (damping_ + inner.damping) + beta_ * h * h * (stiffness_ + inner.stiffness);
+    const Vector2d correction = tangent.partialPivLu().solve(residual);
+    end.acceleration += correction;
+    end.velocity = velocity + gamma * h * end.acceleration;
+    end.displacement = displacement + beta_ * h * h * end.acceleration;
+    if (correction.norm() <= 1e-14 * end.acceleration.norm()) break;
+  }
+  return end;
 }
 
 void TextbookNewmark::step() {
@@ -114,12 +120,12 @@ void TextbookNewmark::step() {
   const Sample before = sample_;
   const int side_before = side_;
   sample_.t = static_cast<double>(++steps_) * step_;
-  const Vector2d external(drive_force(run_, sample_.t), 0);
+  const Vector2d load(drive_force(run_, sample_.t), 0);
 
-  const auto no_contact = [](const VectorXd&, const VectorXd&) {
+  const auto no_contact = [](const Vector2d&, const Vector2d&) {
     return InternalForce{Vector2d::Zero(), Matrix2d::Zero(), Matrix2d::Zero()};
   };
-  Motion end = newmark_step(system_, beta_, step_, motion_, external, no_contact);
+  Motion end = step_end(load, no_contact);
   const int side = nearest_stop(scene, end.displacement[0], end.displacement[1]);
   side_ = penetration(scene, side, end.displacement[0], end.displacement[1]) > 0 ? side : 0;
   double force = 0;
@@ -128,17 +134,17 @@ void TextbookNewmark::step() {
       const double approach_speed = std::max(side_ * (before.v2 - before.v1), least_approach_speed);
       scene.contact_damping = run_.damping_ratio * scene.contact_stiffness / approach_speed;
     }
-    const auto contact = [&](const VectorXd& x, const VectorXd& v) {
+    const auto contact = [&](const Vector2d& x, const Vector2d& v) {
       return contact_force(run_.law, scene.contact_stiffness, scene.contact_damping,
                            penetration(scene, side_, x[0], x[1]), side_ * (v[1] - v[0]));
     };
-    const auto internal = [&](const VectorXd& x, const VectorXd& v) {
+    const auto internal = [&](const Vector2d& x, const Vector2d& v) {
       const ContactForce f = contact(x, v);
       const Vector2d direction(-side_, side_);
       const Matrix2d coupling = direction * direction.transpose();
       return InternalForce{f.force * direction, f.stiffness * coupling, f.damping * coupling};
     };
-    const Motion touching = newmark_step(system_, beta_, step_, motion_, external, internal);
+    const Motion touching = step_end(load, internal);
     force = contact(touching.displacement, touching.velocity).force;
     if (scene.tension == Tension::clamp && force < 0) {
       force = 0;

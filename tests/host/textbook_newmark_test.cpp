@@ -9,66 +9,6 @@ namespace {
 
 constexpr double betas[] = {0.25, 1.0 / 6, 1.0 / 12, 0.0};
 
-InternalForce no_force(const Eigen::VectorXd& x, const Eigen::VectorXd&) {
-  return {Eigen::VectorXd::Zero(x.size()), Eigen::MatrixXd::Zero(x.size(), x.size()),
-          Eigen::MatrixXd::Zero(x.size(), x.size())};
-}
-
-// A chain of masses is released in a mode of angular frequency w. Exactly, x_n = x_0 cos(n theta) with cos theta = 1 -
-// (w h)^2/2/(1 + beta (w h)^2).
-TEST(NewmarkStep, ModesOfAChainVibrateAtTheDiscretePulsation) {
-  constexpr int size = 4;
-  const double h = 0.3;
-  LinearSystem system;
-  system.mass = Eigen::MatrixXd::Identity(size, size) * 2;
-  system.damping = Eigen::MatrixXd::Zero(size, size);
-  system.stiffness = Eigen::MatrixXd::Zero(size, size);
-  for (int i = 0; i < size; ++i) {
-    system.stiffness(i, i) = 10;
-    if (i > 0) system.stiffness(i, i - 1) = system.stiffness(i - 1, i) = -5;
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(system.stiffness / 2);
-  for (const double beta : betas)
-    for (int mode = 0; mode < size; ++mode) {
-      const double square = h * h * modes.eigenvalues()[mode];
-      ASSERT_LT(square, 4);  // the limit of stability for beta = 0
-      const double theta = std::acos(1 - square / 2 / (1 + beta * square));
-      const Eigen::VectorXd shape = modes.eigenvectors().col(mode);
-      Motion motion{shape, Eigen::VectorXd::Zero(size), -modes.eigenvalues()[mode] * shape};
-      for (int n = 1; n <= 100; ++n) {
-        motion = newmark_step(system, beta, h, motion, Eigen::VectorXd::Zero(size), no_force);
-        // 100 steps have errors of a few LSBs each. The phase errors that follow grow quadratically.
-        EXPECT_LT((motion.displacement - std::cos(n * theta) * shape).norm(), 1e-12) << beta << ", mode " << mode;
-      }
-    }
-}
-
-// With a hardening spring and a quadratic damper between two masses, the step's end satisfies the equations of motion.
-TEST(NewmarkStep, SolvesTheNonlinearEquationsOfMotion) {
-  LinearSystem system;
-  system.mass = Eigen::Vector2d(1, 0.3).asDiagonal();
-  system.damping = Eigen::Vector2d(0.5, 0).asDiagonal();
-  system.stiffness = Eigen::Vector2d(1000, 0).asDiagonal();
-  const auto internal = [](const Eigen::VectorXd& x, const Eigen::VectorXd& v) {
-    const double y = x[1] - x[0], w = v[1] - v[0];
-    const Eigen::Vector2d direction(-1, 1);
-    const Eigen::Matrix2d coupling = direction * direction.transpose();
-    return InternalForce{(1e5 * y * y * y + 3 * w * std::abs(w)) * direction, 3e5 * y * y * coupling,
-                         6 * std::abs(w) * coupling};
-  };
-  for (const double beta : betas) {
-    Motion motion{Eigen::Vector2d(0.01, -0.02), Eigen::Vector2d(1, -2), Eigen::Vector2d(0, 0)};
-    for (int n = 0; n < 20; ++n) {
-      const Eigen::Vector2d external(5.0 - n, 1);
-      motion = newmark_step(system, beta, 1e-3, motion, external, internal);
-      const Eigen::VectorXd residual = system.mass * motion.acceleration + system.damping * motion.velocity +
-                                       system.stiffness * motion.displacement +
-                                       internal(motion.displacement, motion.velocity).force - external;
-      EXPECT_LT(residual.norm(), 1e-12) << beta;  // forces are some 10 N
-    }
-  }
-}
-
 // Contact is one scalar equation: delta = trial - B f, and its rate is the trial's minus R f.
 TEST(TextbookNewmark, ContactIsTheScalarEquation) {
   for (const Law law : every_law)

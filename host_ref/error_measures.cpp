@@ -18,13 +18,6 @@ ErrorParts error_parts(const Samples& reference, const Samples& float64, const S
           largest_difference(rounded, float64)};
 }
 
-std::optional<double> time_of_difference(const Samples& a, const Samples& b, double threshold) {
-  for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    if (!(std::abs(a[i].x1 - b[i].x1) < threshold)) return a[i].t;
-  }
-  return std::nullopt;
-}
-
 Statistics statistics(const Samples& samples, double from) {
   Statistics result;
   const auto first = std::find_if(samples.begin(), samples.end(), [&](const Sample& s) { return s.t >= from; });

@@ -7,7 +7,6 @@
 // A run in 32 bits has two errors. That of the method is the difference between the same scheme in float64 and the
 // reference. That of rounding is the difference between the 32-bit run and that float64 run.
 
-#include <optional>
 #include <vector>
 
 #include "host_ref/simulation.hpp"
@@ -23,9 +22,6 @@ struct ErrorParts {
   double total, method, rounding;  // m
 };
 ErrorParts error_parts(const Samples& reference, const Samples& float64, const Samples& rounded);
-
-// The instant at which x1 of a and b first differ by `threshold` metres. Until then they are comparable.
-std::optional<double> time_of_difference(const Samples& a, const Samples& b, double threshold);
 
 // Statistics of the samples from the instant `from` on, which must be evenly spaced.
 struct Statistics {

@@ -6,7 +6,8 @@ namespace impact::host {
 namespace {
 
 // The error of the method: x1 of the kernel in double, every 10 ms, against the reference. The bounds are the errors of
-// prototypes of these schemes, to two digits.
+// prototypes of these schemes, to two digits. At 10 us little more than the reference's own error would remain. With
+// the other laws no stop pulls in this scene, so that tension changes nothing.
 struct Prototype {
   Law law;
   Stepper stepper;
@@ -35,8 +36,13 @@ TEST_P(Accuracy, IsNoWorseThanThePrototype) {
 const Prototype moments[] = {
     {Law::hertz, Stepper::moment, {{2e-3, 4.0e-6}, {1e-3, 5.7e-7}, {5e-4, 2.8e-8}, {1e-4, 3.1e-11}}},
     {Law::hunt_crossley, Stepper::moment, {{2e-3, 1.7e-7}, {1e-3, 1.3e-8}, {5e-4, 1.1e-9}, {1e-4, 1.2e-12}}},
-    {Law::hooke_newton, Stepper::moment, {{1e-3, 1.0e-3}, {5e-4, 1.2e-5}, {1e-4, 1.6e-8}}},
-    {Law::hooke_newton, Stepper::moment, {{1e-3, 2.1e-5}, {5e-4, 2.2e-6}, {1e-4, 1.0e-7}}, Tension::allow}};
+    {Law::hooke_newton, Stepper::moment, {{1e-3, 1.0e-3}, {5e-4, 1.2e-5}, {1e-4, 1.6e-8}, {1e-5, 1e-11}}},
+    {Law::hertz, Stepper::moment, {{1e-4, 3.1e-11}}, Tension::allow},
+    {Law::hunt_crossley, Stepper::moment, {{1e-4, 1.2e-12}}, Tension::allow},
+    {Law::hooke_newton,
+     Stepper::moment,
+     {{1e-3, 2.1e-5}, {5e-4, 2.2e-6}, {1e-4, 1.0e-7}, {1e-5, 1e-11}},
+     Tension::allow}};
 INSTANTIATE_TEST_SUITE_P(Moment, Accuracy, testing::ValuesIn(moments));
 
 const Prototype classical_steppers[] = {

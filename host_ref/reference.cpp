@@ -100,18 +100,11 @@ class LinearFlow {
 
 // The scene in the arithmetic of the reference.
 struct Constants {
-  explicit Constants(const Scene& scene)
-      : M(real(scene.main_mass)),
-        k(real(scene.main_stiffness)),
-        c(real(scene.main_damping)),
-        m(real(scene.ball_mass)),
-        half_clearance(real(scene.clearance) / 2),
-        k1(real(scene.contact_stiffness)),
-        F0(real(scene.drive_amplitude)),
-        pulsation(real(scene.drive_pulsation)),
-        gravity(real(scene.gravity)),
-        friction(real(scene.ball_friction)) {}
-  Real M, k, c, m, half_clearance, k1, F0, pulsation, gravity, friction;
+  Scene scene;
+  Real M = real(scene.main_mass), k = real(scene.main_stiffness), c = real(scene.main_damping),
+       m = real(scene.ball_mass), half_clearance = real(scene.clearance) / 2, k1 = real(scene.contact_stiffness),
+       F0 = real(scene.drive_amplitude), pulsation = real(scene.drive_pulsation), gravity = real(scene.gravity),
+       friction = real(scene.ball_friction);
 };
 
 void add_inputs(Generator& a, const Constants& scene, DriveKind drive) {
@@ -149,14 +142,33 @@ Generator sticking_generator(const Constants& scene, DriveKind drive) {
   return a;
 }
 
-// The value at t, in steps: linear between samples, and the last one after them.
-Real between(const std::vector<double>& samples, Real t) {
-  if (samples.empty()) return 0;
-  const Real position = std::clamp(t, Real{0}, static_cast<Real>(samples.size() - 1));
-  const auto before = static_cast<size_t>(position);
-  const size_t after = std::min(before + 1, samples.size() - 1);
-  return real(samples[before]) + (real(samples[after]) - real(samples[before])) * (position - std::floor(position));
-}
+// Samples of a drive or of the base: linear between them, and the last one after them. Without samples it is 0.
+class LinearSamples {
+ public:
+  LinearSamples(const std::vector<double>& samples, double step) : samples_(samples), step_(real(step)) {}
+
+  // The end of the segment that t is in. It does not go back to an earlier one.
+  Real end_of_segment(Real t) {
+    while (!is_last() && end() <= t) ++segment_;
+    return is_last() ? std::numeric_limits<Real>::infinity() : end();
+  }
+  // The value at t and the slope there, of the present segment.
+  std::pair<Real, Real> at(Real t) const {
+    if (samples_.empty()) return {0, 0};
+    const Real before = real(samples_[segment_]);
+    if (is_last()) return {before, 0};
+    const Real slope = (real(samples_[segment_ + 1]) - before) / step_;
+    return {before + slope * (t - static_cast<Real>(segment_) * step_), slope};
+  }
+
+ private:
+  bool is_last() const { return segment_ + 1 >= samples_.size(); }
+  Real end() const { return static_cast<Real>(segment_ + 1) * step_; }
+
+  const std::vector<double>& samples_;
+  Real step_;
+  size_t segment_ = 0;
+};
 
 }  // namespace
 
@@ -167,7 +179,9 @@ double drive_force(const Case& run, double t) {
     case DriveKind::sine:
       return run.scene.drive_amplitude * std::sin(run.scene.drive_pulsation * t);
     case DriveKind::sampled:
-      return static_cast<double>(between(run.samples, real(t) / real(run.sample_step)));
+      LinearSamples samples(run.samples, run.sample_step);
+      samples.end_of_segment(real(t));
+      return static_cast<double>(samples.at(real(t)).first);
   }
   return 0;
 }
@@ -176,7 +190,9 @@ class Reference::Motion {
  public:
   Motion(const Case& run, Real tolerance)
       : run_(run),
-        scene_(run.scene),
+        scene_{run.scene},
+        drive_samples_(run_.samples, run_.sample_step),
+        base_samples_(run_.base_samples, run_.base_step),
         tolerance_(tolerance),
         c1_(run.law == Law::hertz ? 0 : real(run.scene.contact_damping)),
         apart_flow_(generator(scene_, run.drive, 0, 0), tolerance) {
@@ -265,47 +281,16 @@ class Reference::Motion {
     return scene_.k1 * delta * delta * (linear_contact() ? 0.5L : 0.4L * std::sqrt(delta));
   }
 
-  // The drive and its partner F, G at t; for a sampled drive, of the segment in progress.
+  // The drive and its partner F, G now.
   std::pair<Real, Real> drive() const {
-    switch (run_.drive) {
-      case DriveKind::none:
-        break;
-      case DriveKind::sine: {
-        const Real phase = scene_.pulsation * now_.t;
-        return {scene_.F0 * std::sin(phase), scene_.F0 * std::cos(phase)};
-      }
-      case DriveKind::sampled: {
-        if (run_.samples.empty()) return {0, 0};
-        const Real before = real(run_.samples[segment_]);
-        if (segment_ + 1 == run_.samples.size()) return {before, 0};
-        const Real slope = (real(run_.samples[segment_ + 1]) - before) / real(run_.sample_step);
-        return {before + slope * (now_.t - segment_end(segment_) + real(run_.sample_step)), slope};
-      }
-    }
-    return {0, 0};
+    if (run_.drive == DriveKind::sampled) return drive_samples_.at(now_.t);
+    const Real size = run_.drive == DriveKind::sine ? scene_.F0 : 0, phase = scene_.pulsation * now_.t;
+    return {size * std::sin(phase), size * std::cos(phase)};
   }
-
-  Real segment_end(size_t segment) const { return static_cast<Real>(segment + 1) * real(run_.sample_step); }
-
-  Real end_of_drive_segment() {
-    while (segment_ + 1 < run_.samples.size() && segment_end(segment_) <= now_.t) ++segment_;
-    return segment_ + 1 < run_.samples.size() ? segment_end(segment_) : std::numeric_limits<Real>::infinity();
-  }
-
   // The field's acceleration now, and its slope.
   std::pair<Real, Real> field_now() const {
-    const auto& base = run_.base_samples;
-    const Real step = real(run_.base_step);
-    if (base.empty()) return {scene_.gravity, 0};
-    if (base_segment_ + 1 >= base.size()) return {scene_.gravity - real(base.back()), 0};
-    const Real slope = (real(base[base_segment_ + 1]) - real(base[base_segment_])) / step;
-    const Real since = now_.t - static_cast<Real>(base_segment_) * step;
-    return {scene_.gravity - real(base[base_segment_]) - slope * since, -slope};
-  }
-  Real end_of_base_segment() {
-    const auto end = [this] { return static_cast<Real>(base_segment_ + 1) * real(run_.base_step); };
-    while (base_segment_ + 1 < run_.base_samples.size() && end() <= now_.t) ++base_segment_;
-    return base_segment_ + 1 < run_.base_samples.size() ? end() : std::numeric_limits<Real>::infinity();
+    const auto [base, slope] = base_samples_.at(now_.t);
+    return {scene_.gravity - base, -slope};
   }
 
   bool is_stuck() const { return scene_.friction > 0 && sliding_ == 0; }
@@ -327,11 +312,8 @@ class Reference::Motion {
     if (std::abs(holding) > scene_.friction) sliding_ = holding > 0 ? -1 : 1;
   }
 
-  static void keep_earlier_contact(Event& first, std::optional<Real> at, Phase next, int side) {
-    if (at && *at < first.at) first = Event{*at, next, side};
-  }
-  static void keep_earlier_reversal(Event& first, std::optional<Real> at, Phase phase, int side) {
-    if (at && *at < first.at) first = Event{*at, phase, side, true};
+  static void keep_earlier(Event& first, std::optional<Real> at, Phase next, int side, bool turns = false) {
+    if (at && *at < first.at) first = Event{*at, next, side, turns};
   }
 
   void enter(const Event& event) {
@@ -359,7 +341,7 @@ class Reference::Motion {
 
   void open_window() {
     start_ = now_;
-    const Real end_of_drive = std::min(end_of_drive_segment(), end_of_base_segment());
+    const Real end_of_drive = std::min(drive_samples_.end_of_segment(now_.t), base_samples_.end_of_segment(now_.t));
     if (is_stuck()) {
       open_sticking_window(end_of_drive);
     } else if (phase_ == Phase::touching && !linear_contact()) {
@@ -442,7 +424,7 @@ class Reference::Motion {
     for (const int sign : {-1, 1}) {
       Series beyond = static_cast<Real>(sign) * holding;
       beyond[0] -= scene_.friction;
-      keep_earlier_reversal(event_, first_rise(beyond, whole), phase_, side_);
+      keep_earlier(event_, first_rise(beyond, whole), phase_, side_, true);
     }
     end_linear_window(whole, end_of_drive);
   }
@@ -473,15 +455,15 @@ class Reference::Motion {
     event_ = {whole, phase_, side_};
     if (phase_ == Phase::apart) {
       for (const int of : {-1, 1}) {
-        if (has_stop(of)) keep_earlier_contact(event_, first_rise(penetration_series(of), whole), Phase::touching, of);
+        if (has_stop(of)) keep_earlier(event_, first_rise(penetration_series(of), whole), Phase::touching, of);
       }
     } else if (touching && clamped()) {
-      keep_earlier_contact(event_, first_rise(-sign_of_force, whole), Phase::released, side_);
+      keep_earlier(event_, first_rise(-sign_of_force, whole), Phase::released, side_);
     } else {
-      keep_earlier_contact(event_, first_rise(-penetration_series(side_), whole), Phase::apart, side_);
-      if (!touching) keep_earlier_contact(event_, first_rise(sign_of_force, whole), Phase::touching, side_);
+      keep_earlier(event_, first_rise(-penetration_series(side_), whole), Phase::apart, side_);
+      if (!touching) keep_earlier(event_, first_rise(sign_of_force, whole), Phase::touching, side_);
     }
-    if (scene_.friction > 0) keep_earlier_reversal(event_, turn(rate, whole), phase_, side_);
+    if (scene_.friction > 0) keep_earlier(event_, turn(rate, whole), phase_, side_, true);
     end_linear_window(whole, end_of_drive);
   }
 
@@ -546,13 +528,13 @@ class Reference::Motion {
     for (int k = 0; k <= order; ++k) c.row(k) *= powers[k];
 
     event_ = {1, phase_, side_};
-    keep_earlier_contact(event_, first_rise(-c.col(r), 1), Phase::apart, side_);
+    keep_earlier(event_, first_rise(-c.col(r), 1), Phase::apart, side_);
     if (clamped()) {
       factor = c1_ * c.col(u);
       factor[0] += scene_.k1;
-      keep_earlier_contact(event_, first_rise(-factor, 1), Phase::released, side_);
+      keep_earlier(event_, first_rise(-factor, 1), Phase::released, side_);
     }
-    if (scene_.friction > 0) keep_earlier_reversal(event_, turn(side * c.col(u), 1), phase_, side_);
+    if (scene_.friction > 0) keep_earlier(event_, turn(side * c.col(u), 1), phase_, side_, true);
     end_ = start_.t + value(c.col(time), event_.at);
     if (end_ > end_of_drive) {
       event_ = {fraction_of_window(end_of_drive), phase_, side_};
@@ -562,6 +544,7 @@ class Reference::Motion {
 
   Case run_;
   Constants scene_;
+  LinearSamples drive_samples_, base_samples_;  // of run_
   Real tolerance_;
   Real c1_;
   LinearFlow apart_flow_;
@@ -571,8 +554,7 @@ class Reference::Motion {
   Phase phase_ = Phase::apart;
   int side_ = 1;
   long impacts_ = 0;
-  size_t segment_ = 0, base_segment_ = 0;  // of a sampled drive and of the base
-  int sliding_ = 0;                        // the sign of y', or 0 while the ball sticks
+  int sliding_ = 0;  // the sign of y', or 0 while the ball sticks
 
   // The present window.
   Instant start_;

@@ -7,13 +7,6 @@
 namespace impact {
 namespace {
 
-template <class Format> typename Format::Value native(double x, double unit) {
-  if constexpr (std::is_same_v<Format, Fixed32>)
-    return {static_cast<int32_t>(std::lround(std::fmin(0.49, std::fmax(-0.49, x / unit)) * 0x1p31))};
-  else
-    return static_cast<typename Format::Value>(x / unit);
-}
-
 struct Corrected {
   Scene scene;
   Bounds bounds;
@@ -101,7 +94,7 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
         if (std::abs(now.x1 + dx) > 0.95 * bounds.displacement) dx = 0;
         const double speed = bounds.speed * chance.wide(1e-3, 0.9);
         const double dv = chance.is(0.5) ? (chance.is(0.5) ? speed : -speed) - now.v1 : 0;
-        kernel.correct(native<Format>(dx, kernel.displacement_unit()), native<Format>(dv, kernel.velocity_unit()));
+        kernel.correct(Format::sample(dx / kernel.displacement_unit()), Format::sample(dv / kernel.velocity_unit()));
         energy = energy_of(scene, kernel);
         in_contact = 0;
         ++corrected;
@@ -142,7 +135,7 @@ TEST(Corrections, PutABallInAStopOntoIt) {
     auto kernel = accepted<Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Format>>(scene, {}, 1e-4);
     const double gap = scene.clearance / 2;
     for (const double distance : {1.5, -3.5}) {
-      kernel.correct(native<Format>(distance * gap, kernel.displacement_unit()), {});
+      kernel.correct(Format::sample(distance * gap / kernel.displacement_unit()), {});
       const auto now = kernel.reading();
       EXPECT_NEAR(std::abs(now.x2 - now.x1), gap, 0x1p-44 * gap);
     }
@@ -168,7 +161,7 @@ template <class Stepper, class Format> void expect_placement_at_the_other_stop(d
   for (int n = 0; n < 20; ++n) kernel.step();
   ASSERT_TRUE(kernel.is_touching());
   const auto inside = kernel.reading();
-  kernel.correct(native<Format>(inside.x2 - inside.x1 + gap + depth, kernel.displacement_unit()), {});
+  kernel.correct(Format::sample((inside.x2 - inside.x1 + gap + depth) / kernel.displacement_unit()), {});
   const auto now = kernel.reading();
   EXPECT_NEAR(now.x1 - now.x2, gap, 1e-8);
   EXPECT_FALSE(kernel.is_touching());
@@ -204,7 +197,7 @@ template <class Stepper, class Format> void expect_ball_not_deeper() {
   for (int n = 0; n < 1000 && absorber.state().contact.phase != Phase::released; ++n) absorber.step();
   ASSERT_GT(inside(), 1e-4);
   const double before = kinetic(), depth = inside();
-  absorber.correct(native<Format>(-5e-3, absorber.displacement_unit()), {});
+  absorber.correct(Format::sample(-5e-3 / absorber.displacement_unit()), {});
   EXPECT_NEAR(inside(), depth, 1e-7);
   for (int n = 0; n < 500; ++n) absorber.step();
   EXPECT_LT(inside(), 0);

@@ -16,12 +16,7 @@ template <class Value> double si(Value x, double unit) {
   else
     return x.raw * 0x1p-31 * unit;
 }
-template <class Format> typename Format::Value native(double x, double unit) {
-  if constexpr (std::is_floating_point_v<typename Format::Value>)
-    return static_cast<typename Format::Value>(x / unit);
-  else
-    return {static_cast<int32_t>(std::lround(x / unit * 0x1p31))};
-}
+template <class Format> typename Format::Value native(double x, double unit) { return Format::sample(x / unit); }
 // An LSB of a number of this size. In Fixed32 it depends only on the unit.
 template <class Format> double lsb_of(double size, double unit) {
   if constexpr (std::is_same_v<Format, Fixed32>)

@@ -291,26 +291,6 @@ TEST(TuningWithALedger, StartsItAnew) {
               (kernel.reading().x1 - x1) * (force + next) / 2, 1e-15);
 }
 
-TEST(SavedState, GoesOnBitForBit) {
-  using Kernel = Tunable<Fixed32>;
-  const auto plan = plan_of<Kernel>(first_scene());
-  Kernel kernel(plan), heir(plan);
-  for (int i = 0; i < 4321; ++i) kernel.step();
-  const auto saved = kernel.save();
-  unsigned char bytes[sizeof saved];
-  std::memcpy(bytes, &saved, sizeof saved);
-  typename Kernel::Saved received;
-  std::memcpy(&received, bytes, sizeof received);
-  ASSERT_TRUE(heir.restore(received));
-  for (int i = 0; i < 10000; ++i) {
-    kernel.step();
-    heir.step();
-    ASSERT_TRUE(same_bits(kernel.state().x1, heir.state().x1) && same_bits(kernel.state().dx1, heir.state().dx1) &&
-                same_bits(kernel.state().x2, heir.state().x2) && same_bits(kernel.state().dx2, heir.state().dx2))
-        << "after " << i + 1 << " steps";
-  }
-}
-
 TEST(SavedState, IsRefusedByAnotherSceneTypeOrVersion) {
   using Kernel = Tunable<Float32>;
   Kernel kernel(plan_of<Kernel>(first_scene())), other(plan_of<Kernel>(second_scene()));

@@ -104,29 +104,6 @@ TEST_P(ExtremeScene, BothStopsWithinAStepGiveNoEnergy) {
   }
 }
 
-// The left stop is the mirror image of the right one. Fixed32 rounds down on both sides, so the energies differ by at
-// most the accepted gain.
-TEST_P(ExtremeScene, LeftStopIsTheRightOnesMirror) {
-  for (const double stiffness : {3e4, 1e8, 1e12}) {
-    constexpr double speed = 0.8, step = 1e-4;
-    double rebound[2] = {};
-    for (const bool is_left : {false, true}) {
-      Request request = free_pair(stiffness, speed, step);
-      request.scene.stops = is_left ? Stops::left : Stops::right;
-      request.scene.v2 = is_left ? -speed : speed;
-      request.bounds = Bounds{0.2, 2 * speed, 0.02, 1};
-      const auto simulation = made(request);
-      if (!simulation) continue;
-      for (int n = 0; n < 1000; ++n) simulation->step(0);
-      EXPECT_EQ(simulation->fault(), nullptr);
-      const Sample now = simulation->sample();
-      rebound[is_left] = is_left ? now.v2 - now.v1 : now.v1 - now.v2;
-    }
-    EXPECT_NEAR(rebound[0], rebound[1], share() * speed) << stiffness;
-  }
-  EXPECT_GE(accepted_, 2);
-}
-
 // The drive is at resonance, without damping. Its power is at most F0 |v1|, so sqrt(E) grows by at most F0 t/sqrt(2 M)
 // with any contact. The energy without that of the contact's spring is a part of E.
 TEST_P(ExtremeScene, ResonanceWithoutDampingTakesNoMoreThanTheDriveGives) {

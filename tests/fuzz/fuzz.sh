@@ -25,7 +25,15 @@ compiled="-O0 -Dalways_inline=unused" && [ -z "${IMPACT_FUZZ_SECONDS-}" ] || com
 # compile in half the time. The kernel's point only to objects of the call; those of the tool are AddressSanitizer's.
 clang++ -std=c++17 $compiled -ffp-contract=off -fsanitize=fuzzer,$sanitize -fno-sanitize=null,alignment,object-size,vptr \
   -fno-sanitize-recover=all $flags -I "$project" -I "$project/kernel/include" "$project/tests/fuzz/${kind}_fuzz.cpp" $sources $libraries -o fuzzer
+# The fuzzer's words: options and names of their values, from the tool's tables, and files of samples of some lengths.
+(
+  printf '"%s"\n' '\x0a' 1e-3 , '--drive-file\x0a3' '--drive-file\x0a1000' '--base-file\x0a20' '--base-acceleration-file\x0a20'
+  cd "$project"
+  sed -nE 's/.*(VALUE|BOUND)\((DO, )?([a-z0-9_]+), .*/"\3" "bound_\3"/p' kernel/include/impact/values.hpp |
+    tr '_ ' '-\n' | cat - host_ref/tool/options.cpp host_ref/names.hpp host_ref/simulation.hpp |
+    grep -oE '"[a-z][a-z0-9-]+"' | sort -u | sed 'p; s/"/"--/'
+) >options.dict
 ./fuzzer "$project/tests/fuzz/found/$kind"/* >found.log 2>&1 || { cat found.log && exit 1; }
 ./fuzzer -max_total_time="${IMPACT_FUZZ_SECONDS:-3}" -seed=1 -timeout=10 -max_len=300 -len_control=0 -print_funcs=0 \
-  -dict="$project/tests/fuzz/options.dict" corpus >run.log 2>&1 || { tail -50 run.log && exit 1; }
+  -dict=options.dict corpus >run.log 2>&1 || { tail -50 run.log && exit 1; }
 tail -1 run.log

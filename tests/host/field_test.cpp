@@ -587,24 +587,5 @@ TYPED_TEST(FieldIn, BallThatFallsTooFastIsClamped) {
   EXPECT_NE(absorber.fault(), Fault::none);
 }
 
-TEST(Field, PartsAndValuesBelongTogether) {
-  Scene heavy;
-  heavy.gravity = weight;
-  Bounds shaken;
-  shaken.base_acceleration = 10;
-  using Plain = Plan<Fixed32, HuntCrossley, Moment, Sine>;
-  using Upright = Plan<Fixed32, HuntCrossley, Moment, Sine, Gravity>;
-  using Shaken = Plan<Fixed32, HuntCrossley, Moment, Sine, BaseAcceleration>;
-  EXPECT_EQ(Plain::make(heavy, {}, 1e-4).status, PlanStatus::gravity_not_named);
-  EXPECT_EQ(Plain::make({}, shaken, 1e-4).status, PlanStatus::base_acceleration_not_named);
-  EXPECT_EQ(Upright::make(heavy, shaken, 1e-4).status, PlanStatus::base_acceleration_not_named);
-  EXPECT_EQ(Upright::make(heavy, {}, 1e-4).status, PlanStatus::ok);
-  EXPECT_EQ(Shaken::make(heavy, shaken, 1e-4).status, PlanStatus::ok);
-  heavy.gravity = 2e6;
-  EXPECT_EQ(Upright::make(heavy, {}, 1e-4).status, PlanStatus::gravity);
-  shaken.base_acceleration = -1;
-  EXPECT_EQ(Shaken::make({}, shaken, 1e-4).status, PlanStatus::base_acceleration_bound);
-}
-
 }  // namespace
 }  // namespace impact

@@ -14,6 +14,7 @@ namespace {
 // An absorber with every part, at a step at which any of these values may change slightly.
 using WithParts = Absorber<AtRunTime, Exact, Moment, Sampled, Float64, BaseAcceleration, DryFriction>::PlanType;
 using WithoutParts = Absorber<AtRunTime, HuntCrossley, Moment, Sine, Float64>::PlanType;
+using WithWeight = Absorber<AtRunTime, HuntCrossley, Moment, Sine, Float64, Gravity>::PlanType;
 
 Values machine() {
   Scene scene;
@@ -47,6 +48,20 @@ TEST(Values, OfAPartAreRejectedWithoutIt) {
     const auto plan = WithoutParts::make(values.scene, values.bounds, values.step);
     EXPECT_NE(plan.status, PlanStatus::ok) << row.name;
     EXPECT_EQ(explain(plan.status, values).parameter, row.parameter) << row.name;
+    const PlanStatus with_weight = WithWeight::make(values.scene, values.bounds, values.step).status;
+    EXPECT_EQ(with_weight, row.parameter == Parameter::gravity ? PlanStatus::ok : plan.status) << row.name;
+  }
+}
+
+TEST(Values, OfAPartAreRejectedOutOfTheirRange) {
+  for (const ParameterEntry& row : parameters) {
+    if (!is_of_part(row)) continue;
+    for (const double beyond : {row.range.least - 1, 1.1 * row.range.most}) {
+      Values values = machine();
+      *values.find(row.parameter) = beyond;
+      const auto plan = WithParts::make(values.scene, values.bounds, values.step);
+      EXPECT_EQ(explain(plan.status, values).parameter, row.parameter) << row.name << " " << beyond;
+    }
   }
 }
 

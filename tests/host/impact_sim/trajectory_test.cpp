@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "host_ref/names.hpp"
 #include "host_ref/reference.hpp"
 #include "impact_sim.hpp"
 
@@ -131,17 +132,12 @@ TEST_F(ImpactSim, RestitutionIsWhatWasAskedFor) {
   EXPECT_NEAR(rebound("--paper-damping --restitution 0.68"), 0.7561486807, 1e-3) << "(2.9) at 0.8 m/s";
   EXPECT_NEAR(rebound("--law hooke-newton --paper-damping --restitution 0.68"), 0.7007021277, 1e-3) << "(2.3), clamped";
   EXPECT_NEAR(rebound("--damping per-impact --restitution 0.68"), 0.7561486807, 1e-3) << "(2.9) at the impact's speed";
-  // The restitution of each formula for e = 0.5, to three decimals (law/per_impact.hpp).
-  const std::map<std::string, double> restitutions = {{"constant", 0.5},
-                                                      {"hunt-crossley", 0.663},
-                                                      {"herbert-mcwhannell", 0.594},
-                                                      {"lee-wang", 0.799},
-                                                      {"lankarani-nikravesh", 0.725},
-                                                      {"flores", 0.470},
-                                                      {"hu-guo", 0.488},
-                                                      {"exact", 0.5}};
-  for (const auto& [damping, expected] : restitutions)
-    EXPECT_NEAR(rebound("--damping " + damping + " --restitution 0.5"), expected, 1e-3) << damping;
+  for (const auto& [damping, name, type] : dampings) {
+    const double ratio = damping_ratio(damping, 0.5).value(),
+                 expected =
+                     damping == Damping::constant ? 0.5 : restitution({Law::hunt_crossley, 1, ratio, 1, 1}).value();
+    EXPECT_NEAR(rebound("--damping " + std::string(name) + " --restitution 0.5"), expected, 1e-3) << name;
+  }
 }
 
 // Each option states its allowed range, and no other option is listed.

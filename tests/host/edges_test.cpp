@@ -1,5 +1,4 @@
-// Special cases: symmetry, no clearance, a start inside a stop, a restored state, sampled drives, and damping per
-// impact.
+// Special cases: symmetry, no clearance, a start inside a stop, a restored state, and sampled drives.
 
 #include <cstring>
 
@@ -166,37 +165,6 @@ TEST(Edges, ASampledSineApproachesTheSine) {
     const double coarse = difference(1e-3), middle = difference(5e-4), fine = difference(1e-4);
     EXPECT_NEAR(std::log2(coarse / middle), 2, 0.2) << name_of(law);
     EXPECT_NEAR(std::log2(middle / fine) / std::log2(5), 2, 0.2) << name_of(law);
-  }
-}
-
-// Formula (2.9) at each impact: a = c1 v0/k1 = 1.5 (1 - e). It does not depend on the speed, and neither does the
-// restitution.
-TEST(Edges, DampingPerImpactHasOneRestitutionForAllSpeeds) {
-  constexpr double e = 0.68, reduced_mass = 0.3 / 1.3;
-  for (const double speed : {0.05, 0.2, 0.8, 1.6}) {
-    const double damping = *damping_ratio(Damping::hunt_crossley, e) * 32600 / speed;
-    const Impact impact{Law::hunt_crossley, 32600, damping, reduced_mass, speed};
-    const double expected = restitution(impact).value();
-    EXPECT_NEAR(expected, 0.7561486807, 1e-10);
-    for (const Stepper stepper : {Stepper::moment, Stepper::average})
-      for (const Numeric numeric : every_format) {
-        Request request = paper_request(Law::hunt_crossley, stepper, *contact_time(impact) / 20);
-        request.numeric = numeric;
-        request.drive = DriveKind::none;
-        Scene& scene = request.scene;
-        scene.main_stiffness = scene.main_damping = 0;
-        request.damping = Damping::hunt_crossley;
-        scene.restitution = e;
-        scene.v2 = speed;
-        scene.x2 = 0.01 - 1.3 * speed * request.step;
-        request.bounds = Bounds{0.25, 2, 0.0156, 10};
-        const Samples samples = kernel_samples(request, request.step, 30 * request.step);
-        // The bounds are those of free_impact_test.cpp: 2.5e-5, and 1.25 (pi/20)^2/12. A classical scheme reads the
-        // speed a step late.
-        EXPECT_NEAR((samples.back().v1 - samples.back().v2) / speed, expected,
-                    stepper == Stepper::moment ? 2.5e-5 : 3e-3)
-            << name_of(stepper) << " " << name_of(numeric) << " " << speed;
-      }
   }
 }
 

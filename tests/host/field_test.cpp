@@ -563,19 +563,6 @@ TEST(Field, KernelKeepsItsOrderInAField) {
   }
 }
 
-TYPED_TEST(FieldIn, ChangeOfPlanKeepsTheMotion) {
-  Scene scene;
-  scene.gravity = weight;
-  const Bounds bounds{0.2};
-  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity>;
-  auto absorber = accepted<Absorber>(scene, bounds, 1e-4);
-  for (int n = 0; n < 200; ++n) absorber.step();
-  const auto before = absorber.reading();
-  scene.gravity = -2 * weight;
-  ASSERT_TRUE(absorber.retune(Absorber::PlanType::make(scene, bounds, 1e-4)));
-  expect_near(absorber.reading(), before, 0, 1e-6);
-}
-
 TYPED_TEST(FieldIn, BallThatFallsTooFastIsClamped) {
   Scene scene = free_scene();
   scene.gravity = weight;

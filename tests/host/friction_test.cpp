@@ -404,17 +404,20 @@ TEST(Friction, AMirrorImageHasTheSameLedger) {
 // The motion continues after a correction, a change of plan and a saved state.
 TYPED_TEST(FrictionIn, GoesOnAfterCorrectionAndChangeOfPlan) {
   Scene scene;
+  scene.gravity = 9.81;
   scene.ball_friction = 0.5;
-  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, DryFriction>;
-  auto absorber = accepted<Absorber>(scene, {}, 1e-4);
+  const Bounds bounds{0.2};
+  using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, Gravity, DryFriction>;
+  auto absorber = accepted<Absorber>(scene, bounds, 1e-4);
   for (int n = 0; n < 300; ++n) absorber.step();
   const auto before = absorber.reading();
   const auto saved = absorber.save();
+  scene.gravity = -2 * 9.81;
   scene.ball_friction = 1.5;
-  ASSERT_TRUE(absorber.retune(Absorber::PlanType::make(scene, {}, 1e-4)));
+  ASSERT_TRUE(absorber.retune(Absorber::PlanType::make(scene, bounds, 1e-4)));
   const auto after = absorber.reading();
   expect_near(after, before, 0, 1e-6);
-  EXPECT_FALSE(absorber.restore(saved));  // with another friction
+  EXPECT_FALSE(absorber.restore(saved));  // with another field and friction
   absorber.correct(typename TypeParam::Value{}, typename TypeParam::Value{});
   EXPECT_NEAR(absorber.reading().v2, after.v2, 1e-6);
 }

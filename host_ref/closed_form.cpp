@@ -26,6 +26,10 @@ double pulsation(const Impact& impact) { return std::sqrt(impact.contact_stiffne
 double damping_ratio(const Impact& impact) {
   return impact.contact_damping / (2 * std::sqrt(impact.contact_stiffness * impact.reduced_mass));
 }
+// a of Hunt-Crossley. With a = 0 its closed forms are those of Hertz.
+double a_of(const Impact& impact) {
+  return impact.law == Law::hertz ? 0 : impact.contact_damping * impact.speed / impact.contact_stiffness;
+}
 double approach_energy(const Impact& impact) { return impact.reduced_mass * impact.speed * impact.speed / 2; }
 
 // acos(zeta) / sqrt(1 - zeta^2), continued beyond zeta = 1. It is the phase omega t of the deepest penetration, and
@@ -121,19 +125,11 @@ std::optional<double> damping_ratio(Damping damping, double e) {
 
 std::optional<double> restitution(const Impact& impact) {
   if (!in_range(impact)) return std::nullopt;
-  switch (impact.law) {
-    case Law::hooke_newton: {
-      const double zeta = damping_ratio(impact);
-      if (impact.tension == Tension::clamp) return std::exp(-2 * zeta * phase_of_peak(zeta));
-      if (zeta >= 1) return std::nullopt;
-      return std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
-    }
-    case Law::hertz:
-      return 1;
-    case Law::hunt_crossley:
-      return hunt_crossley_restitution(impact.contact_damping * impact.speed / impact.contact_stiffness);
-  }
-  return std::nullopt;
+  if (impact.law != Law::hooke_newton) return hunt_crossley_restitution(a_of(impact));
+  const double zeta = damping_ratio(impact);
+  if (impact.tension == Tension::clamp) return std::exp(-2 * zeta * phase_of_peak(zeta));
+  if (zeta >= 1) return std::nullopt;
+  return std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
 }
 
 std::optional<double> contact_damping(const Impact& impact, double e) {
@@ -141,24 +137,18 @@ std::optional<double> contact_damping(const Impact& impact, double e) {
   undamped.contact_damping = 0;
   if (!in_range(undamped) || !(e > 0 && e <= 1)) return std::nullopt;
   if (e == 1) return 0;
-  switch (impact.law) {
-    case Law::hooke_newton: {
-      if (impact.tension == Tension::allow) return paper_contact_damping(impact, e);
-      // exp(-2 zeta phase) falls from 1, through exp(-2) at zeta = 1, as 1 / (4 zeta^2) beyond.
-      const double zeta = sign_change([&](double ratio) { return e - std::exp(-2 * ratio * phase_of_peak(ratio)); }, 0,
-                                      1 + 1 / std::sqrt(e));
-      return 2 * zeta * std::sqrt(impact.contact_stiffness * impact.reduced_mass);
-    }
-    case Law::hertz:
-      return std::nullopt;
-    case Law::hunt_crossley: {
-      // e(a) > 1 - 2 a / 3 and e a < 1 bracket a.
-      const double a =
-          sign_change([&](double ratio) { return e - hunt_crossley_restitution(ratio); }, 1.5 * (1 - e), 1 / e);
-      return a * impact.contact_stiffness / impact.speed;
-    }
+  if (impact.law == Law::hertz) return std::nullopt;
+  if (impact.law == Law::hunt_crossley) {
+    // e(a) > 1 - 2 a / 3 and e a < 1 bracket a.
+    const double a =
+        sign_change([&](double ratio) { return e - hunt_crossley_restitution(ratio); }, 1.5 * (1 - e), 1 / e);
+    return a * impact.contact_stiffness / impact.speed;
   }
-  return std::nullopt;
+  if (impact.tension == Tension::allow) return paper_contact_damping(impact, e);
+  // exp(-2 zeta phase) falls from 1, through exp(-2) at zeta = 1, as 1 / (4 zeta^2) beyond.
+  const double zeta = sign_change([&](double ratio) { return e - std::exp(-2 * ratio * phase_of_peak(ratio)); }, 0,
+                                  1 + 1 / std::sqrt(e));
+  return 2 * zeta * std::sqrt(impact.contact_stiffness * impact.reduced_mass);
 }
 
 std::optional<double> paper_contact_damping(const Impact& impact, double e) {
@@ -173,77 +163,58 @@ std::optional<double> paper_contact_damping(const Impact& impact, double e) {
 
 std::optional<double> peak_penetration(const Impact& impact) {
   if (!in_range(impact)) return std::nullopt;
-  switch (impact.law) {
-    case Law::hooke_newton: {
-      const double zeta = damping_ratio(impact);
-      return impact.speed / pulsation(impact) * std::exp(-zeta * phase_of_peak(zeta));
-    }
-    case Law::hertz:
-      return hertz_peak_penetration(impact);
-    case Law::hunt_crossley: {
-      const double a = impact.contact_damping * impact.speed / impact.contact_stiffness;
-      return a > 0 ? penetration(impact, G(a) / (a * a)) : hertz_peak_penetration(impact);
-    }
+  if (impact.law == Law::hooke_newton) {
+    const double zeta = damping_ratio(impact);
+    return impact.speed / pulsation(impact) * std::exp(-zeta * phase_of_peak(zeta));
   }
-  return std::nullopt;
+  const double a = a_of(impact);
+  return a > 0 ? penetration(impact, G(a) / (a * a)) : hertz_peak_penetration(impact);
 }
 
 std::optional<double> peak_force(const Impact& impact) {
   if (!in_range(impact)) return std::nullopt;
-  switch (impact.law) {
-    case Law::hooke_newton: {
-      const double zeta = damping_ratio(impact);
-      if (zeta >= 0.5) return impact.contact_damping * impact.speed;  // at the instant of impact
-      return impact.reduced_mass * pulsation(impact) * impact.speed *
-             std::exp(-zeta / std::sqrt(1 - zeta * zeta) * (pi / 2 - 3 * std::asin(zeta)));
-    }
-    case Law::hertz:
-      return impact.contact_stiffness * std::pow(hertz_peak_penetration(impact), 1.5);
-    case Law::hunt_crossley: {
-      const double a = impact.contact_damping * impact.speed / impact.contact_stiffness;
-      if (a <= 0) return impact.contact_stiffness * std::pow(hertz_peak_penetration(impact), 1.5);
-      // d/dx of (G(a) - G(x))^(3/5) (1 + x) is 0 at G(a) - G(x) = 3 x / 5.
-      const double x = sign_change([&](double speed) { return 0.6 * speed - gain(a, a - speed); }, 0, a);
-      return impact.contact_stiffness * (1 + x) * std::pow(penetration(impact, gain(a, a - x) / (a * a)), 1.5);
-    }
+  if (impact.law == Law::hooke_newton) {
+    const double zeta = damping_ratio(impact);
+    if (zeta >= 0.5) return impact.contact_damping * impact.speed;  // at the instant of impact
+    return impact.reduced_mass * pulsation(impact) * impact.speed *
+           std::exp(-zeta / std::sqrt(1 - zeta * zeta) * (pi / 2 - 3 * std::asin(zeta)));
   }
-  return std::nullopt;
+  const double a = a_of(impact);
+  if (a <= 0) return impact.contact_stiffness * std::pow(hertz_peak_penetration(impact), 1.5);
+  // d/dx of (G(a) - G(x))^(3/5) (1 + x) is 0 at G(a) - G(x) = 3 x / 5.
+  const double x = sign_change([&](double speed) { return 0.6 * speed - gain(a, a - speed); }, 0, a);
+  return impact.contact_stiffness * (1 + x) * std::pow(penetration(impact, gain(a, a - x) / (a * a)), 1.5);
 }
 
 std::optional<double> contact_time(const Impact& impact) {
   if (!in_range(impact)) return std::nullopt;
-  switch (impact.law) {
-    case Law::hooke_newton: {
-      const double zeta = damping_ratio(impact);
-      if (impact.tension == Tension::clamp) return 2 * phase_of_peak(zeta) / pulsation(impact);
-      if (zeta >= 1) return std::nullopt;
-      return pi / (pulsation(impact) * std::sqrt(1 - zeta * zeta));
-    }
-    case Law::hertz:
-      return 4 * std::sqrt(pi) * std::tgamma(0.4) / (5 * std::tgamma(0.9)) * hertz_peak_penetration(impact) /
-             impact.speed;
-    case Law::hunt_crossley: {
-      const double a = impact.contact_damping * impact.speed / impact.contact_stiffness;
-      if (a > 1) return hunt_crossley_contact_time(impact, a);
-      const double e = hunt_crossley_restitution(a);
-      // dt = mu dV / force over the speeds V = -e v0 to v0, in units of v0.
-      const auto duration = [&](double from_rebound, double from_approach) {
-        const double x = from_rebound < from_approach ? a * (from_rebound - e) : a * (1 - from_approach);
-        double fall = 0;  // (G(a) - G(x)) / a^2, from the nearer end; G(a) = G(-e a)
-        if (a < 1e-8) {
-          fall = from_rebound * from_approach / 2;
-        } else if (from_rebound < from_approach) {
-          fall = -gain(x, a * from_rebound) / (a * a);
-        } else {
-          fall = gain(a, a * from_approach) / (a * a);
-        }
-        const double root = std::sqrt(penetration(impact, fall));
-        return impact.reduced_mass * impact.speed / (impact.contact_stiffness * (1 + x) * root * root * root);
-      };
-      return integral(duration, 1 + e);
-    }
+  if (impact.law == Law::hooke_newton) {
+    const double zeta = damping_ratio(impact);
+    if (impact.tension == Tension::clamp) return 2 * phase_of_peak(zeta) / pulsation(impact);
+    if (zeta >= 1) return std::nullopt;
+    return pi / (pulsation(impact) * std::sqrt(1 - zeta * zeta));
   }
-  return std::nullopt;
+  const double a = a_of(impact);
+  if (a <= 0)
+    return 4 * std::sqrt(pi) * std::tgamma(0.4) / (5 * std::tgamma(0.9)) * hertz_peak_penetration(impact) /
+           impact.speed;
+  if (a > 1) return hunt_crossley_contact_time(impact, a);
+  const double e = hunt_crossley_restitution(a);
+  // dt = mu dV / force over the speeds V = -e v0 to v0, in units of v0.
+  const auto duration = [&](double from_rebound, double from_approach) {
+    const double x = from_rebound < from_approach ? a * (from_rebound - e) : a * (1 - from_approach);
+    double fall = 0;  // (G(a) - G(x)) / a^2, from the nearer end; G(a) = G(-e a)
+    if (a < 1e-8) {
+      fall = from_rebound * from_approach / 2;
+    } else if (from_rebound < from_approach) {
+      fall = -gain(x, a * from_rebound) / (a * a);
+    } else {
+      fall = gain(a, a * from_approach) / (a * a);
+    }
+    const double root = std::sqrt(penetration(impact, fall));
+    return impact.reduced_mass * impact.speed / (impact.contact_stiffness * (1 + x) * root * root * root);
+  };
+  return integral(duration, 1 + e);
 }
 
 std::optional<double> energy_lost(const Impact& impact) {

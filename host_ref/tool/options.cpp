@@ -49,18 +49,13 @@ Option number(const std::string& name, const std::string& unit, Range range, con
               const char* help) {
   std::string placeholder = unit.substr(0, 3) == "of " ? "E" : unit.substr(0, unit.find(" ("));
   std::replace(placeholder.begin(), placeholder.end(), ' ', '.');
-  return {name,
-          placeholder,
-          help,
-          "a number from " + short_text(range.least) + " to " + short_text(range.most) + " " + unit,
-          short_text(initial_value(field)),
-          scene,
-          [=](Settings& settings, const std::string& text) {
-            const auto value = number_from(text);
-            if (!value || !range.holds(*value)) return false;
-            field(settings) = *value;
-            return true;
-          }};
+  const std::string allowed = "a number from " + short_text(range.least) + " to " + short_text(range.most) + " " + unit;
+  const auto store = [=](Settings& settings, const std::string& text) {
+    const auto value = number_from(text);
+    if (value) field(settings) = *value;
+    return value && range.holds(*value);
+  };
+  return {name, placeholder, help, allowed, short_text(initial_value(field)), scene, store};
 }
 // An option for a row of the kernel's table.
 Option number(const ParameterEntry& row) {
@@ -87,29 +82,11 @@ template <class Value, size_t size>
 Option choice(const char* name, const Named<Value> (&list)[size], const Field<Value>& field, const char* help) {
   std::string allowed;
   for (const auto& known : list) allowed += (allowed.empty() ? "" : ", ") + std::string(known.name);
-  return {name,
-          "NAME",
-          help,
-          allowed,
-          std::string(in(list, initial_value(field)).name),
-          true,
-          [field, &list](Settings& settings, const std::string& text) { return store(list, text, field(settings)); },
-          true};
-}
-
-Option count(const char* name, const Field<long>& field, const char* help) {
-  return {name,
-          "N",
-          help,
-          "a whole number from 1 to 1000000000",
-          std::to_string(initial_value(field)),
-          false,
-          [=](Settings& settings, const std::string& text) {
-            const auto value = whole_number_from(text);
-            if (!value || *value < 1 || *value > 1000000000) return false;
-            field(settings) = *value;
-            return true;
-          }};
+  const std::string initial(in(list, initial_value(field)).name);
+  const auto store_name = [field, &list](Settings& settings, const std::string& text) {
+    return store(list, text, field(settings));
+  };
+  return {name, "NAME", help, allowed, initial, true, store_name, true};
 }
 
 Option file(const char* name, const Field<std::string>& field, bool scene, const char* help) {
@@ -123,6 +100,11 @@ Option flag(const char* name, const Field<bool>& field, bool scene, const char* 
   return {name, "", help, "yes, or leave the option out", "", scene, [=](Settings& settings, const std::string& text) {
             return field(settings) = text == "yes";
           }};
+}
+
+bool store_every(Settings& settings, const std::string& text) {
+  settings.every = whole_number_from(text).value_or(0);
+  return settings.every >= 1 && settings.every <= 1000000000;
 }
 
 bool store_shard(Settings& settings, const std::string& text) {
@@ -174,7 +156,8 @@ const std::vector<Option>& options() {
         file("base-acceleration-file", field(&Settings::base_acceleration_file), true,
              "acceleration samples of the base in m/s^2, line n at the end of step n. At t = 0 it is 0. Displacements "
              "are relative to the base"),
-        count("every", field(&Settings::every), "write the initial state and then every N-th step"),
+        {"every", "N", "write the initial state and then every N-th step", "a whole number from 1 to 1000000000", "1",
+         false, store_every},
         file("output", field(&Settings::output), false,
              "file for the rows, which replaces an older one when the run ends")
             .by_default("standard output"),

@@ -181,12 +181,7 @@ Summary summary_of(Simulation& simulation, const Request& request) {
 
 double largest_alone(const Request& bare) {
   const Outcome outcome = make_simulation(bare);
-  if (!outcome.simulation) return 0;
-  double largest = 0;
-  run(*outcome.simulation, bare, step_count(bare) + 1, [&](long, const double* x1, long count) {
-    for (long i = 0; i < count; ++i) largest = larger(largest, std::abs(x1[i]));
-  });
-  return largest;
+  return outcome.simulation ? summary_of(*outcome.simulation, bare).largest : 0;
 }
 
 // The largest |x1| of the main mass alone. One run serves all scenes with the same values for it.
@@ -207,23 +202,14 @@ double BareRuns::largest(const Request& request, const std::string& drive_file) 
   Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration}, drive_file};
   for (const ParameterEntry& row : parameters)
     if (row.in_scene) key.first.push_back(bare.scene.*row.in_scene);
-  std::promise<double> result;
   std::shared_future<double> known;
   {
     const std::lock_guard<std::mutex> lock(one_at_a_time_);
     const auto [entry, is_new] = known_.try_emplace(key);
-    if (is_new) entry->second = result.get_future().share();
-    if (!is_new) known = entry->second;
+    if (is_new) entry->second = std::async(std::launch::deferred, [&bare] { return largest_alone(bare); }).share();
+    known = entry->second;
   }
-  if (known.valid()) return known.get();
-  try {
-    const double largest = largest_alone(bare);
-    result.set_value(largest);
-    return largest;
-  } catch (...) {
-    result.set_exception(std::current_exception());
-    throw;
-  }
+  return known.get();  // the first one runs it and the others wait, so that `bare` exists while it is read
 }
 
 // The part of a scene's row after the key.

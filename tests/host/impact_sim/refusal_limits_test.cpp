@@ -2,12 +2,8 @@
 // end of that range is accepted, or another value is then rejected. The commands are random, often far outside the
 // ranges, with sample files of any length. IMPACT_REFUSED_COMMANDS sets their number.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <host_ref/text.hpp>
@@ -15,10 +11,11 @@
 #include <host_ref/tool/run.hpp>
 #include <map>
 #include <optional>
-#include <random>
 #include <regex>
 #include <string>
 #include <vector>
+
+#include "../kernel_test.hpp"
 
 namespace impact::host {
 namespace {
@@ -57,21 +54,6 @@ Command with_printed_bounds(Command command, const std::string& allowed) {
   return command;
 }
 
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  bool one_in(int n) { return engine_() % static_cast<unsigned>(n) == 0; }
-  std::string wide(double least, double most) {
-    std::uniform_real_distribution<double> exponent(std::log(least), std::log(most));
-    return short_text(std::exp(exponent(engine_)));
-  }
-  std::string signed_wide(double least, double most) { return (one_in(2) ? "-" : "") + wide(least, most); }
-  std::string one_of(const std::vector<std::string>& names) { return names[engine_() % names.size()]; }
-
- private:
-  std::mt19937 engine_;
-};
-
 // A folder with sample files. Their names state their number of samples.
 const std::string& folder() {
   static const std::string made = [] {
@@ -87,37 +69,39 @@ const std::string& folder() {
 }
 
 Command random_command(Random& random) {
+  const auto wide = [&random](double least, double most) { return short_text(random.wide(least, most)); };
+  const auto signed_wide = [&](double least, double most) { return (random.is(0.5) ? "-" : "") + wide(least, most); };
   Command command;
   command["law"] = random.one_of({"hooke-newton", "hertz", "hunt-crossley"});
   command["newmark"] = random.one_of({"auto", "average", "linear", "fox-goodwin", "central", "moment", "moment-4",
                                       "moment-8", "moment-n", "energy", "impulsive"});
   command["numeric"] = random.one_of({"float32", "float32-plain", "fixed32", "fixed32", "fixed32", "float64"});
-  command["step"] = random.wide(1e-6, 0.1);
-  command["main-mass"] = random.wide(1e-3, 1e3);
-  command["ball-mass"] = random.wide(1e-3, 1e3);
-  command["main-stiffness"] = random.one_in(8) ? "0" : random.wide(1, 1e8);
-  command["main-damping"] = random.one_in(2) ? "0" : random.wide(1e-3, 1e4);
-  command["clearance"] = random.wide(1e-5, 1);
-  command["contact-stiffness"] = random.wide(1, 1e13);
-  if (command["law"] != "hertz" && !random.one_in(4)) command["contact-damping"] = random.wide(1e-3, 1e8);
-  if (random.one_in(4)) {
+  command["step"] = wide(1e-6, 0.1);
+  command["main-mass"] = wide(1e-3, 1e3);
+  command["ball-mass"] = wide(1e-3, 1e3);
+  command["main-stiffness"] = random.is(0.125) ? "0" : wide(1, 1e8);
+  command["main-damping"] = random.is(0.5) ? "0" : wide(1e-3, 1e4);
+  command["clearance"] = wide(1e-5, 1);
+  command["contact-stiffness"] = wide(1, 1e13);
+  if (command["law"] != "hertz" && !random.is(0.25)) command["contact-damping"] = wide(1e-3, 1e8);
+  if (random.is(0.25)) {
     command["drive"] = "none";
   } else {
-    command["drive-amplitude"] = random.wide(1e-3, 1e3);
-    command["drive-pulsation"] = random.wide(1e-6, 1e4);
+    command["drive-amplitude"] = wide(1e-3, 1e3);
+    command["drive-pulsation"] = wide(1e-6, 1e4);
   }
   for (const char* start : {"x1", "x2"})
-    if (random.one_in(4)) command[start] = random.signed_wide(1e-5, 10);
+    if (random.is(0.25)) command[start] = signed_wide(1e-5, 10);
   for (const char* start : {"v1", "v2"})
-    if (random.one_in(4)) command[start] = random.signed_wide(1e-3, 100);
-  if (random.one_in(2)) {
-    command["bound-displacement"] = random.wide(1e-4, 100);
-    if (random.one_in(2)) command["bound-speed"] = random.wide(1e-3, 1e3);
-    if (random.one_in(2)) command["bound-penetration"] = random.wide(1e-6, 1);
+    if (random.is(0.25)) command[start] = signed_wide(1e-3, 100);
+  if (random.is(0.5)) {
+    command["bound-displacement"] = wide(1e-4, 100);
+    if (random.is(0.5)) command["bound-speed"] = wide(1e-3, 1e3);
+    if (random.is(0.5)) command["bound-penetration"] = wide(1e-6, 1);
   }
-  if (random.one_in(4)) command["gravity"] = random.signed_wide(1e-2, 1e3);
-  if (random.one_in(4)) command["ball-friction"] = random.wide(1e-6, 1e3);
-  const bool is_driven = random.one_in(4), is_shaken = random.one_in(6);
+  if (random.is(0.25)) command["gravity"] = signed_wide(1e-2, 1e3);
+  if (random.is(0.25)) command["ball-friction"] = wide(1e-6, 1e3);
+  const bool is_driven = random.is(0.25), is_shaken = random.is(1.0 / 6);
   if (!is_driven && !is_shaken) command["duration"] = short_text(20 * *number_from(command["step"]));
   const std::string samples = random.one_of({"0", "1", "3", "20", "1000"});
   if (is_driven) {
@@ -132,8 +116,7 @@ TEST(Refusal, ALimitThatIsTypedBackIsAccepted) {
   Random random(1);
   std::map<std::string, int> named;
   int typed = 0, without_a_range = 0, refused = 0;
-  const char* const asked = std::getenv("IMPACT_REFUSED_COMMANDS");
-  const int commands = asked ? std::atoi(asked) : 1000;
+  const auto commands = static_cast<int>(number_of_runs("IMPACT_REFUSED_COMMANDS", 1000));
   for (int i = 0; i < commands; ++i) {
     const Command command = random_command(random);
     const auto said = refusal_of(command);

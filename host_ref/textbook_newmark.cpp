@@ -11,12 +11,6 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-// N and its tangents dN/dx and dN/dx'.
-struct InternalForce {
-  Vector2d force;
-  Matrix2d stiffness, damping;
-};
-
 struct ContactForce {
   double force, stiffness, damping;  // f, df/d delta, df/d delta'
 };
@@ -91,27 +85,36 @@ TextbookNewmark::TextbookNewmark(const Case& run, double beta, double step)
                                             damping_ * motion_.velocity - stiffness_ * motion_.displacement);
 }
 
-template <class Internal>
-TextbookNewmark::Motion TextbookNewmark::step_end(const Vector2d& load, const Internal& internal) const {
+TextbookNewmark::Motion TextbookNewmark::step_end(double drive, int side, double& force) const {
   constexpr double gamma = 0.5;
   const double h = step_;
+  const Scene& scene = run_.scene;
   const Vector2d displacement =
       motion_.displacement + h * motion_.velocity + h * h * (0.5 - beta_) * motion_.acceleration;
   const Vector2d velocity = motion_.velocity + h * (1 - gamma) * motion_.acceleration;
+  const Vector2d direction(-side, side);
+  const Matrix2d coupling = direction * direction.transpose();
   Motion end{displacement, velocity, Vector2d::Zero()};
+  const auto contact = [&]() -> ContactForce {
+    if (side == 0) return {};
+    return contact_force(run_.law, scene.contact_stiffness, scene.contact_damping,
+                         penetration(scene, side, end.displacement[0], end.displacement[1]),
+                         direction.dot(end.velocity));
+  };
   // Convergence is quadratic; the cap ends the last-bit cycles of a root that rounding does not let settle.
   for (int iteration = 0; iteration < 50; ++iteration) {
-    const InternalForce inner = internal(end.displacement, end.velocity);
-    const Vector2d residual =
-        load - mass_ * end.acceleration - damping_ * end.velocity - stiffness_ * end.displacement - inner.force;
-    const Matrix2d tangent =
-        mass_ + gamma * h * (damping_ + inner.damping) + beta_ * h * h * (stiffness_ + inner.stiffness);
+    const ContactForce inner = contact();
+    const Vector2d residual = Vector2d(drive, 0) - mass_ * end.acceleration - damping_ * end.velocity -
+                              stiffness_ * end.displacement - inner.force * direction;
+    const Matrix2d tangent = mass_ + gamma * h * (damping_ + inner.damping * coupling) +
+                             beta_ * h * h * (stiffness_ + inner.stiffness * coupling);
     const Vector2d correction = tangent.partialPivLu().solve(residual);
     end.acceleration += correction;
     end.velocity = velocity + gamma * h * end.acceleration;
     end.displacement = displacement + beta_ * h * h * end.acceleration;
     if (correction.norm() <= 1e-14 * end.acceleration.norm()) break;
   }
+  force = contact().force;
   return end;
 }
 
@@ -120,32 +123,18 @@ void TextbookNewmark::step() {
   const Sample before = sample_;
   const int side_before = side_;
   sample_.t = static_cast<double>(++steps_) * step_;
-  const Vector2d load(drive_force(run_, sample_.t), 0);
+  const double drive = drive_force(run_, sample_.t);
 
-  const auto no_contact = [](const Vector2d&, const Vector2d&) {
-    return InternalForce{Vector2d::Zero(), Matrix2d::Zero(), Matrix2d::Zero()};
-  };
-  Motion end = step_end(load, no_contact);
+  double force = 0;
+  Motion end = step_end(drive, 0, force);
   const int side = nearest_stop(scene, end.displacement[0], end.displacement[1]);
   side_ = penetration(scene, side, end.displacement[0], end.displacement[1]) > 0 ? side : 0;
-  double force = 0;
   if (side_ != 0) {
     if (run_.damping_ratio > 0 && side_before == 0) {
       const double approach_speed = std::max(side_ * (before.v2 - before.v1), least_approach_speed);
       scene.contact_damping = run_.damping_ratio * scene.contact_stiffness / approach_speed;
     }
-    const auto contact = [&](const Vector2d& x, const Vector2d& v) {
-      return contact_force(run_.law, scene.contact_stiffness, scene.contact_damping,
-                           penetration(scene, side_, x[0], x[1]), side_ * (v[1] - v[0]));
-    };
-    const auto internal = [&](const Vector2d& x, const Vector2d& v) {
-      const ContactForce f = contact(x, v);
-      const Vector2d direction(-side_, side_);
-      const Matrix2d coupling = direction * direction.transpose();
-      return InternalForce{f.force * direction, f.stiffness * coupling, f.damping * coupling};
-    };
-    const Motion touching = step_end(load, internal);
-    force = contact(touching.displacement, touching.velocity).force;
+    const Motion touching = step_end(drive, side_, force);
     if (scene.tension == Tension::clamp && force < 0) {
       force = 0;
     } else {

@@ -27,8 +27,8 @@ class TextbookNewmark {
   struct Motion {
     Eigen::Vector2d displacement, velocity, acceleration;
   };
-  // The state at the end of a step with the external force `load`. `internal` returns N and its tangents.
-  template <class Internal> Motion step_end(const Eigen::Vector2d& load, const Internal& internal) const;
+  // The state at the end of a step in which the stop of this side is touched, 0 for none, and its force there.
+  Motion step_end(double drive, int side, double& force) const;
 
   Case run_;
   double beta_, step_;

@@ -65,6 +65,9 @@ TEST_F(ImpactSim, WarnsOfUnlikelyValues) {
   EXPECT_THAT(run(stiff).err, HasSubstr("nearly elastic"));
   EXPECT_THAT(run(stiff + "--restitution 0.97").err, Not(HasSubstr("nearly elastic")));
   EXPECT_THAT(run("--duration 2 --step 1e-4").err, Not(HasSubstr("nearly elastic")));
+  EXPECT_THAT(run("--bound-speed 1000 --step 1e-3 --numeric fixed32").err, HasSubstr("times the largest speed"));
+  EXPECT_THAT(run("--duration 0.01 --tension allow").err, HasSubstr("--tension allow has no effect"));
+  EXPECT_THAT(run("--duration 0.01 --tension allow --law hooke-newton").err, Not(HasSubstr("has no effect")));
 }
 
 // The summary shows the frequency, the damping ratio and the press test from which the scene was derived.
@@ -122,15 +125,6 @@ TEST_F(ImpactSim, ScalesTheCostOfSubStepsAndKnowsNoneOfAStiffStop) {
   EXPECT_TRUE(many == 4 * few || many == 8 * few) << few << " " << many;
   EXPECT_GT(contact("energy", "32600"), 100);
   EXPECT_EQ(contact("energy", "3.26e10"), 0);
-}
-
-TEST_F(ImpactSim, ABoundFarAboveTheSpeedIsSaid) {
-  EXPECT_THAT(run("--bound-speed 1000 --step 1e-3 --numeric fixed32").err, HasSubstr("times the largest speed"));
-}
-
-TEST_F(ImpactSim, ATensionThatNoLawHasIsSaid) {
-  EXPECT_THAT(run("--duration 0.01 --tension allow").err, HasSubstr("--tension allow has no effect"));
-  EXPECT_THAT(run("--duration 0.01 --tension allow --law hooke-newton").err, Not(HasSubstr("has no effect")));
 }
 
 // A weight so large that the step which suits the estimated speed does not suit the true one.

@@ -7,8 +7,11 @@
 // A run in 32 bits has two errors. That of the method is the difference between the same scheme in float64 and the
 // reference. That of rounding is the difference between the 32-bit run and that float64 run.
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "host_ref/extremes.hpp"
 #include "host_ref/simulation.hpp"
 
 namespace impact::host {
@@ -16,20 +19,18 @@ namespace impact::host {
 using Samples = std::vector<Sample>;
 
 // The largest difference of x1, m, over the samples that both have. They must be at the same instants.
-double largest_difference(const Samples& a, const Samples& b);
+inline double largest_difference(const Samples& a, const Samples& b) {
+  double largest = 0;
+  for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = larger(largest, std::abs(a[i].x1 - b[i].x1));
+  return largest;
+}
 
 struct ErrorParts {
   double total, method, rounding;  // m
 };
-ErrorParts error_parts(const Samples& reference, const Samples& float64, const Samples& rounded);
-
-// Statistics of the samples from the instant `from` on, which must be evenly spaced.
-struct Statistics {
-  double rms = 0;               // of x1, m
-  double maximum = 0;           // of |x1|, m
-  double dissipated_power = 0;  // by contact, W
-  double impacts_per_second = 0;
-};
-Statistics statistics(const Samples& samples, double from = 0);
+inline ErrorParts error_parts(const Samples& reference, const Samples& float64, const Samples& rounded) {
+  return {largest_difference(rounded, reference), largest_difference(float64, reference),
+          largest_difference(rounded, float64)};
+}
 
 }  // namespace impact::host

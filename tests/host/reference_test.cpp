@@ -308,23 +308,5 @@ TEST(ErrorMeasures, PointByPoint) {
   EXPECT_TRUE(std::isnan(largest_difference(reference, rounded)));
 }
 
-TEST(ErrorMeasures, StatisticsOfASine) {
-  Samples samples;
-  for (int i = 0; i <= 1000; ++i) {
-    Sample s;
-    s.t = i * 1e-2;
-    s.x1 = 0.03 * std::sin(2 * 3.14159265358979323846 * s.t);
-    s.energy_dissipated = 2 * s.t;
-    s.impacts = i / 10;
-    samples.push_back(s);
-  }
-  const Statistics result = statistics(samples, 5);
-  // The samples cover five periods and the first sample of the sixth, whose sine is 0: 500 of 501 count.
-  EXPECT_NEAR(result.rms, 0.03 * std::sqrt(0.5 * 500 / 501), 1e-15);
-  EXPECT_NEAR(result.maximum, 0.03, 1e-15);
-  EXPECT_NEAR(result.dissipated_power, 2, 1e-14);
-  EXPECT_NEAR(result.impacts_per_second, 10, 1e-14);
-}
-
 }  // namespace
 }  // namespace impact::host

@@ -1,5 +1,7 @@
 // The errors of the method and of rounding over 1 s of the paper's scene, and the main mass's free flight.
 
+#include <tuple>
+
 #include "paper_runs.hpp"
 
 namespace impact::host {
@@ -55,6 +57,19 @@ const Prototype classical_steppers[] = {
     {Law::hunt_crossley, Stepper::central, {{1e-3, 1.2e-5}, {1e-4, 1.2e-7}}},
     {Law::hooke_newton, Stepper::average, {{1e-3, 5.0e-3}, {5e-4, 3.9e-3}, {1e-4, 3.1e-3}}}};
 INSTANTIATE_TEST_SUITE_P(Pointwise, Accuracy, testing::ValuesIn(classical_steppers));
+
+// The same by Moment with a drive that is linear between its samples, in flight and in contact.
+TEST(Accuracy, OfASampledDriveIsSimilar) {
+  for (const auto& [law, step, bound] :
+       {std::tuple(Law::hertz, 1e-4, 2e-10), {Law::hunt_crossley, 1e-4, 3e-11}, {Law::hooke_newton, 1e-5, 1e-11}})
+    for (const Tension tension : {Tension::clamp, Tension::allow}) {
+      Request request = paper_request(law, Stepper::moment, step, tension);
+      request.drive = DriveKind::sampled;
+      request.samples = sampled_sine(step, 1);
+      EXPECT_LE(largest_difference(kernel_samples(request, 0.01, 1), reference_samples(request, 0.01, 1)), bound)
+          << name_of(law);
+    }
+}
 
 // If the contact force jumps, the phase of the next impact within its step amplifies any error, and one scene proves
 // little. The median error over 41 neighbouring drives at 0.1 ms is compared with the required 1e-7 m.

@@ -1,4 +1,4 @@
-// Special cases: symmetry, no clearance, a start inside a stop, a restored state, and sampled drives.
+// Special cases: symmetry, no clearance, a start inside a stop, a restored state, a fast sine.
 
 #include <cstring>
 
@@ -6,13 +6,6 @@
 
 namespace impact::host {
 namespace {
-
-std::vector<double> sampled_sine(double step, double duration) {
-  std::vector<double> samples;
-  for (long n = 1; n <= std::lround(duration / step); ++n)
-    samples.push_back(10 * std::sin(40 * static_cast<double>(n) * step));
-  return samples;
-}
 
 // Left and right are exchanged. In floating point all bits are the same, since it rounds symmetrically. Fixed point
 // rounds down on both sides, so two runs differ by at most twice what accuracy_test.cpp allows, and after stiff impacts
@@ -150,21 +143,6 @@ TYPED_TEST(States, RestoreAndResetReproduceTheMotion) {
     ASSERT_TRUE(same(original, fresh)) << n;
     original.step();
     fresh.step();
-  }
-}
-
-// A sine that is linear between its samples is too small by (w h)^2/12 of its amplitude, and so is the motion.
-TEST(Edges, ASampledSineApproachesTheSine) {
-  for (const Law law : every_law) {
-    const auto difference = [law](double step) {
-      Request sine = paper_request(law, Stepper::moment, step), sampled = sine;
-      sampled.drive = DriveKind::sampled;
-      sampled.samples = sampled_sine(step, 0.5);
-      return largest_difference(kernel_samples(sine, 1e-3, 0.5), kernel_samples(sampled, 1e-3, 0.5));
-    };
-    const double coarse = difference(1e-3), middle = difference(5e-4), fine = difference(1e-4);
-    EXPECT_NEAR(std::log2(coarse / middle), 2, 0.2) << name_of(law);
-    EXPECT_NEAR(std::log2(middle / fine) / std::log2(5), 2, 0.2) << name_of(law);
   }
 }
 

@@ -24,6 +24,14 @@ inline Request paper_request(Law law, Stepper stepper, double step, Tension tens
   return request;
 }
 
+// The drive's sine as samples, one per step.
+inline std::vector<double> sampled_sine(double step, double duration) {
+  std::vector<double> samples;
+  for (long n = 1; n <= std::lround(duration / step); ++n)
+    samples.push_back(10 * std::sin(40 * static_cast<double>(n) * step));
+  return samples;
+}
+
 // Samples at multiples of `interval`, which is a multiple of the step. There is one drive sample per step, for its end.
 inline Samples kernel_samples(const Request& request, double interval, double duration) {
   Request asked = request;

@@ -217,7 +217,7 @@ struct Impulsive {
       Value speed = rate - by_chord +
                     Format::value((by_chord - Format::value(since_touch * by_chord)) *
                                   Format::value(divisor.ratio(half_acceleration)));
-      if (is_positive(before)) speed = speed - Format::value(acceleration * Format::value(divisor.ratio(before)));
+      if (is_positive(before)) speed = speed - Format::value(before * Format::value(divisor.ratio(acceleration)));
       if (!is_positive(speed)) speed = pace;
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
       // All factors may be small compared with their unit, which has room for the pressing force at the bounds.
@@ -228,7 +228,7 @@ struct Impulsive {
         // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
         const Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace))),
                     beyond = trial - bounce.depth -
-                             (plan.rebound.way * Format::value(hastened * Format::value(divisor.ratio(bounce.depth))));
+                             (plan.rebound.way * Format::value(bounce.depth * Format::value(divisor.ratio(hastened))));
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto chord = divisor.share(without_sign(beyond));
         const auto t = Format::moved_share(chord, divisor.ratio(above_chord<Format>(chord, bend, half_acceleration)));

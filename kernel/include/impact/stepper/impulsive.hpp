@@ -213,11 +213,13 @@ struct Impulsive {
       const Value half_change = plan.acceleration * step.half_change,
                   half_jerk = half_change + Format::value(half(plan.turn * Value(step.main_rate))),
                   later = Format::value(since_touch * half_jerk), average = acceleration - later,
-                  pressing = average - later, by_chord = Format::value(since_touch * average);
-      Value speed = rate - by_chord +
-                    Format::value((by_chord - Format::value(since_touch * by_chord)) *
-                                  Format::value(divisor.ratio(half_acceleration)));
-      if (is_positive(before)) speed = speed - Format::value(before * Format::value(divisor.ratio(acceleration)));
+                  pressing = average - later, by_chord = Format::value(since_touch * average),
+                  curvature = Format::value(divisor.ratio(half_acceleration));
+      Value speed = rate - by_chord + Format::value((by_chord - Format::value(since_touch * by_chord)) * curvature);
+      if (is_positive(before)) {
+        const Value half_more = Format::within_a_quarter(Format::value(before * curvature));
+        speed = speed - half_more - half_more;
+      }
       if (!is_positive(speed)) speed = pace;
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
       // All factors may be small compared with their unit, which has room for the pressing force at the bounds.

@@ -25,6 +25,13 @@ inline double largest_difference(const Samples& a, const Samples& b) {
   return largest;
 }
 
+// The largest |x1|, m.
+inline double largest_x1(const Samples& samples) {
+  double largest = 0;
+  for (const Sample& sample : samples) largest = larger(largest, std::abs(sample.x1));
+  return largest;
+}
+
 struct ErrorParts {
   double total, method, rounding;  // m
 };

@@ -145,7 +145,13 @@ Generator sticking_generator(const Constants& scene, DriveKind drive) {
 // Samples of a drive or of the base: linear between them, and the last one after them. Without samples it is 0.
 class LinearSamples {
  public:
-  LinearSamples(const std::vector<double>& samples, double step) : samples_(samples), step_(real(step)) {}
+  LinearSamples(const std::vector<double>& samples, double step, Real start = 0)
+      : samples_(samples),
+        step_(real(step)),
+        segment_(samples.empty()
+                     ? 0
+                     : static_cast<size_t>(std::clamp(start / step_, Real{0}, static_cast<Real>(samples.size() - 1)))) {
+  }
 
   // The end of the segment that t is in. It does not go back to an earlier one.
   Real end_of_segment(Real t) {
@@ -167,7 +173,7 @@ class LinearSamples {
 
   const std::vector<double>& samples_;
   Real step_;
-  size_t segment_ = 0;
+  size_t segment_;
 };
 
 }  // namespace
@@ -179,9 +185,7 @@ double drive_force(const Case& run, double t) {
     case DriveKind::sine:
       return run.scene.drive_amplitude * std::sin(run.scene.drive_pulsation * t);
     case DriveKind::sampled:
-      LinearSamples samples(run.samples, run.sample_step);
-      samples.end_of_segment(real(t));
-      return static_cast<double>(samples.at(real(t)).first);
+      return static_cast<double>(LinearSamples(run.samples, run.sample_step, real(t)).at(real(t)).first);
   }
   return 0;
 }

@@ -200,8 +200,7 @@ Request far_from_stops(double step) {
 
 void expect_reference(Request request, const char* what) {
   const Samples exact = reference_samples(request, interval, 1);
-  double amplitude = 0;
-  for (const Sample& sample : exact) amplitude = larger(amplitude, std::abs(sample.x1));
+  const double amplitude = largest_x1(exact);
   for (const auto& [numeric, floor] :
        {std::pair(Numeric::float64, 0.0), {Numeric::fixed32, 8 * 2e-9}, {Numeric::float32, 8 * 1e-8}}) {
     request.numeric = numeric;

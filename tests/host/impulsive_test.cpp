@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "host_ref/closed_form.hpp"
+#include "host_ref/extremes.hpp"
 #include "kernel_test.hpp"
 
 namespace impact::host {
@@ -176,7 +177,7 @@ double force_of(const Impact& impact, double p, double v) {
   if (p <= 0) return 0;
   const double root = impact.law == Law::hooke_newton ? 1 : std::sqrt(p);
   const double damped = impact.law == Law::hooke_newton ? v : p * v;
-  return std::max(0.0, root * (impact.contact_stiffness * p + impact.contact_damping * damped));
+  return larger(0.0, root * (impact.contact_stiffness * p + impact.contact_damping * damped));
 }
 
 // A constant acceleration A presses the ball into the stop. The ball's place and rate after the impact are compared

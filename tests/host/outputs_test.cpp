@@ -16,7 +16,6 @@ template <class Value> double si(Value x, double unit) {
   else
     return x.raw * 0x1p-31 * unit;
 }
-template <class Format> typename Format::Value native(double x, double unit) { return Format::sample(x / unit); }
 // An LSB of a number of this size. In Fixed32 it depends only on the unit.
 template <class Format> double lsb_of(double size, double unit) {
   if constexpr (std::is_same_v<Format, Fixed32>)
@@ -46,7 +45,7 @@ template <class Format_, class ContactLaw_, class Stepper_, class Drive_> struct
   static Kernel made() {
     auto kernel = accepted<Kernel>(scene_of<Law, Stepper>(), Bounds{}, h);
     if constexpr (!Drive::is_sine && !Drive::is_sampled)
-      kernel.correct(native<Format>(0.02, kernel.displacement_unit()), native<Format>(1.0, kernel.velocity_unit()));
+      kernel.correct(Format::sample(0.02 / kernel.displacement_unit()), Format::sample(1.0 / kernel.velocity_unit()));
     return kernel;
   }
   static void step(Kernel& kernel, int n) {
@@ -139,7 +138,7 @@ TYPED_TEST(Formats, ACorrectionAddsToDisplacementAndVelocity) {
   there.v1 = -0.4;
   Kernel kernel(Kernel::PlanType::make(Scene{}, Bounds{}, h)), heir(Kernel::PlanType::make(there, Bounds{}, h));
   const double xu = kernel.displacement_unit(), vu = kernel.velocity_unit();
-  kernel.correct(native<TypeParam>(0.003, xu), native<TypeParam>(-0.4, vu));
+  kernel.correct(TypeParam::sample(0.003 / xu), TypeParam::sample(-0.4 / vu));
   const double lsb = lsb_of<TypeParam>(0.4, 0x1p-5 / h), x_lsb = lsb_of<TypeParam>(0.003, xu);
   for (int n = 0; n < 100; ++n) {
     EXPECT_NEAR(kernel.reading().x1, heir.reading().x1, x_lsb + n * h * 4 * lsb) << n;
@@ -163,7 +162,7 @@ TYPED_TEST(Formats, CorrectionsPullTheModelToItsPlant) {
   const double xu = model.displacement_unit(), vu = model.velocity_unit();
   for (int n = 0; n < 20000; ++n) {
     const double error = plant.reading().x1 - model.reading().x1;
-    model.correct(native<TypeParam>(0.01 * error, xu), native<TypeParam>(0.5 * error, vu));
+    model.correct(TypeParam::sample(0.01 * error / xu), TypeParam::sample(0.5 * error / vu));
     model.step();
     plant.step();
   }
@@ -212,7 +211,7 @@ TYPED_TEST(Formats, ACorrectionInContactLeavesAContact) {
       for (int n = 0; n < 20000; ++n) {
         kernel.step();
         if (kernel.is_touching() && n % 7 == 0)
-          kernel.correct(native<TypeParam>(n % 2 ? dx : -dx, kernel.displacement_unit()), {});
+          kernel.correct(TypeParam::sample((n % 2 ? dx : -dx) / kernel.displacement_unit()), {});
       }
       EXPECT_EQ(kernel.fault(), Fault::none) << dx;
       EXPECT_LT(std::abs(kernel.reading().x1), 0.08);
@@ -265,7 +264,7 @@ TYPED_TEST(Formats, AnAbsorberFromARejectedPlanStaysAtRest) {
   EXPECT_EQ(kernel.fault(), Fault::plan);
   kernel.clear_fault();
   for (int n = 0; n < 100; ++n) kernel.step();
-  kernel.correct(native<TypeParam>(0.3, 1), native<TypeParam>(0.3, 1));
+  kernel.correct(TypeParam::sample(0.3), TypeParam::sample(0.3));
   kernel.reset();
   expect_near(kernel.reading(), {}, 0, 0);
   EXPECT_EQ(si(kernel.displacement(), 1), 0);
@@ -283,14 +282,14 @@ TYPED_TEST(Formats, CountsOutAreTheNearestAndClampedAtTheEnds) {
       const int32_t zero = 1 << (bits - 1), most = (1 << bits) - 1;
       const detail::CountsOut<TypeParam> to_counts({zero, zero / full_scale, 0, most}, unit);
       for (int n = -1000; n <= 1000; ++n) {
-        const auto x = native<TypeParam>(n * 0.11e-3 + 1e-9, unit);
+        const auto x = TypeParam::sample((n * 0.11e-3 + 1e-9) / unit);
         const double exact = zero + si(x, unit) * zero / full_scale;
         const double clamped = std::min(std::max(exact, 0.0), static_cast<double>(most));
         ASSERT_NEAR(to_counts.of(x), clamped, 0.5 + 1e-2) << n;
       }
     }
   const detail::CountsOut<TypeParam> whole({0, -0x1p31, -INT32_MAX, INT32_MAX}, 1);
-  EXPECT_NEAR(whole.of(native<TypeParam>(0.5, 1)), -(1 << 30), 128);
+  EXPECT_NEAR(whole.of(TypeParam::sample(0.5)), -(1 << 30), 128);
 }
 
 TYPED_TEST(Formats, CountsInAreSamples) {
@@ -377,7 +376,7 @@ template <class Kernel> void restore_at_every_step() {
   Scene scene;
   scene.ball_friction = 0.2;
   auto kernel = accepted<Kernel>(scene, {}, h), other = kernel;
-  const auto dx = native<typename Kernel::Format>(1e-6, kernel.displacement_unit());
+  const auto dx = Kernel::Format::sample(1e-6 / kernel.displacement_unit());
   int contacts = 0;
   for (int n = 0; n < 20000; ++n) {
     kernel.step();

@@ -43,7 +43,7 @@ enum class Choice { moment, sub_steps, energy, impulsive };
 // The expected error of the main mass's displacement, m, in a motion of half a second with some impacts per cycle. With
 // Hertz, whose impacts amplify errors, it is ten times as much. It is a share of the main mass's swing, from the error
 // of an impact's restitution (a quarter of its bound) and from the main mass's angle in a step. Impulsive's error is
-// that of a state read during a contact, whatever the step; outside it is a tenth. The factors are measured
+// that of a state read during a contact, whatever the step; outside it is smaller. The factors are measured
 // (stiff_test.cpp).
 constexpr double expected_error(Choice choice, const Resolution& contact, double step) {
   const double turn = contact.main_pulsation * step, square = turn * turn;

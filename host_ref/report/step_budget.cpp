@@ -15,22 +15,24 @@ namespace {
 
 std::string configuration_of(const Row& row) {
   std::string key;
-  for (const char* column : {"target", "law", "newmark", "numeric", "drive"}) key += row.at(column) + ",";
+  for (const char* column : {"law", "newmark", "numeric", "drive"}) key += row.at(column) + ",";
   return key;
 }
 
 }  // namespace
 
 void write_report(const std::vector<std::string>& paths) {
-  std::map<std::string, std::string> budget;  // by configuration and phase or quantity
-  for (const Row& row : read_table(paths.at(1))) budget[configuration_of(row) + row.at("quantity")] = row.at("budget");
+  std::map<std::string, std::string> budget;  // by target, configuration, and phase or quantity
+  for (const Row& row : read_table(paths.at(1)))
+    for (const auto& [target, count] : row)  // of other columns too, which nothing asks for
+      budget[target + "," + configuration_of(row) + row.at("quantity")] = count;
   std::vector<Row> costs;
   for (size_t i = 2; i < paths.size(); ++i)
     for (const Row& row : read_table(paths[i])) costs.push_back(row);
   std::map<std::string, double> largest;
   for (const Row& row : costs) {
     if (row.at("phase") == "iterating") continue;  // another scene
-    double& worst = largest[configuration_of(row)];
+    double& worst = largest[row.at("target") + "," + configuration_of(row)];
     worst = host::larger(worst, number(row, "instructions_max"));
   }
 
@@ -48,7 +50,7 @@ void write_report(const std::vector<std::string>& paths) {
                                 budget[key + phase + "_cycles"]));
   };
   for (const Row& row : costs) {
-    const std::string key = configuration_of(row);
+    const std::string key = row.at("target") + "," + configuration_of(row);
     write(key, row.at("phase"), row.at("instructions_mean"), row.at("instructions_max"));
     if (row.at("phase") == "contact") write(key, "all", "", std::to_string(static_cast<long>(largest[key])));
   }

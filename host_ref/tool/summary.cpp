@@ -9,14 +9,15 @@
 namespace impact::host {
 namespace {
 
-// The columns of a row of the budgets: target,law,newmark,numeric,drive,quantity,budget.
-template <class See> void for_each_budget(See see) {
-  std::ifstream budgets(IMPACT_BUDGETS);
-  std::string row;
-  std::getline(budgets, row);
-  while (std::getline(budgets, row))
-    if (const auto columns = fields_of(row); columns.size() == 7) see(columns);
+// The rows of the budgets: law,newmark,numeric,drive,quantity and a column for each part. The first row has the names.
+std::vector<std::vector<std::string>> budgets() {
+  std::ifstream file(IMPACT_BUDGETS);
+  std::vector<std::vector<std::string>> rows;
+  for (std::string row; std::getline(file, row);) rows.push_back(fields_of(row));
+  if (rows.empty()) rows.emplace_back();  // without the file no part is known
+  return rows;
 }
+constexpr size_t first_part = 5;
 
 std::string three_digits(double value) { return rounded_text(value, 3); }
 std::string percent(double share) { return rounded_text(100 * share, 2) + " %"; }
@@ -25,14 +26,16 @@ std::string percent(double share) { return rounded_text(100 * share, 2) + " %"; 
 
 StepCost step_cost(const std::string& part, const Request& made) {
   const char* drive = made.drive == DriveKind::sine ? "sine" : made.drive == DriveKind::none ? "none" : "sampled";
+  const std::string_view configuration[] = {name_of(made.law), name_of(made.stepper), name_of(made.numeric), drive};
   StepCost cost;
-  for_each_budget([&](const std::vector<std::string>& columns) {
-    if (columns[0] != part || columns[1] != name_of(made.law) || columns[2] != name_of(made.stepper) ||
-        columns[3] != name_of(made.numeric) || columns[4] != drive)
-      return;
-    if (columns[5] == "free") cost.free = std::stol(columns[6]);
-    if (columns[5] == "contact") cost.contact = std::stol(columns[6]);
-  });
+  const auto rows = budgets();
+  const auto column = static_cast<size_t>(std::find(rows[0].begin(), rows[0].end(), part) - rows[0].begin());
+  for (const auto& row : rows)
+    if (column < row.size() && !row[column].empty() &&
+        std::equal(std::begin(configuration), std::end(configuration), row.begin())) {
+      if (row[4] == "free") cost.free = std::stol(row[column]);
+      if (row[4] == "contact") cost.contact = std::stol(row[column]);
+    }
   const Resolution contact = resolution(made);
   const bool is_stiff =
       made.stepper == Stepper::energy && !contact.is_linear && made.step > EnergyConsistent::longest_resolved(contact);
@@ -47,10 +50,9 @@ StepCost step_cost(const std::string& part, const Request& made) {
 }
 
 std::string known_parts() {
-  std::string parts, last;
-  for_each_budget([&](const std::vector<std::string>& columns) {
-    if ((parts + ",").find(columns[0] + ",") == std::string::npos) parts += (parts.empty() ? "" : ", ") + columns[0];
-  });
+  const auto names = budgets()[0];
+  std::string parts;
+  for (size_t i = first_part; i < names.size(); ++i) parts += (i > first_part ? ", " : "") + names[i];
   return parts;
 }
 

@@ -11,7 +11,12 @@ trap 'rm "$renewed"' EXIT
 status=0
 for file in README.md kernel/README.md tests/README.md; do
   awk -F' *[|] *' '
-    FILENAME ~ /csv$/ { split($0, part, ","); budget[part[1] "," part[2] "," part[3] "," part[4] "," part[5] ":" part[6]] = part[7]; next }
+    FILENAME ~ /csv$/ {
+      columns = split($0, part, ",")
+      row = part[1] "," part[2] "," part[3] "," part[4] ":" part[5]
+      for (i = 6; i <= columns; ++i) if (FNR == 1) name[i] = part[i]; else if (part[i] != "") budget[name[i] "," row] = part[i]
+      next
+    }
     /^<!-- budgets.csv/ { sub(/ *-->/, ""); cells = NF; for (i = 2; i <= cells; ++i) cell[i] = $i; $0 = $0 " -->" }
     /^$/ && seen { cells = seen = 0 }
     cells && /^\| (cortex|rv|rp)/ {

@@ -9,18 +9,17 @@ const { costOf } = await import(pathToFileURL(`${folder}/cost.mjs`)), { tableFro
 
 const budgets = tableFrom(readFileSync(budgetsFile, 'utf8'));
 const budgetOf = (target, law, newmark, numeric, drive, quantity) => Number(budgets.find((row) =>
-  row.target === target && row.law === law && row.newmark === newmark && row.numeric === numeric && row.drive === drive && row.quantity === quantity)?.budget);
-const table = budgets.filter(({ quantity }) => ['free', 'contact', 'iterating'].includes(quantity)).map((row) => ({
-  ...row, phase: row.quantity, instructions_mean: row.budget, instructions_max: row.budget,
-  flash_bytes: budgetOf(row.target, row.law, row.newmark, row.numeric, row.drive, 'flash_bytes') || '', ram_bytes: '', stack_bytes: '',
-}));
+  row.law === law && row.newmark === newmark && row.numeric === numeric && row.drive === drive && row.quantity === quantity)?.[target] || NaN);
+const targets = JSON.parse(readFileSync(partsFile, 'utf8')), cores = [...new Set(targets.map(({ target }) => target))];
+check(cores.length === 7, `${targets.length} parts of ${cores.length} targets`);
+const table = cores.flatMap((target) => budgets.filter((row) => row[target] && ['free', 'contact', 'iterating'].includes(row.quantity)).map((row) => ({
+  ...row, target, phase: row.quantity, instructions_mean: row[target], instructions_max: row[target],
+  flash_bytes: budgetOf(target, row.law, row.newmark, row.numeric, row.drive, 'flash_bytes') || '', ram_bytes: '', stack_bytes: '',
+})));
 const still = { law: 'hunt-crossley', 'damping-by': 'c1', numeric: 'fixed32', step: 1e-4, gravity: 0, 'ball-friction': 0, base: 'still' };
 const shown = (part, scene, stepper) => Object.fromEntries(costOf(table, part, { ...still, ...scene }, stepper));
 const most = (words) => Number(words?.match(/at most (\d+)/)?.[1]);
 
-const targets = JSON.parse(readFileSync(partsFile, 'utf8'));
-const cores = new Set(targets.map(({ target }) => target)).size;
-check(cores === 7, `${targets.length} parts of ${cores} targets`);
 for (const part of targets) {
   const own = (law, newmark, drive, quantity) => budgetOf(part.target, law, newmark, 'fixed32', drive, quantity);
   for (const [drive, scene] of [['sine', {}], ['sine+gravity', { gravity: -9.81 }], ['sine+base', { base: 'example' }], ['sine+base', { base: 'example', gravity: -9.81 }],

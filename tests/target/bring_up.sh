@@ -15,8 +15,9 @@ echo "$table"
 case $table in *"counter $counter"*) ;; *) echo "# the table does not name the counter $counter" && exit 1 ;; esac
 echo "$table" | awk -v target="$target" -v ticks=$ticks '
   NR == FNR {
-    split($0, row, ",")
-    if (row[1] == target && row[2] == "hunt-crossley" && row[3] == "moment" && row[5] == "sine") known[row[4], row[6]] = row[7]
+    columns = split($0, row, ",")
+    if (FNR == 1) for (i = 6; i <= columns; ++i) column[row[i]] = i
+    if (row[1] == "hunt-crossley" && row[2] == "moment" && row[4] == "sine") known[row[3], row[5]] = row[column[target]]
     next
   }
   $1 != "Fixed32" && $1 != "Float32" { next }

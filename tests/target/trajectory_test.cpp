@@ -116,7 +116,7 @@ void print(const char* label, const Fingerprint& fingerprint) {
   board::print(label);
   board::print("\", 0x");
   board::print_hexadecimal(fingerprint.hash);
-  board::print(",\n \"");
+  board::print(", \"");
   board::print(fingerprint.digits);
   board::print("\"},\n");
 }

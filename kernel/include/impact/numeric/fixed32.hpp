@@ -239,6 +239,7 @@ struct Fixed32 : Fixed32Numbers {
       raw = static_cast<int64_t>(static_cast<uint64_t>(raw) + part);
     }
     constexpr void add(Value x, int bits, Gain) { add(x, bits); }
+    constexpr void negate() { raw = static_cast<int64_t>((UINT64_C(1) << 32) - static_cast<uint64_t>(raw)); }
     constexpr Value value() const { return {upper_word(raw)}; }
   };
   // The number of bits by which all x can be shifted left and stay within +-1/4.

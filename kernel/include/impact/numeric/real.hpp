@@ -309,6 +309,7 @@ template <class RealType, template <class> class State, class OscillatorType> st
 
     constexpr void add(Real x, int) { total += x; }
     constexpr void add(Real x, int, Gain part) { total += part * x; }
+    constexpr void negate() { total = -total; }
     constexpr Real value() const { return total; }
   };
   static constexpr int exponent_of(double) { return 0; }

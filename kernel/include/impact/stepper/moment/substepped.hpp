@@ -251,8 +251,7 @@ template <int named = 0> struct SubsteppedMoment {
       const Penetration start_rate = begins ? step.rate_before : step_rate;
       Penetration by_spring = start_rate - step.rate;
       if constexpr (Seen::is_in_field) by_spring = by_spring + units.increment_of_rate(step.ball_increment);
-      const Quartic free(trial, step.rate, trial - at, start_rate,
-                         plan.quartic * by_spring + plan.drive_quartic * step.bend);
+      Quartic free(trial, step.rate, trial - at, start_rate, plan.quartic * by_spring + plan.drive_quartic * step.bend);
       int left = 1 << plan.exponent;  // sub-steps to the step's end
       if (begins) skip_flight(plan, free, left, at);
       Sums sums{};  // the effect of the impulses so far
@@ -262,25 +261,29 @@ template <int named = 0> struct SubsteppedMoment {
             left < 1 << plan.exponent ? free.rate_at(Format::parts(left, plan.exponent, plan.part)) : start_rate;
         friction.begin(plan, *step.rubbing, now, begins ? at - step.before : Penetration{});
       }
-      uint32_t crossings = 0;  // odd: at the other stop than at the start
+      uint32_t crossings = 0;
+      const auto cross = [&] {  // to the coordinates of the other stop
+        free.cross(plan.clearance);
+        sums.cross();
+      };
       [[maybe_unused]] Penetration rate_at_crossing{};
       [[maybe_unused]] Work work{plan, start_rate};
       while (left > 0) {
         --left;
-        const Recoil by_flow = sums.advance(plan, 0);
+        Recoil by_flow = sums.advance(plan, 0);
         if constexpr (Seen::is_rubbed) friction.act(plan, sums);
         const auto s = Format::parts(left, plan.exponent, plan.part);
-        bool is_across = (crossings & 1) != 0;
         Penetration part_trial = free.at(s) - sums.displacement(plan);
-        if (is_across) part_trial = across(plan, part_trial);
-        const Penetration free_rate = free.rate_at(s), rate_now = free_rate - sums.rate(plan);
+        Penetration free_rate = free.rate_at(s), rate_now = free_rate - sums.rate(plan);
         if (this->phase == Phase::apart) {
           if (plan.crosses && is_positive(across(plan, part_trial))) {
             part_trial = across(plan, part_trial);
             at = across(plan, at);
+            free_rate = -free_rate;
+            rate_at_crossing = rate_now = -rate_now;
+            by_flow = -by_flow;
+            cross();
             ++crossings;
-            is_across = !is_across;
-            rate_at_crossing = mirrored(rate_now, is_across);
           }
           if (!is_positive(part_trial)) {
             if constexpr (Seen::is_rubbed) friction.fly(rate_now, part_trial - at);
@@ -292,13 +295,13 @@ template <int named = 0> struct SubsteppedMoment {
         }
         Approach<Value> part{};
         part.penetration = raised(plan, part_trial);
-        part.rate = rate_in_a_part(plan, mirrored(rate_now, is_across));
+        part.rate = rate_in_a_part(plan, rate_now);
         part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
         part.travel = part.penetration - part.before;
         Penetration bending = plan.square * free.acceleration_at(s) - rate_in_a_part(plan, Sums::travel(plan, by_flow));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
-        part.increment = Increment<Value>(bare(mirrored(bending, is_across)));  // as Inner reads it
-        sums.add(plan, mirrored(Inner::impulse_of(plan.inner, units, part), is_across));
+        part.increment = Increment<Value>(bare(bending));  // as Inner reads it
+        sums.add(plan, Inner::impulse_of(plan.inner, units, part));
         if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free_rate - sums.rate(plan), at);
         at = lowered(plan, this->penetration);
         if constexpr (Seen::is_recorded)
@@ -309,7 +312,7 @@ template <int named = 0> struct SubsteppedMoment {
             if (((left >> stride) & 1) != 0) end.advance(plan, stride);
           [[maybe_unused]] Friction last = friction;
           if constexpr (Seen::is_rubbed) last.leave(plan, end, free.rate, left);
-          const Penetration ended = trial - end.displacement(plan);
+          const Penetration ended = free.end - end.displacement(plan);
           if (is_positive(ended) || (plan.crosses && is_positive(across(plan, ended)))) continue;
           sums = end;
           if constexpr (Seen::is_rubbed) {
@@ -319,7 +322,10 @@ template <int named = 0> struct SubsteppedMoment {
           break;
         }
       }
-      step_rate = mirrored(free.rate - sums.rate(plan), (crossings & 1) != 0);
+      step_rate = free.rate - sums.rate(plan);
+      if constexpr (Seen::is_recorded)
+        if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
+      if ((crossings & 1) != 0) cross();
       if constexpr (Seen::is_rubbed) friction.end(plan, *step.rubbing);
       auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u, Recoil(sums.x.value())});
       reaction.ball = {sums.w, Recoil(sums.y.value())};
@@ -331,7 +337,6 @@ template <int named = 0> struct SubsteppedMoment {
         if (this->phase == Phase::touching)
           reaction.record.stored = ContactLaw::template stored<Format>(units, reaction.penetration);
         reaction.record.rate = free.rate - sums.rate(plan);
-        if (this->phase != Phase::apart) work.end(reaction.record.rate, sums.w - friction.taken);
         reaction.record.work = work.done;
         reaction.record.rate_at_crossing = rate_at_crossing;
       }
@@ -349,7 +354,7 @@ template <int named = 0> struct SubsteppedMoment {
     static constexpr Penetration rate_in_a_part(const Plan& plan, Penetration rate) {
       return Penetration(plan.rate * bare(rate));
     }
-    // A penetration of one stop as one of the other.
+    // A penetration of one stop as one of the other. With weight, a base or friction no plan allows a crossing.
     static constexpr Penetration across(const Plan& plan, Penetration penetration) {
       return -penetration - plan.clearance;
     }
@@ -396,6 +401,13 @@ template <int named = 0> struct SubsteppedMoment {
         return acceleration() - three - three;
       }
       constexpr Penetration acceleration() const { return half_acceleration + half_acceleration; }
+      constexpr void cross(Penetration clearance) {
+        end = -end - clearance;
+        rate = -rate;
+        half_acceleration = -half_acceleration;
+        bend = -bend;
+        quartic = -quartic;
+      }
     };
     // Displacements and rates per step: (x, u) of the main mass by its own flow, and (y, w) by the impulses on both
     // masses, of which the ball has its share.
@@ -425,6 +437,12 @@ template <int named = 0> struct SubsteppedMoment {
         u = u + plan.main_u * j0 + plan.main_u_by_moment * j1;
         y.add(j1, plan.moment_bits);
         w = w + j0;
+      }
+      constexpr void cross() {
+        x.negate();
+        u = -u;
+        y.negate();
+        w = -w;
       }
       // The share of both in the penetration and in its rate.
       constexpr Penetration displacement(const Plan& plan) const {

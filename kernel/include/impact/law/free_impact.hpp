@@ -110,10 +110,10 @@ template <class ContactLaw> constexpr FreeImpact free_impact(const ContactTerms&
   return detail::power_law_impact(terms.stiffness / mu, a, speed);
 }
 // Of an undamped contact with this stiffness, s after the touch.
-template <class ContactLaw> constexpr double undamped_centroid(const ContactTerms& terms, double speed) {
-  const double ratio = terms.stiffness / terms.reduced_mass();
-  return ContactLaw::is_linear ? detail::hooke_newton_impact(ratio, 0, 1, false).centroid
-                               : detail::power_law_impact(ratio, 0, speed).centroid;
+template <class ContactLaw> constexpr double undamped_centroid(ContactTerms terms, double speed) {
+  terms.damping_time = terms.damping_ratio = 0;
+  terms.clamped = false;
+  return free_impact<ContactLaw>(terms, speed).centroid;
 }
 // Of an impact whose damping does not depend on its speed. `impact` is its free_impact.
 template <class ContactLaw> constexpr Press press_of(const ContactTerms& terms, const FreeImpact& impact) {

@@ -69,7 +69,7 @@ template <class Format, class ContactLaw, bool = restitution_falls_with_speed<Co
             Format::gain(impact.centroid / terms.step, 0, 0), Format::sample((1 - impact.restitution) / 2),
             Format::gain(press.way, 0, 0), Format::gain(press.back, 0, 0)};
   }
-  constexpr auto at(Value speed) const {
+  [[gnu::always_inline]] constexpr auto at(Value speed) const {
     if constexpr (!ContactLaw::is_linear) speed = Format::template power_four_fifths<true>(speed);
     const Value reached = reach * speed;
     if constexpr (ContactLaw::is_damped)
@@ -104,7 +104,7 @@ template <class Format, class ContactLaw> struct Rebound<Format, ContactLaw, tru
     else
       return Format::quotient(share, share + damping_share);
   }
-  constexpr auto at(Value speed) const {
+  [[gnu::always_inline]] constexpr auto at(Value speed) const {
     const auto y = damped_share(speed);
     const auto& known = hunt_crossley_rebounds<Format>;
     const Value reached = reach * Format::template power_four_fifths<true>(speed);
@@ -113,7 +113,7 @@ template <class Format, class ContactLaw> struct Rebound<Format, ContactLaw, tru
   }
   template <class Share> static constexpr Value pressed_rate(Share y, Value hastened) {
     const Value damped = Format::value(y * hastened);
-    return Format::value(hastened * Format::short_constant(1.0 / 3)) + damped + Format::value(half(quarter(damped)));
+    return Format::value(hastened * Format::short_constant(1.0 / 3)) + damped + Format::value(eighth(damped));
   }
 };
 

@@ -125,7 +125,7 @@ template <int a, int b> constexpr Energy work(Signed<a> x, Signed<b> y) {
 // Factors that are powers of two move the binary point and take no instruction.
 template <template <int> class Number, int bits> constexpr Number<bits + 1> half(Number<bits> x) { return {x.raw}; }
 template <template <int> class Number, int bits> constexpr Number<bits + 2> quarter(Number<bits> x) { return {x.raw}; }
-template <int bits> constexpr Unsigned<bits + 3> eighth(Unsigned<bits> x) { return {x.raw}; }
+template <template <int> class Number, int bits> constexpr Number<bits + 3> eighth(Number<bits> x) { return {x.raw}; }
 template <template <int> class Number, int bits> constexpr Number<bits - 1> twice(Number<bits> x) { return {x.raw}; }
 
 template <int bits> constexpr Unsigned<2 * bits - 32> square(Unsigned<bits> x) { return {high_square(x.raw)}; }

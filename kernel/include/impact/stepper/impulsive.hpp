@@ -248,7 +248,7 @@ struct Impulsive {
       }
       const Value from = is_positive(before) ? before : Value{};
       const Support on_the_stop = support(plan, units, trial - from, rate);
-      const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(half(quarter(half_rate))));
+      const bool sends_back = is_positive(-on_the_stop.half_rate - Format::value(eighth(half_rate)));
       if (!sends_back) return rest_on_stop(plan, trial, from, from - before, weight, on_the_stop, step);
       is_at_rest = 1;
       if constexpr (Seen::is_rubbed) stick(*step.rubbing);
@@ -327,8 +327,8 @@ struct Impulsive {
       Value turned, faded, rate;  // (w0 t h)^2, c t h/M, Vi
 
       template <class Share>
-      constexpr Instant(const Plan& plan, Share t, Value rate_at_end, Value acceleration, Value main_part,
-                        Value half_change, Value half_jerk)
+      [[gnu::always_inline]] constexpr Instant(const Plan& plan, Share t, Value rate_at_end, Value acceleration,
+                                               Value main_part, Value half_change, Value half_jerk)
           : turned(plan.turn * Format::value(square(t))),
             faded(plan.fading * Format::value(t)),
             rate(rate_at_end - Format::value(t * (acceleration - sixth(main_part))) +

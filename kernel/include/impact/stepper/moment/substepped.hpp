@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The moment-fitted step with n sub-steps in contact, for contacts of few steps or of less than one. Derivation:
-// kernel/docs/moment.md. The effect of the contact's impulses so far is accumulated separately for each mass,
-//
-//     ball        displacement D += R/n                    R: rate, per step
-//     main mass   (X, U) by its own exact flow over a sub-step, linear_flow.hpp
-//
-// so that a sub-step's trial is the free quartic at its end less X + D. Its change of rate without contact is the
-// quartic's, less what the flow changes of U. Sub-steps before the touch and after the separation are skipped. It is of
-// fourth order in h/n for w0 h < 1.
-
-#include <stddef.h>
+// kernel/docs/moment.md. A sub-step's trial is the penetration of the free flight at its end (free_flight.hpp), less
+// what the contact's impulses so far have moved the masses apart (impulse_sums.hpp). Its change of rate without contact
+// is the free flight's, less that of the main mass by its spring and damper. Sub-steps before the touch and after the
+// separation are skipped. It is of fourth order in h/n for w0 h < 1.
 
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/scene.hpp>
 #include <impact/stepper/moment.hpp>
+#include <impact/stepper/moment/free_flight.hpp>
+#include <impact/stepper/moment/impulse_sums.hpp>
 #include <impact/stepper/touch.hpp>
 
 namespace impact {
@@ -76,47 +72,21 @@ template <int named = 0> struct SubsteppedMoment {
     // Impulses of the power laws are changes of the relative rate. Hooke-Newton's are in units of force and are
     // converted.
     static constexpr bool is_linear = ContactLaw::is_linear;
-    static constexpr int exponent_of(int n) { return constant::exponent_above(n + 0.5) - 1; }
-    // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), into x in k n-ths.
-    struct Stride {
-      Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
-    };
-    // In a free step the main mass has the rates v0 and v1 at both ends and the displacement w. F is half of the
-    // drive's change. They satisfy v0 = along w - back v1 + across F. This combination contains neither x1 nor a
-    // constant force.
-    struct StartRate {
-      GainOf<Gain, unit::Displacement, unit::Penetration> by_displacement;
-      Gain by_rate;
-      GainOf<Gain, unit::Increment, unit::Penetration> by_change;
+    using Flight = FreeFlight<Format>;
+    using Sums = ImpulseSums<Format, constant::exponent_above(most + 0.5) - 1>;
 
-      // The rate of penetration at the step's start less that of a rate that is linear in time.
-      constexpr Penetration bend(Displacement<Value> displacement, Penetration rate,
-                                 Increment<Value> half_change) const {
-        return by_displacement * displacement + by_rate * rate + by_change * half_change;
-      }
-    };
-    static constexpr StartRate start_rate_of(const LinearFlow& flow, const UnitExponents& unit) {
-      const double slope = (flow.c0 + flow.c1) / flow.constant_start(), back = 1 / (slope * flow.e12 - 1 - flow.e22);
-      const Scaled<Format> gain{unit};
-      return {gain(2 - back * slope), Format::gain(back - 1, 0, 0),
-              gain(2 * back * (slope * flow.b1 - flow.c1) / flow.constant_increment())};
-    }
     struct Plan {
       StepAnswer response;
-      StartRate start_rate;
+      StartRate<Format> start_rate;
       Gain quartic;                                                    // (w0 h)^2/24
       GainOf<Gain, unit::Increment, unit::Penetration> drive_quartic;  // and by what the drive adds in a step
       typename Inner::Plan inner;
-      int exponent;                                            // n = 2^exponent
-      Gain part;                                               // 1/n
-      typename Format::ClampedGain rate;                       // 1/n, into a sub-step's own unit
-      Gain square;                                             // 1/n^2, likewise
-      Stride strides[static_cast<size_t>(exponent_of(most))];  // over 1, 2, 4, .. sub-steps
-      int depth_bits, moment_bits;  // its unit of penetrations is 2^depth_bits as fine, that of J1 2^moment_bits
-      GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;          // of Hooke-Newton, from forces
-      Gain main_x, main_u, main_u_by_moment, ball;                            // the masses' shares in these
+      typename Sums::Plan sums;
+      Gain part;                          // 1/n
+      typename Format::ClampedGain rate;  // 1/n, into a sub-step's own unit
+      Gain square;                        // 1/n^2, likewise
+      int depth_bits;                     // its unit of penetrations is 2^depth_bits as fine
       GainOf<typename Format::ClampedGain, unit::Recoil, unit::Force> force;  // from the ball's impulse
-      int travel_bits;
       bool crosses;
       Penetration clearance;
     };
@@ -176,42 +146,24 @@ template <int named = 0> struct SubsteppedMoment {
       main.main_stiffness = terms.main_stiffness;
       main.main_damping = terms.main_damping;
       const LinearFlow part = exact_flow(main, sub.step);
-      const MomentResponse answer(sub, part);
-      const double mobility = answer.mobility(terms), share = 1 / (terms.ball_mass * mobility);
-      Plan plan{};
-      plan.exponent = exponent_of(terms.parts);
-      for (int i = 0; i < plan.exponent; ++i) {
-        const double k = constant::power_of_two(i);
-        const LinearFlow over = exact_flow(main, k * sub.step);
-        plan.strides[i] = {Format::gain(k / n, 0, 0), Format::gain(over.e11 * n / k, 0, 0),
-                           Format::gain(over.e12 - 1, 0, 0), Format::gain(over.e21 / k * n, 0, 0),
-                           Format::gain(over.e22, 0, 0)};
-      }
+      const MomentResponse response(sub, part);
+      const double mobility = response.mobility(terms);
+      const UnitExponents own = units(terms, unit);
       const Scaled<Format> gain{unit};
-      plan.response = {{gain(1), gain(flow.e12), gain(flow.e11)}, gain(share)};
-      plan.start_rate = start_rate_of(flow, unit);
+      Plan plan{};
+      plan.response = {{gain(1), gain(flow.e12), gain(flow.e11)}, gain(1 / (terms.ball_mass * mobility))};
+      plan.start_rate = StartRate<Format>::make(flow, unit);
       plan.quartic = Format::gain(terms.main_stiffness * terms.step * terms.step / (24 * terms.main_mass), 0, 0);
       plan.drive_quartic = gain(terms.step * terms.step / (12 * terms.main_mass * flow.constant_increment()));
-      const UnitExponents own = units(terms, unit);
       if constexpr (!is_linear) sub.force_unit = force_unit_of(traits, sub, own);
       plan.inner = Inner::make_plan(sub, part, own);
       if constexpr (!is_linear) plan.inner.change_bits = own.recoil - own.penetration;
+      plan.sums = Sums::Plan::make(terms, main, response, unit, own);
       plan.part = Format::gain(1.0 / n, 0, 0);
       plan.rate = {Format::gain(1.0 / n, unit.penetration, own.penetration)};
       plan.square = Format::gain(1.0 / (n * n), unit.penetration, own.penetration);
       plan.depth_bits = unit.penetration - own.penetration;
-      plan.moment_bits = unit.recoil - own.recoil;
-      if constexpr (is_linear) {
-        const double of_force = terms.force_unit * sub.step * sub.step * mobility;
-        plan.by_impulse = gain(n * of_force);
-        plan.by_moment = Scaled<Format>{own}(of_force);
-      }
-      plan.main_x = Format::gain(answer.gx / mobility, 0, 0);
-      plan.main_u = Format::gain(answer.g0 / mobility, 0, 0);
-      plan.main_u_by_moment = Format::gain(n * answer.hg1 / mobility, own.recoil, unit.recoil);
-      plan.ball = Format::gain(share, 0, 0);
       plan.force = gain(1 / (terms.force_unit * terms.step * terms.step * mobility));
-      plan.travel_bits = unit.penetration - unit.recoil;
       plan.crosses = terms.crosses();
       plan.clearance = gain(terms.crossing * terms.largest_rate);
       return plan;
@@ -251,14 +203,15 @@ template <int named = 0> struct SubsteppedMoment {
       const Penetration start_rate = begins ? step.rate_before : step_rate;
       Penetration by_spring = start_rate - step.rate;
       if constexpr (Seen::is_in_field) by_spring = by_spring + units.increment_of_rate(step.ball_increment);
-      Quartic free(trial, step.rate, trial - at, start_rate, plan.quartic * by_spring + plan.drive_quartic * step.bend);
-      int left = 1 << plan.exponent;  // sub-steps to the step's end
+      Flight free(trial, step.rate, trial - at, start_rate, plan.quartic * by_spring + plan.drive_quartic * step.bend);
+      int left = 1 << plan.sums.exponent;  // sub-steps to the step's end
       if (begins) skip_flight(plan, free, left, at);
       Sums sums{};  // the effect of the impulses so far
       [[maybe_unused]] Friction friction{};
       if constexpr (Seen::is_rubbed) {
-        const Penetration now =
-            left < 1 << plan.exponent ? free.rate_at(Format::parts(left, plan.exponent, plan.part)) : start_rate;
+        const Penetration now = left < 1 << plan.sums.exponent
+                                    ? free.rate_at(Format::parts(left, plan.sums.exponent, plan.part))
+                                    : start_rate;
         friction.begin(plan, *step.rubbing, now, begins ? at - step.before : Penetration{});
       }
       uint32_t crossings = 0;
@@ -270,11 +223,11 @@ template <int named = 0> struct SubsteppedMoment {
       [[maybe_unused]] Work work{plan, start_rate};
       while (left > 0) {
         --left;
-        Recoil by_flow = sums.advance(plan, 0);
+        Recoil by_flow = sums.advance(plan.sums, 0);
         if constexpr (Seen::is_rubbed) friction.act(plan, sums);
-        const auto s = Format::parts(left, plan.exponent, plan.part);
-        Penetration part_trial = free.at(s) - sums.displacement(plan);
-        Penetration free_rate = free.rate_at(s), rate_now = free_rate - sums.rate(plan);
+        const auto s = Format::parts(left, plan.sums.exponent, plan.part);
+        Penetration part_trial = free.at(s) - sums.displacement(plan.sums);
+        Penetration free_rate = free.rate_at(s), rate_now = free_rate - sums.rate(plan.sums);
         if (this->phase == Phase::apart) {
           if (plan.crosses && is_positive(across(plan, part_trial))) {
             part_trial = across(plan, part_trial);
@@ -298,21 +251,22 @@ template <int named = 0> struct SubsteppedMoment {
         part.rate = rate_in_a_part(plan, rate_now);
         part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
         part.travel = part.penetration - part.before;
-        Penetration bending = plan.square * free.acceleration_at(s) - rate_in_a_part(plan, Sums::travel(plan, by_flow));
+        Penetration bending =
+            plan.square * free.acceleration_at(s) - rate_in_a_part(plan, Sums::travel(plan.sums, by_flow));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
-        sums.add(plan, Inner::impulse_of(plan.inner, units, part));
-        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free_rate - sums.rate(plan), at);
+        sums.add(plan.sums, Inner::impulse_of(plan.inner, units, part));
+        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free_rate - sums.rate(plan.sums), at);
         at = lowered(plan, this->penetration);
         if constexpr (Seen::is_recorded)
-          if (this->phase == Phase::apart) work.end(free_rate - sums.rate(plan), sums.w - friction.taken);
+          if (this->phase == Phase::apart) work.end(free_rate - sums.rate(plan.sums), sums.w - friction.taken);
         if (this->phase == Phase::apart) {
           Sums end = sums;
-          for (int stride = 0; stride < plan.exponent; ++stride)
-            if (((left >> stride) & 1) != 0) end.advance(plan, stride);
+          for (int stride = 0; stride < plan.sums.exponent; ++stride)
+            if (((left >> stride) & 1) != 0) end.advance(plan.sums, stride);
           [[maybe_unused]] Friction last = friction;
           if constexpr (Seen::is_rubbed) last.leave(plan, end, free.rate, left);
-          const Penetration ended = free.end - end.displacement(plan);
+          const Penetration ended = free.end - end.displacement(plan.sums);
           if (is_positive(ended) || (plan.crosses && is_positive(across(plan, ended)))) continue;
           sums = end;
           if constexpr (Seen::is_rubbed) {
@@ -322,7 +276,7 @@ template <int named = 0> struct SubsteppedMoment {
           break;
         }
       }
-      step_rate = free.rate - sums.rate(plan);
+      step_rate = free.rate - sums.rate(plan.sums);
       if constexpr (Seen::is_recorded)
         if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
       if ((crossings & 1) != 0) cross();
@@ -336,7 +290,7 @@ template <int named = 0> struct SubsteppedMoment {
         reaction.record.force = {force, Format::value(half(force))};
         if (this->phase == Phase::touching)
           reaction.record.stored = ContactLaw::template stored<Format>(units, reaction.penetration);
-        reaction.record.rate = free.rate - sums.rate(plan);
+        reaction.record.rate = free.rate - sums.rate(plan.sums);
         reaction.record.work = work.done;
         reaction.record.rate_at_crossing = rate_at_crossing;
       }
@@ -374,85 +328,6 @@ template <int named = 0> struct SubsteppedMoment {
         done = done + (work(share, rate) + work(share, rate_now));
       }
     };
-    // In free flight: the penetration s steps before the step's end, d - v s + a s^2/2 - j s^3 + q s^4. It follows from
-    // the penetrations and rates at both ends and the main mass's fourth derivative, -w0^2 times its acceleration.
-    struct Quartic {
-      Penetration end, rate, half_acceleration, bend, quartic;
-
-      constexpr Quartic(Penetration at_end, Penetration rate_at_end, Penetration travel, Penetration rate_at_start,
-                        Penetration q)
-          : end(at_end), rate(rate_at_end), half_acceleration(q), bend(q + q), quartic(q) {
-        const Penetration curving = travel - rate_at_start, rate_change = rate - rate_at_start;
-        half_acceleration = half_acceleration + (rate_change + rate_change - curving - curving - curving);
-        bend = bend + (rate_change - curving - curving);
-      }
-      template <class Share> constexpr Penetration at(Share s) const {
-        const Penetration bent = bend - Format::value(s * quartic),
-                          slope = rate - Format::value(s * (half_acceleration - Format::value(s * bent)));
-        return end - Format::value(s * slope);
-      }
-      template <class Share> constexpr Penetration rate_at(Share s) const {
-        const Penetration by_quartic = Format::value(s * quartic), bent = bend - by_quartic;
-        return rate - Format::value(s * (acceleration() - Format::value(s * (bent + bent + bent - by_quartic))));
-      }
-      template <class Share> constexpr Penetration acceleration_at(Share s) const {
-        const Penetration bent = Format::value(s * (bend - Format::value(s * (quartic + quartic)))),
-                          three = bent + bent + bent;
-        return acceleration() - three - three;
-      }
-      constexpr Penetration acceleration() const { return half_acceleration + half_acceleration; }
-      constexpr void cross(Penetration clearance) {
-        end = -end - clearance;
-        rate = -rate;
-        half_acceleration = -half_acceleration;
-        bend = -bend;
-        quartic = -quartic;
-      }
-    };
-    // Displacements and rates per step: (x, u) of the main mass by its own flow, and (y, w) by the impulses on both
-    // masses, of which the ball has its share.
-    struct Sums {
-      typename Format::Sum x, y;
-      Recoil u, w;
-
-      // Returns the change of the rate by spring and damper.
-      [[gnu::always_inline]] constexpr Recoil advance(const Plan& plan, int stride) {
-        const Stride& flow = plan.strides[stride];
-        const Recoil at(x.value());
-        const int bits = plan.exponent - stride;
-        x.add(u + flow.by_x_to_x * at + flow.by_u_to_x * u, bits, flow.part);
-        const Recoil by_flow = flow.by_x_to_u * at + flow.by_u_to_u * u;
-        u = u + by_flow;
-        y.add(w, bits, flow.part);
-        return by_flow;
-      }
-      constexpr void add(const Plan& plan, const Impulse<Force<Value>>& by) {
-        add_changes(plan, plan.by_impulse * by.j0, plan.by_moment * by.j1);
-      }
-      constexpr void add(const Plan& plan, const Impulse<Recoil>& by) {
-        add_changes(plan, Recoil(Format::times(by.j0, 1 << (plan.exponent - plan.moment_bits))), by.j1);
-      }
-      constexpr void add_changes(const Plan& plan, Recoil j0, Recoil j1) {
-        x.add(plan.main_x * j1, plan.moment_bits);
-        u = u + plan.main_u * j0 + plan.main_u_by_moment * j1;
-        y.add(j1, plan.moment_bits);
-        w = w + j0;
-      }
-      constexpr void cross() {
-        x.negate();
-        u = -u;
-        y.negate();
-        w = -w;
-      }
-      // The share of both in the penetration and in its rate.
-      constexpr Penetration displacement(const Plan& plan) const {
-        return travel(plan, Recoil(x.value()) + plan.ball * Recoil(y.value()));
-      }
-      constexpr Penetration rate(const Plan& plan) const { return travel(plan, u + plan.ball * w); }
-      static constexpr Penetration travel(const Plan& plan, Recoil by) {
-        return Penetration(Format::moved(by, plan.travel_bits));
-      }
-    };
     // Friction in the sub-steps. The flight contains the one that the step began with; the rest acts here.
     struct Friction {
       PartRubbing<Format> part;   // of a sub-step
@@ -482,7 +357,9 @@ template <int named = 0> struct SubsteppedMoment {
       // What it takes of the rate's change in a sub-step.
       constexpr Penetration bending(const Plan& plan) const { return rate_in_a_part(plan, part.force - assumed); }
       constexpr void act(const Plan& plan, Sums& sums) {
-        if (acts) add(plan, sums, part.force - assumed, Format::value(half(plan.part * (part.force - assumed))));
+        if (!acts) return;
+        const Penetration more = part.force - assumed;
+        taken = taken + sums.take(plan.sums, more, Format::value(half(plan.part * more)));
       }
       // At a sub-step's end, at the rate that contact has left. The ball was at `before`.
       constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration at_rate, Penetration before) {
@@ -491,7 +368,7 @@ template <int named = 0> struct SubsteppedMoment {
         const auto by = part.follow(rate, at_rate);
         const Penetration moment = plan.part * by.moment;
         if (is_positive(by.rate) || is_negative(by.rate)) {
-          add(plan, sums, by.rate, moment);
+          taken = taken + sums.take(plan.sums, by.rate, moment);
           contact.rub(plan.inner, raised(plan, moment), rate_in_a_part(plan, by.rate),
                       rate_in_a_part(plan, part.force - force));
         }
@@ -500,14 +377,14 @@ template <int named = 0> struct SubsteppedMoment {
       // The rest of a step after the ball has left, of k sub-steps.
       constexpr void leave(const Plan& plan, Sums& sums, Penetration free_rate, int k) {
         if (!acts) return;
-        const auto share = Format::parts(k, plan.exponent, plan.part);
+        const auto share = Format::parts(k, plan.sums.exponent, plan.part);
         PartRubbing<Format> rest{Penetration(Format::times(part.full, k)), Penetration(Format::times(part.force, k)),
                                  part.slides};
         const Penetration change(Format::times(part.force - assumed, k));
-        add(plan, sums, change, Format::value(half(Format::value(share * change))));
-        const Penetration end = free_rate - sums.rate(plan);
+        taken = taken + sums.take(plan.sums, change, Format::value(half(Format::value(share * change))));
+        const Penetration end = free_rate - sums.rate(plan.sums);
         const auto by = rest.follow(rate, end);
-        add(plan, sums, by.rate, Format::value(share * by.moment));
+        taken = taken + sums.take(plan.sums, by.rate, Format::value(share * by.moment));
         part.slides = rest.slides;
         rate = end - by.rate;
       }
@@ -515,36 +392,25 @@ template <int named = 0> struct SubsteppedMoment {
         if (!acts) return;
         step.meets_stop = true;
         step.slides = part.slides;
-        step.force = Penetration(Format::times(part.force, 1 << plan.exponent));
+        step.force = Penetration(Format::times(part.force, 1 << plan.sums.exponent));
         step.slid = slid;
-      }
-
-     private:
-      constexpr void add(const Plan& plan, Sums& sums, Penetration j0, Penetration j1) {
-        const Recoil impulse(Format::moved(j0, -plan.travel_bits)), moment(Format::moved(j1, -plan.travel_bits));
-        sums.x.add(plan.main_x * moment, 0);
-        sums.u =
-            sums.u + plan.main_u * impulse + Recoil(Format::moved(plan.main_u_by_moment * moment, -plan.moment_bits));
-        sums.y.add(moment, 0);
-        sums.w = sums.w + impulse;
-        taken = taken + impulse;
       }
     };
     // Advances to the start of the sub-step in which the ball touches. It is found by bisection. If there are many
     // sub-steps, those at the cubic's touch are tried first.
-    static constexpr void skip_flight(const Plan& plan, const Quartic& free, int& left, Penetration& at) {
+    static constexpr void skip_flight(const Plan& plan, const Flight& free, int& left, Penetration& at) {
       if (is_positive(at) || !is_positive(free.end)) return;
       int inside = 0, guess = 0;  // `left` where the ball is inside; where it may touch
-      if (plan.exponent > 4) {
+      if (plan.sums.exponent > 4) {
         const auto divisor = Format::divisor(without_sign(free.end - at));
         const auto u = divisor.share(without_sign(free.end));
         const Value earlier = earlier_than_chord<Format>(divisor, u, free.bend, free.half_acceleration);
-        guess = Format::parts_of(Units::clamped_sum(Format::value(u), earlier), plan.exponent, plan.part);
+        guess = Format::parts_of(Units::clamped_sum(Format::value(u), earlier), plan.sums.exponent, plan.part);
       }
       for (int tried = 0; left - inside > 1; ++tried) {
         const bool is_guess = tried < 2 && guess > inside && guess < left;
         const int seen = is_guess ? guess++ : (inside + left) / 2;
-        const Penetration there = free.at(Format::parts(seen, plan.exponent, plan.part));
+        const Penetration there = free.at(Format::parts(seen, plan.sums.exponent, plan.part));
         if (is_positive(there)) {
           inside = seen;
         } else {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What the contact's impulses in the sub-steps of a step have done so far, accumulated separately for each mass:
+//
+//     ball        displacement y += w/n                    w: rate, per step
+//     main mass   (x, u) by its own exact flow over a sub-step, linear_flow.hpp
+//
+// An impulse is in units of its effect in a sub-step, and the ball has its share of y and w. Both masses' displacements
+// reduce the penetration. Derivation: kernel/docs/moment.md.
+
+#include <stddef.h>
+
+#include <impact/law/terms.hpp>
+#include <impact/motion/linear_flow.hpp>
+#include <impact/numeric/in.hpp>
+#include <impact/numeric/units.hpp>
+#include <impact/stepper/contact.hpp>
+#include <impact/stepper/moment/response.hpp>
+
+namespace impact {
+
+// For up to 2^most_exponent sub-steps.
+template <class Format, int most_exponent> struct ImpulseSums {
+  using Value = typename Format::Value;
+  using Gain = typename Format::Gain;
+  using Penetration = impact::Penetration<Value>;
+  using Recoil = impact::Recoil<Value>;
+
+  // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), into x in k n-ths.
+  struct Stride {
+    Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
+  };
+  struct Plan {
+    int exponent;                                        // n = 2^exponent
+    Stride strides[static_cast<size_t>(most_exponent)];  // over 1, 2, 4, .. sub-steps
+    int moment_bits;                                     // the impulses' own unit is 2^moment_bits as fine as a step's
+    GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton, from forces
+    Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
+    int travel_bits;                                                // from these to penetrations
+
+    // `main` has no drive. `response` is that in a sub-step, and `own` has the units of a sub-step.
+    static constexpr Plan make(const ContactTerms& terms, const Scene& main, const MomentResponse& response,
+                               const UnitExponents& unit, const UnitExponents& own) {
+      const double n = terms.parts, part = terms.step / n, mobility = response.mobility(terms),
+                   of_force = terms.force_unit * part * part * mobility;
+      Plan plan{};
+      plan.exponent = exponent_of(terms.parts);
+      for (int i = 0; i < plan.exponent; ++i) {
+        const double k = constant::power_of_two(i);
+        const LinearFlow over = exact_flow(main, k * part);
+        plan.strides[i] = {Format::gain(k / n, 0, 0), Format::gain(over.e11 * n / k, 0, 0),
+                           Format::gain(over.e12 - 1, 0, 0), Format::gain(over.e21 / k * n, 0, 0),
+                           Format::gain(over.e22, 0, 0)};
+      }
+      plan.moment_bits = unit.recoil - own.recoil;
+      if (terms.is_linear) {
+        plan.by_impulse = Scaled<Format>{unit}(n * of_force);
+        plan.by_moment = Scaled<Format>{own}(of_force);
+      }
+      plan.main_x = Format::gain(response.gx / mobility, 0, 0);
+      plan.main_u = Format::gain(response.g0 / mobility, 0, 0);
+      plan.main_u_by_moment = Format::gain(n * response.hg1 / mobility, own.recoil, unit.recoil);
+      plan.ball = Format::gain(1 / (terms.ball_mass * mobility), 0, 0);
+      plan.travel_bits = unit.penetration - unit.recoil;
+      return plan;
+    }
+  };
+  static constexpr int exponent_of(int n) { return constant::exponent_above(n + 0.5) - 1; }
+
+  typename Format::Sum x, y;
+  Recoil u, w;
+
+  // Returns the change of the rate by spring and damper.
+  [[gnu::always_inline]] constexpr Recoil advance(const Plan& plan, int stride) {
+    const Stride& flow = plan.strides[stride];
+    const Recoil at(x.value());
+    const int bits = plan.exponent - stride;
+    x.add(u + flow.by_x_to_x * at + flow.by_u_to_x * u, bits, flow.part);
+    const Recoil by_flow = flow.by_x_to_u * at + flow.by_u_to_u * u;
+    u = u + by_flow;
+    y.add(w, bits, flow.part);
+    return by_flow;
+  }
+  [[gnu::always_inline]] constexpr void add(const Plan& plan, const Impulse<Force<Value>>& by) {
+    add_changes(plan, plan.by_impulse * by.j0, plan.by_moment * by.j1);
+  }
+  [[gnu::always_inline]] constexpr void add(const Plan& plan, const Impulse<Recoil>& by) {
+    add_changes(plan, Recoil(Format::times(by.j0, 1 << (plan.exponent - plan.moment_bits))), by.j1);
+  }
+  // Of dry friction: what it takes of the rate, and of the penetration.
+  constexpr Recoil take(const Plan& plan, Penetration j0, Penetration j1) {
+    const Recoil impulse(Format::moved(j0, -plan.travel_bits)), moment(Format::moved(j1, -plan.travel_bits));
+    x.add(plan.main_x * moment, 0);
+    u = u + plan.main_u * impulse + Recoil(Format::moved(plan.main_u_by_moment * moment, -plan.moment_bits));
+    y.add(moment, 0);
+    w = w + impulse;
+    return impulse;
+  }
+  // To the coordinates of the other stop.
+  constexpr void cross() {
+    x.negate();
+    u = -u;
+    y.negate();
+    w = -w;
+  }
+  // The share of both in the penetration and in its rate.
+  [[gnu::always_inline]] constexpr Penetration displacement(const Plan& plan) const {
+    return travel(plan, Recoil(x.value()) + plan.ball * Recoil(y.value()));
+  }
+  [[gnu::always_inline]] constexpr Penetration rate(const Plan& plan) const { return travel(plan, u + plan.ball * w); }
+  static constexpr Penetration travel(const Plan& plan, Recoil by) {
+    return Penetration(Format::moved(by, plan.travel_bits));
+  }
+
+ private:
+  [[gnu::always_inline]] constexpr void add_changes(const Plan& plan, Recoil j0, Recoil j1) {
+    x.add(plan.main_x * j1, plan.moment_bits);
+    u = u + plan.main_u * j0 + plan.main_u_by_moment * j1;
+    y.add(j1, plan.moment_bits);
+    w = w + j0;
+  }
+};
+
+}  // namespace impact

@@ -53,9 +53,15 @@ template <class Format_, class ContactLaw_, class Stepper_> struct Case {
 template <class Kernel> double rounded_in_contact(const Kernel& kernel, const Scene& scene, double step) {
   if constexpr (std::is_same_v<typename Kernel::Format, Fixed32> &&
                 !std::is_same_v<typename Kernel::Stepper, EnergyConsistent>) {
-    constexpr int sub_steps = std::is_same_v<typename Kernel::Stepper, Moment> ? 1 : 4;
+    constexpr bool is_whole = std::is_same_v<typename Kernel::Stepper, Moment>;
+    constexpr int sub_steps = is_whole ? 1 : 4;
+    int travel_bits = 0;
+    if constexpr (is_whole)
+      travel_bits = kernel.plan.contact.travel_bits;
+    else
+      travel_bits = kernel.plan.contact.sums.travel_bits;
     const auto now = kernel.reading();
-    const double lsb = std::ldexp(kernel.plan.units.si_penetration_unit(), -31 - kernel.plan.contact.travel_bits),
+    const double lsb = std::ldexp(kernel.plan.units.si_penetration_unit(), -31 - travel_bits),
                  mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass);
     return 2 * sub_steps * mu * lsb / step * std::abs(now.v2 - now.v1);
   } else {

@@ -190,6 +190,10 @@ double drive_force(const Case& run, double t) {
   return 0;
 }
 
+double base_acceleration(const Case& run, double t) {
+  return static_cast<double>(LinearSamples(run.base_samples, run.base_step, real(t)).at(real(t)).first);
+}
+
 class Reference::Motion {
  public:
   Motion(const Case& run, Real tolerance)

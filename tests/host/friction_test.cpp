@@ -183,11 +183,8 @@ template <class Law, class Stepper, class Format> double error(double gravity, d
   run.scene.ball_friction = friction;
   if (Law::is_linear) run.scene.contact_damping = 20.81;
   run.scene.x1 = run.scene.x2 = gravity / 1000;
-  const Bounds bounds{0.2, 3};
   using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity, DryFriction>;
-  auto absorber = accepted<Absorber>(run.scene, bounds, step);
-  const int ratio = static_cast<int>(std::lround(2e-3 / step));
-  return largest_difference(run, absorber, step, ratio, 0.4, [&](int) { absorber.step(); });
+  return differences<Absorber>(run, {0.2, 3}, step, 0.4, 2e-3).largest();
 }
 
 // If the sliding reverses, the error is of second order. It also depends on the phase of the reversals, so it is

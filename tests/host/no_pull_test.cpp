@@ -156,17 +156,7 @@ TYPED_TEST_SUITE(NoPullAlone, OtherKinds, );
 TYPED_TEST(NoPullAlone, InAnyStep) { TypeParam::expect_no_rise(); }
 
 // The main mass retreats so fast that the law has no force until the ball is out or pressed in again. A constant drive
-// accelerates it, or a shaken base under an upright rig. Returns the largest difference from the reference within
-// `duration`.
-template <class Kernel> double largest_error(const Case& run, const Bounds& bounds, double h, double duration) {
-  auto absorber = accepted<Kernel>(run.scene, bounds, h);
-  return largest_difference(run, absorber, h, static_cast<int>(0.005 / h + 0.5), duration, [&](int n) {
-    if constexpr (Kernel::Field::is_sampled)
-      absorber.step(absorber.base_sample_of(run.base_samples[static_cast<size_t>(n)]));
-    else
-      absorber.step(absorber.sample_of(run.samples[static_cast<size_t>(n)]));
-  });
-}
+// accelerates it, or a shaken base under an upright rig. Returns the largest difference from the reference.
 template <class Stepper, class Format> double error_with_a_pulling_drive(double damping, double depth, double h) {
   Case run;
   run.drive = DriveKind::sampled;
@@ -181,7 +171,7 @@ template <class Stepper, class Format> double error_with_a_pulling_drive(double 
   run.samples[0] = 0;
   Bounds bounds{0.03, 0.25};
   bounds.force = 1.1;
-  return largest_error<Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>>(run, bounds, h, 0.06);
+  return differences<Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>>(run, bounds, h, 0.06, 5e-3).largest();
 }
 template <class Stepper, class Format> double error_upright_on_a_shaken_base(double speed_of_restitution, double h) {
   Case run;
@@ -196,8 +186,8 @@ template <class Stepper, class Format> double error_upright_on_a_shaken_base(dou
   Bounds bounds{0.1, 3};
   bounds.force = 0;
   bounds.base_acceleration = 14.1;
-  return largest_error<Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, BaseAcceleration>>(run, bounds, h,
-                                                                                                      1.2);
+  using Shaken = Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, BaseAcceleration>;
+  return differences<Shaken>(run, bounds, h, 1.2, 5e-3).largest();
 }
 
 // In Fixed32 the ball's share of an impulse of zero may be rounded to one LSB. It does not point into the stop.

@@ -108,13 +108,30 @@ struct LossyRig : Rig {
     return lossy;
   }();
 };
+struct StiffRig : Rig {
+  static constexpr Scene scene = [] {
+    Scene stiff;
+    stiff.contact_stiffness = 1e10;
+    stiff.contact_damping = 19560;
+    return stiff;
+  }();
+};
+struct StiffLossyRig : Rig {
+  static constexpr Scene scene = [] {
+    Scene stiff = LossyRig::scene;
+    stiff.contact_stiffness = 1e10;
+    return stiff;
+  }();
+};
 
 template <class Kernel> struct States : testing::Test {};
 using Kernels = testing::Types<
     Absorber<Rig, HuntCrossley, Moment, Sine, Fixed32>, Absorber<Rig, HuntCrossley, Moment, Sine, Float32>,
     Absorber<LinearRig, HookeNewton, Moment, Sine, Fixed32>, Absorber<Rig, Hertz, AverageAcceleration, Sine, Fixed32>,
     Absorber<Rig, HuntCrossley, FoxGoodwin, Sine, Float32Plain, EnergyLedger, ImpactLog>,
-    Absorber<LossyRig, HuntCrossleyPerImpact, Moment, Sine, Fixed32, EnergyLedger, ImpactLog>>;
+    Absorber<LossyRig, HuntCrossleyPerImpact, Moment, Sine, Fixed32, EnergyLedger, ImpactLog>,
+    Absorber<StiffRig, HuntCrossley, Impulsive, Sine, Fixed32, EnergyLedger, ImpactLog>,
+    Absorber<StiffLossyRig, HuntCrossleyPerImpact, Impulsive, Sine, Float32>>;
 TYPED_TEST_SUITE(States, Kernels);
 
 template <class Kernel> bool same(const Kernel& a, const Kernel& b) {

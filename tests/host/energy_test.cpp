@@ -70,12 +70,6 @@ TEST(EnergyConsistent, HertzReboundsElasticallyAtAnyStiffness) {
   }
 }
 
-// Hooke-Newton has a closed form from one step per contact on.
-TEST(EnergyConsistent, HookeNewtonNeverGainsEnergy) {
-  for (double steps : {1.01, 2.5, 10.0})
-    expect_rebounds(Law::hooke_newton, Numeric::float64, 0.7, steps, blown_up, 0.3 + 1e-12);
-}
-
 // Plans are accepted up to h c1/mu = 2, where the damper alone stops the ball in one step. At 3.8 the error was up to
 // 0.33, at some phases.
 TEST(EnergyConsistent, HookeNewtonReboundsAsTheLawAtEveryPhase) {

@@ -9,7 +9,6 @@ namespace impact::host {
 namespace {
 
 template <class Law, class Stepper> void expect_double_up_to_the_bounds() {
-  constexpr double pi = 3.14159265358979323846;
   using Narrow = Absorber<AtRunTime, Law, Stepper, NoDrive, Fixed32>;
   using Wide = Absorber<AtRunTime, Law, Stepper, NoDrive, Float64>;
   Random random(1);
@@ -28,8 +27,7 @@ template <class Law, class Stepper> void expect_double_up_to_the_bounds() {
     bounds.speed = random.wide(0.05, 5);
     bounds.force = 0;
     const double speed = 2 * bounds.speed, mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), time = steps * h;
-    scene.contact_stiffness =
-        Law::is_linear ? mu * pi * pi / (time * time) : mu * std::pow(3.218 / time, 2.5) / std::sqrt(speed);
+    set_contact_time(scene, Law::is_linear, time, speed);
     scene.restitution = Law::is_damped_per_impact ? random.between(0.05, 1) : 1;
     scene.contact_damping = random.is(1.0 / 3) ? 0
                             : Law::is_linear   ? 2 * std::sqrt(scene.contact_stiffness * mu) * random.wide(1e-2, 1)

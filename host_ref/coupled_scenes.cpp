@@ -56,13 +56,6 @@ struct Force {
     return result;
   }
 
-  Force times(double factor) const {
-    Force result;
-    for (int n = 0; n <= order; ++n) result.f[n] = factor * f[n];
-    result.spread = factor * spread;
-    result.at_end = factor * at_end;
-    return result;
-  }
   Force& operator+=(const Force& other) {
     for (int n = 0; n <= order; ++n) f[n] += other.f[n];
     spread += other.spread;
@@ -249,8 +242,9 @@ CoupledRun run_coupled(const CoupledScene& found) {
     now = outcome.simulation->sample();
     const double mass = scene.main_mass, ball = scene.ball_mass;
     if (is_in_field) {
-      const Force field = Force::line(scene.gravity - base, scene.gravity - next_base), on_ball = field.times(ball);
-      on_main += field.times(mass);
+      const double field = scene.gravity - base, next_field = scene.gravity - next_base;
+      const Force on_ball = Force::line(ball * field, ball * next_field);
+      on_main += Force::line(mass * field, mass * next_field);
       work += Flight(ball, 0, on_ball, before.x2, before.v2 * h, h).work_until(now.x2, on_ball);
       base = next_base;
     }

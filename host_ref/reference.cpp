@@ -194,6 +194,13 @@ double base_acceleration(const Case& run, double t) {
   return static_cast<double>(LinearSamples(run.base_samples, run.base_step, real(t)).at(real(t)).first);
 }
 
+Case case_of(const Request& request) {
+  Case run{request.law, request.scene, request.drive, request.samples, request.step};
+  if (!run.samples.empty()) run.samples.insert(run.samples.begin(), 0);
+  run.damping_ratio = damping_ratio(request.damping, request.scene.restitution).value();
+  return run;
+}
+
 class Reference::Motion {
  public:
   Motion(const Case& run, Real tolerance)

@@ -30,9 +30,7 @@ TEST_P(Accuracy, IsNoWorseThanThePrototype) {
   for (const auto& [step, error] : errors) {
     const Request request = paper_request(law, stepper, step, tension);
     const double half_a_digit = 0.05 * std::pow(10, std::floor(std::log10(error)));
-    EXPECT_LE(largest_difference(kernel_samples(request, 0.01, 1), reference_samples(request, 0.01, 1)),
-              error + half_a_digit)
-        << step;
+    EXPECT_LE(error_of(request, 0.01, 1), error + half_a_digit) << step;
   }
 }
 
@@ -69,8 +67,7 @@ TEST(Accuracy, OfASampledDriveIsSimilar) {
       Request request = paper_request(law, Stepper::moment, step, tension);
       request.drive = DriveKind::sampled;
       request.samples = sampled_sine(step, 1);
-      EXPECT_LE(largest_difference(kernel_samples(request, 0.01, 1), reference_samples(request, 0.01, 1)), bound)
-          << name_of(law);
+      EXPECT_LE(error_of(request, 0.01, 1), bound) << name_of(law);
     }
 }
 
@@ -82,7 +79,7 @@ TEST(Accuracy, OfHookeNewtonIsSimilarForNeighbouringDrives) {
     for (int i = -20; i <= 20; ++i) {
       Request request = paper_request(Law::hooke_newton, Stepper::moment, 1e-4, tension);
       request.scene.drive_pulsation += 5e-3 * i;
-      errors.push_back(largest_difference(kernel_samples(request, 0.01, 1), reference_samples(request, 0.01, 1)));
+      errors.push_back(error_of(request, 0.01, 1));
       ASSERT_FALSE(std::isnan(errors.back())) << i;  // a NaN cannot be sorted
     }
     std::sort(errors.begin(), errors.end());

@@ -27,9 +27,7 @@ CoupledScene scene_at(const Kind& kind, const Everywhere& at) {
   const bool has_parts = kind.numeric != Numeric::float32_plain && at[coordinates + 2] > 0.5;
   CoupledScene result = coupled_scene(kind.law, one_of(edges, at[coordinates]), one_of(drives, at[coordinates + 1]),
                                       has_parts ? Parts::some : Parts::none, place);
-  result.request.numeric = kind.numeric;
-  result.request.stepper = kind.stepper;
-  result.request.damping = kind.damping;
+  set_kind(result.request, kind);
   return result;
 }
 

@@ -71,7 +71,7 @@ TEST(Edges, WithoutClearanceTheBallGoesFromStopToStop) {
         request.scene.clearance = 0;
         request.scene.v2 = 0.2;
         request.bounds = Bounds{0.0625, 4, 0.0156, 10};
-        return largest_difference(kernel_samples(request, 2e-3, 0.2), reference_samples(request, 2e-3, 0.2));
+        return error_of(request, 2e-3, 0.2);
       };
       const double coarse = error(2e-4), fine = error(2e-5);
       EXPECT_LT(fine, std::max(coarse / 100 * 1.5, 1e-9)) << name_of(law) << " " << name_of(numeric);

@@ -12,10 +12,7 @@ class ExtremeScene : public testing::TestWithParam<Kind> {
   static Request free_pair(double contact_stiffness, double speed, double step) {
     const Impact impact{GetParam().law, contact_stiffness, 0, 0.3 / 1.3, speed};
     Request request;
-    request.law = GetParam().law;
-    request.stepper = GetParam().stepper;
-    request.numeric = GetParam().numeric;
-    request.damping = GetParam().damping;
+    set_kind(request, GetParam());
     request.drive = DriveKind::none;
     request.step = step;
     request.scene.main_stiffness = request.scene.main_damping = 0;

@@ -106,8 +106,7 @@ double largest_error(double damping, double steps_per_contact) {
     for (int n = 0; n < steps; ++n) absorber.step();
     reference.advance(steps * h);
     EXPECT_FALSE(absorber.is_touching());
-    const double missed = std::abs(absorber.reading().v2 - reference.sample().v2) / v;
-    if (!(missed <= worst)) worst = missed;
+    worst = larger(worst, std::abs(absorber.reading().v2 - reference.sample().v2) / v);
   }
   return worst;
 }

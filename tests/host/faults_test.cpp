@@ -74,6 +74,14 @@ TYPED_TEST(Faults, ADisplacementOutOfRange) {
   expect_fault_of<TypeParam>(HookeNewton{}, AverageAcceleration{}, scene, bounds, Fault::displacement);
 }
 
+// Masses that fall until they are as fast as their bound, and whose field goes on.
+TYPED_TEST(Faults, AFallBeyondTheBoundOfSpeed) {
+  Scene scene = free_scene();
+  scene.gravity = 9.81;
+  using Falling = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>;
+  expect_fault(accepted<Falling>(scene, {1, 0.5}, 1e-3), Fault::speed, [](Falling& absorber) { absorber.step(); });
+}
+
 // An impact at the bound of speed goes deeper than the bound of penetration.
 TYPED_TEST(Faults, AHitDeeperThanItsBound) {
   Scene scene;

@@ -553,16 +553,5 @@ TEST(Field, KernelKeepsItsOrderInAField) {
   }
 }
 
-TYPED_TEST(FieldIn, BallThatFallsTooFastIsClamped) {
-  Scene scene = free_scene();
-  scene.gravity = weight;
-  const Bounds bounds{1, 0.5};
-  auto absorber = accepted<Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>>(scene, bounds, 1e-3);
-  for (int n = 0; n < 2000000; ++n) absorber.step();
-  const auto now = absorber.reading();
-  EXPECT_TRUE(std::isfinite(now.x1) && std::isfinite(now.x2) && std::isfinite(now.v1) && std::isfinite(now.v2));
-  EXPECT_NE(absorber.fault(), Fault::none);
-}
-
 }  // namespace
 }  // namespace impact

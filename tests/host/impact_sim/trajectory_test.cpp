@@ -3,7 +3,6 @@
 #include <map>
 
 #include "host_ref/names.hpp"
-#include "host_ref/reference.hpp"
 #include "impact_sim.hpp"
 
 namespace impact::host {
@@ -39,17 +38,6 @@ TEST_F(ImpactSim, ChoosesTheStepWhereNoneIsGiven) {
   EXPECT_THAT(lines_of(run("--duration 0.2 --newmark moment").out), SizeIs(1 + 2001));
   write(file("force"), "1\n2\n3\n");
   EXPECT_THAT(run("--drive-file force").out, HasSubstr("\n0.0003,"));
-}
-
-// Near resonance the drive alone would accelerate the mass to 50 m/s in 5 s. The absorber prevents that. At the speeds
-// that the scene reaches, the rule chooses Moment in every format.
-TEST_F(ImpactSim, NearResonanceTheRuleRestsOnWhatTheSceneReaches) {
-  for (const char* numeric : {"float64", "float32", "fixed32"}) {
-    const Result result =
-        succeed(std::string("--drive-pulsation 31.6228 --step 1e-3 --duration 5 --numeric ") + numeric);
-    EXPECT_THAT(result.err, StartsWith("impact-sim: moment")) << numeric;
-  }
-  EXPECT_EQ(run("--drive-pulsation 31.6228 --step 2e-3 --duration 5 --newmark moment").code, 0) << "5 steps";
 }
 
 TEST_F(ImpactSim, WarnsOfAClassicalSchemeWithFewStepsPerContact) {
@@ -268,25 +256,6 @@ TEST_F(ImpactSim, AByteOrderMarkBeforeAFileIsIgnored) {
         "\xEF\xBB\xBF"
         "law\nhertz\n");
   EXPECT_EQ(run("--sweep c --duration 0.01").code, 0);
-}
-
-// The tolerance is some hundred rounding errors of a step's displacement: 2^-31 of 0.5 m, or 2^-24 of 0.2 mm.
-TEST_F(ImpactSim, EveryFormatTakesParts) {
-  const std::string scene = "--gravity -9.81 --ball-friction 0.5 --x1 -0.01 --x2 -0.01 --duration 0.4 --step 1e-4 ";
-  const Result exact = succeed(scene + "--numeric float64");
-  Case upright;
-  upright.scene.gravity = -9.81;
-  upright.scene.ball_friction = 0.5;
-  upright.scene.x1 = upright.scene.x2 = -0.01;
-  Reference reference(upright);
-  reference.advance(0.4);
-  EXPECT_NEAR(rows_of(exact.out).back().at(1), reference.sample().x1, 1e-6);
-  EXPECT_NEAR(rows_of(exact.out).back().at(3), reference.sample().x2, 1e-6);
-  for (const auto& [numeric, error] : {std::pair("fixed32", 1e-7), {"float32", 1e-7}, {"float32-plain", 1e-5}}) {
-    const Result result = succeed(scene + "--numeric " + numeric);
-    EXPECT_NEAR(rows_of(result.out).back().at(1), rows_of(exact.out).back().at(1), error) << numeric;
-    EXPECT_NEAR(rows_of(result.out).back().at(3), rows_of(exact.out).back().at(3), error) << numeric;
-  }
 }
 
 // The limit of the friction in the message is accepted together with the bounds that follow it there.

@@ -44,11 +44,13 @@ Errors errors_of(const Request& request) {
 
 // With Moment, the motion's error is negligible compared with the ledger's. The ledger assumes drive and rates that are
 // linear in a step, so it is of second order. For Hooke-Newton the factor depends on where in their steps the force
-// jumps. At 1 ms the error is below 1 % of an impact's 0.3 J.
+// jumps. At 1 ms the error is below 1 % of an impact's 0.3 J, and of what is
+// dissipated below 0.1 %.
 TEST(EnergyLedger, IsOfSecondOrder) {
   for (const auto& [law, tension] : variants) {
     const Errors coarse = errors_of(paper_request(law, Stepper::moment, 1e-3, tension));
     for (const double error : {coarse.dissipated, coarse.drive_work, coarse.balance}) EXPECT_LT(error, 3e-3);
+    EXPECT_LT(coarse.dissipated, 3e-4);
     for (const double step : {5e-4, 2.5e-4, 1.25e-4, 1e-5}) {
       const Errors error = errors_of(paper_request(law, Stepper::moment, step, tension));
       const double fall = (law == Law::hooke_newton ? 3 : 1.25) * step * step / 1e-6;
@@ -117,13 +119,6 @@ TEST(EnergyLedger, OfFixed32HasWorkOfForcesFarBelowTheUnitOfRates) {
     const Sample rounded = kernel_samples(request, duration, duration).back();
     EXPECT_GT(exact.impacts, 0);
     EXPECT_NEAR(rounded.energy_dissipated, exact.energy_dissipated, 2e-3 * exact.energy_dissipated);
-  }
-}
-
-TEST(EnergyLedger, HertzDissipatesNothing) {
-  for (const double step : {1e-3, 1e-4}) {
-    const Sample end = kernel_samples(paper_request(Law::hertz, Stepper::moment, step), duration, duration).back();
-    EXPECT_NEAR(end.energy_dissipated, 0, 1e-3 * step * step / 1e-6);
   }
 }
 

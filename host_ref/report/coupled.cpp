@@ -21,7 +21,7 @@ constexpr unsigned scenes = 150;  // per edge
 void write_row(Output& output, Law law, Stepper stepper, Numeric numeric) {
   long accepted = 0, faults = 0;
   double worst = 0;
-  for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball}) {
+  for (const Edge edge : every_edge) {
     for (unsigned index = 0; index < scenes; ++index) {
       CoupledScene scene = coupled_scene(law, edge, index);
       scene.request.stepper = stepper;

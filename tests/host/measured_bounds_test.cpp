@@ -15,7 +15,7 @@ namespace {
 CoupledScene random_scene(unsigned seed) {
   Random random(seed);
   const Law law = random.one_of(every_law);
-  const Edge edge = random.one_of({Edge::none, Edge::crossing, Edge::heavy_ball});
+  const Edge edge = random.one_of(every_edge);
   const DriveKind drive = random.is(0.25) ? DriveKind::sine : DriveKind::none;
   Place place;
   for (double& coordinate : place) coordinate = random.share();
@@ -68,7 +68,6 @@ TEST(MeasuredBounds, AreKeptWithoutAGain) {
 // No motion within the bounds exceeds the deepest penetration that law/depth.hpp derives from them. The scenes are
 // random coupled machines, with exactly the bounds that their motion reaches.
 
-constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr unsigned scenes_an_edge = 600;
 // Within a step a mass may be slightly faster than at its ends.
 constexpr double seen = 1.01;
@@ -78,7 +77,7 @@ class DeepestPenetration : public testing::TestWithParam<Law> {};
 TEST_P(DeepestPenetration, BoundsEveryMotionWithinItsBounds) {
   int contacts = 0;
   double closest = 0;
-  for (const Edge edge : edges)
+  for (const Edge edge : every_edge)
     for (unsigned index = 0; index < scenes_an_edge; ++index) {
       CoupledScene found = coupled_scene(GetParam(), edge, index, index % 3 ? Parts::some : Parts::none);
       if (found.request.drive == DriveKind::sampled) continue;

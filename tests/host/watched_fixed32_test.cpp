@@ -87,7 +87,7 @@ TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
   Random random;
   int accepted = 0;
   for (int i = 0; i < scenes(); ++i)
-    for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball})
+    for (const Edge edge : every_edge)
       for (const Parts parts : {Parts::none, Parts::some}) {
         if (parts == Parts::some && stepper < Stepper::moment) continue;  // the tool's classical schemes reject parts
         CoupledScene scene = coupled_scene(law, edge, static_cast<unsigned>(i), parts);

@@ -272,11 +272,5 @@ TEST_F(ImpactSim, TooMuchFrictionNamesTheMost) {
   }
 }
 
-TEST_F(ImpactSim, ASweepTakesParts) {
-  write(file("scenes.csv"), "gravity,ball-friction\n0,0\n-9.81,0\n-9.81,0.5\n0,0.5\n");
-  const Result result = succeed("--sweep scenes.csv --duration 0.5 --step 1e-4");
-  EXPECT_THAT(lines_of(result.out), SizeIs(5));
-}
-
 }  // namespace
 }  // namespace impact::host

@@ -131,7 +131,9 @@ using Kernels = testing::Types<
     Absorber<Rig, HuntCrossley, FoxGoodwin, Sine, Float32Plain, EnergyLedger, ImpactLog>,
     Absorber<LossyRig, HuntCrossleyPerImpact, Moment, Sine, Fixed32, EnergyLedger, ImpactLog>,
     Absorber<StiffRig, HuntCrossley, Impulsive, Sine, Fixed32, EnergyLedger, ImpactLog>,
-    Absorber<StiffLossyRig, HuntCrossleyPerImpact, Impulsive, Sine, Float32>>;
+    Absorber<StiffLossyRig, HuntCrossleyPerImpact, Impulsive, Sine, Float32>,
+    Absorber<StiffRig, HuntCrossley, Impulsive, Sine, Float32Plain>,
+    Absorber<StiffRig, HuntCrossley, Impulsive, Sine, Float64>>;
 TYPED_TEST_SUITE(States, Kernels);
 
 template <class Kernel> bool same(const Kernel& a, const Kernel& b) {

@@ -204,6 +204,7 @@ TEST(Friction, IsOfSecondOrder) {
       EXPECT_LT((error<HuntCrossley, Moment, Float64>(gravity, friction, 1e-4)), 5e-7);
       EXPECT_LT((error<HuntCrossley, Moment, Fixed32>(gravity, friction, 1e-4)), 1e-6);
       EXPECT_LT((error<HuntCrossley, Moment, Float32>(gravity, friction, 1e-4)), 1e-6);
+      EXPECT_LT((error<HuntCrossley, Moment, Float32Plain>(gravity, friction, 1e-4)), 1e-5);
     }
 }
 

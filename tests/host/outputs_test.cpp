@@ -144,6 +144,28 @@ TYPED_TEST(Formats, ACorrectionAddsToDisplacementAndVelocity) {
   EXPECT_EQ(kernel.fault(), Fault::none);
 }
 
+// An observer that reads only the displacement makes the model follow a plant that starts elsewhere.
+TYPED_TEST(Formats, CorrectionsPullTheModelToItsPlant) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam, EnergyLedger>;
+  Scene elsewhere;
+  elsewhere.x1 = 0.002;
+  elsewhere.clearance = 0.2;  // without impacts, since they would make the motion chaotic
+  Scene scene = elsewhere;
+  scene.x1 = 0;
+  Kernel model(Kernel::PlanType::make(scene, {0.1, 2, 0.03, 10}, h)),
+      plant(Kernel::PlanType::make(elsewhere, {0.1, 2, 0.03, 10}, h));
+  const double xu = model.displacement_unit(), vu = model.velocity_unit();
+  for (int n = 0; n < 20000; ++n) {
+    const double error = plant.reading().x1 - model.reading().x1;
+    model.correct(TypeParam::sample(0.01 * error / xu), TypeParam::sample(0.5 * error / vu));
+    model.step();
+    plant.step();
+  }
+  // In Fixed32 a hundredth of the error finally rounds to 0.
+  EXPECT_NEAR(model.reading().x1, plant.reading().x1, lsb_of<TypeParam>(0.1, xu) * 60);
+  EXPECT_EQ(model.fault(), Fault::none);
+}
+
 TYPED_TEST(Formats, ACorrectionOutOfRangeIsClampedWithAFault) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sine, TypeParam>;
   using Value = typename TypeParam::Value;

@@ -465,10 +465,9 @@ TEST(Field, ImpulsiveStopsMakeNoEnergyInAnyStep) {
       absorber.step(force);
       if (absorber.fault() != Fault::none) break;  // the ball has passed its bound
       const auto now = absorber.reading();
-      const double kinetic = (now.v1 * now.v1 + scene.ball_mass * now.v2 * now.v2) / 2,
-                   strain = scene.main_stiffness * now.x1 * now.x1 / 2, fallen = now.x1 + scene.ball_mass * now.x2;
-      const double energy = kinetic + strain - force * now.x1 - scene.gravity * fallen;
-      most = larger(most, kinetic);
+      const double energy = energy_with_weight(scene, now) - force * now.x1,
+                   strain = scene.main_stiffness * now.x1 * now.x1 / 2;
+      most = larger(most, kinetic_energy(scene, now));
       // In the first step the force rises linearly from 0.
       if (step > 1) {
         ASSERT_LE(energy - before, 1e-10 * most + 1e-13 * (strain + std::abs(force * now.x1)))

@@ -97,17 +97,9 @@ TEST(EnergyLedger, In32BitsIsThatOfDouble) {
 // v2 changes the work by 1e-5, and the phase of the contact in the step by 2e-3.
 TEST(EnergyLedger, OfFixed32HasWorkOfForcesFarBelowTheUnitOfRates) {
   Request request;
-  Scene& scene = request.scene;
-  scene.main_mass = 18.056230048672653;
-  scene.main_stiffness = 562375.8718658582;
-  scene.main_damping = 0;
-  scene.ball_mass = 19.900048007607214;
-  scene.clearance = 0.06982344970793633;
-  scene.contact_stiffness = 6362103156295.825;
-  scene.contact_damping = 661965128952583;
-  scene.v1 = -0.0025345495425073373;
-  scene.x2 = 0.03321885695634879;
-  scene.v2 = 0.004800608406780541;
+  request.scene =
+      scene_of(18.056230048672653, 562375.8718658582, 0, 19.900048007607214, 0.06982344970793633, 6362103156295.825,
+               661965128952583, 0, 0, 0, -0.0025345495425073373, 0.03321885695634879, 0.004800608406780541);
   request.drive = DriveKind::none;
   request.step = 1.4685487050347006e-3;
   request.bounds = Bounds{0.03530191581408315, 0.005697610099778938};

@@ -104,9 +104,7 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
   scene.contact_damping = 4e6;
   scene.main_damping = 0.5;
   scene.drive_pulsation = 25;
-  Case run;
-  run.scene = scene;
-  Reference reference(run);
+  Reference reference({Law::hunt_crossley, scene});
   reference.advance(3);
   const double exact = reference.sample().energy_dissipated;
   for (const Numeric numeric : {Numeric::float64, Numeric::fixed32})

@@ -24,10 +24,7 @@ struct Slide {
 
 TEST(Friction, BallStopsInTheReferenceAsInClosedForm) {
   const Slide slide;
-  host::Case run;
-  run.scene = slide.scene;
-  run.drive = host::DriveKind::none;
-  host::Reference reference(run);
+  host::Reference reference({Law::hunt_crossley, slide.scene, host::DriveKind::none});
   reference.advance(slide.time / 2);
   EXPECT_NEAR(reference.sample().x2 - reference.sample().x1, 0.75 * slide.distance, 1e-15);
   reference.advance(2 * slide.time);

@@ -56,13 +56,6 @@ struct Force {
     return result;
   }
 
-  Force times(double factor) const {
-    Force result;
-    for (int n = 0; n <= order; ++n) result.f[n] = factor * f[n];
-    result.spread = factor * spread;
-    result.at_end = factor * at_end;
-    return result;
-  }
   Force& operator+=(const Force& other) {
     for (int n = 0; n <= order; ++n) f[n] += other.f[n];
     spread += other.spread;
@@ -249,8 +242,9 @@ CoupledRun run_coupled(const CoupledScene& found) {
     now = outcome.simulation->sample();
     const double mass = scene.main_mass, ball = scene.ball_mass;
     if (is_in_field) {
-      const Force field = Force::line(scene.gravity - base, scene.gravity - next_base), on_ball = field.times(ball);
-      on_main += field.times(mass);
+      const double field = scene.gravity - base, next_field = scene.gravity - next_base;
+      const Force on_ball = Force::line(ball * field, ball * next_field);
+      on_main += Force::line(mass * field, mass * next_field);
       work += Flight(ball, 0, on_ball, before.x2, before.v2 * h, h).work_until(now.x2, on_ball);
       base = next_base;
     }
@@ -258,18 +252,15 @@ CoupledRun run_coupled(const CoupledScene& found) {
       work += Flight(mass, scene.main_stiffness, on_main, before.x1, before.v1 * h, h).work_until(now.x1, on_main);
     most_work = larger(most_work, work);
     const double scale = found.energy + most_work, energy = mechanical_energy(scene, now);
-    // While the ball touches, the contact stores some energy. A NaN counts as an infinite gain.
+    // While the ball touches, the contact stores some energy. A NaN remains, and exceeds any limit.
     if (now.penetration < 0 || !(energy < 2 * scale)) {
       const double gain = (energy - found.energy - work) / scale;
-      if (!(gain <= result.gain)) result.gain = gain;
-      const double with_friction = gain + now.friction_dissipated / scale;
-      if (!(with_friction <= result.rubbed)) result.rubbed = with_friction;
+      result.gain = larger(result.gain, gain);
+      result.rubbed = larger(result.rubbed, gain + now.friction_dissipated / scale);
     }
-    const double back = (dissipated - now.energy_dissipated) / scale;
-    if (!(back <= result.returned)) result.returned = back;
-    if (!(now.energy_dissipated <= dissipated)) dissipated = now.energy_dissipated;
-    const double rubbed_back = (rubbed - now.friction_dissipated) / scale;
-    if (!(rubbed_back <= result.rubbed_back)) result.rubbed_back = rubbed_back;
+    result.returned = larger(result.returned, (dissipated - now.energy_dissipated) / scale);
+    dissipated = larger(dissipated, now.energy_dissipated);
+    result.rubbed_back = larger(result.rubbed_back, (rubbed - now.friction_dissipated) / scale);
     rubbed = now.friction_dissipated;
     if (outcome.simulation->fault()) {
       result.has_fault = true;

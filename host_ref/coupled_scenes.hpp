@@ -20,6 +20,7 @@
 namespace impact::host {
 
 enum class Edge { none, crossing, heavy_ball };
+inline constexpr Edge every_edge[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 enum class Samples { noise, square_wave, along };
 
 struct CoupledScene {

@@ -14,11 +14,6 @@ long most_steps(const FreePair& free) {
   return std::lround(4 * contact_time(impact_of(free)).value() / free.step) + 20;
 }
 
-Case case_of(const Request& request) {
-  return {request.law, request.scene, request.drive,
-          {},          request.step,  damping_ratio(request.damping, request.scene.restitution).value()};
-}
-
 class RungeKutta final : public Simulation {
  public:
   explicit RungeKutta(const Request& request) : method_(case_of(request), request.step) {}

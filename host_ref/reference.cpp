@@ -190,6 +190,17 @@ double drive_force(const Case& run, double t) {
   return 0;
 }
 
+double base_acceleration(const Case& run, double t) {
+  return static_cast<double>(LinearSamples(run.base_samples, run.base_step, real(t)).at(real(t)).first);
+}
+
+Case case_of(const Request& request) {
+  Case run{request.law, request.scene, request.drive, request.samples, request.step};
+  if (!run.samples.empty()) run.samples.insert(run.samples.begin(), 0);
+  run.damping_ratio = damping_ratio(request.damping, request.scene.restitution).value();
+  return run;
+}
+
 class Reference::Motion {
  public:
   Motion(const Case& run, Real tolerance)
@@ -228,23 +239,20 @@ class Reference::Motion {
   }
 
   Sample sample() const {
-    Sample result;
-    result.t = static_cast<double>(now_.t);
-    result.x1 = static_cast<double>(now_.x1);
-    result.v1 = static_cast<double>(now_.v1);
-    result.x2 = static_cast<double>(now_.x1 + now_.y);
-    result.v2 = static_cast<double>(now_.v1 + now_.rate);
     Real deepest = -std::numeric_limits<Real>::infinity();
     for (const int side : {-1, 1}) {
       if (has_stop(side)) deepest = larger(deepest, penetration(side));
     }
-    result.penetration = static_cast<double>(deepest);
-    result.contact_force = phase_ == Phase::touching ? static_cast<double>(law_force()) : 0;
-    result.energy_dissipated = static_cast<double>(now_.dissipated);
-    result.drive_work = static_cast<double>(now_.drive_work);
+    const auto rounded = [](Real x) { return static_cast<double>(x); };
+    Sample result{
+        rounded(now_.t), rounded(now_.x1), rounded(now_.v1), rounded(now_.x1 + now_.y), rounded(now_.v1 + now_.rate),
+        rounded(deepest)};
+    result.contact_force = phase_ == Phase::touching ? rounded(law_force()) : 0;
+    result.energy_dissipated = rounded(now_.dissipated);
+    result.drive_work = rounded(now_.drive_work);
     result.impacts = impacts_;
-    result.peak_force = static_cast<double>(now_.peak_force);
-    result.friction_dissipated = static_cast<double>(now_.rubbed);
+    result.peak_force = rounded(now_.peak_force);
+    result.friction_dissipated = rounded(now_.rubbed);
     return result;
   }
 
@@ -288,8 +296,8 @@ class Reference::Motion {
   // The drive and its partner F, G now.
   std::pair<Real, Real> drive() const {
     if (run_.drive == DriveKind::sampled) return drive_samples_.at(now_.t);
-    const Real size = run_.drive == DriveKind::sine ? scene_.F0 : 0, phase = scene_.pulsation * now_.t;
-    return {size * std::sin(phase), size * std::cos(phase)};
+    const Real amplitude = run_.drive == DriveKind::sine ? scene_.F0 : 0, phase = scene_.pulsation * now_.t;
+    return {amplitude * std::sin(phase), amplitude * std::cos(phase)};
   }
   // The field's acceleration now, and its slope.
   std::pair<Real, Real> field_now() const {

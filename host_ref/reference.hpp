@@ -32,9 +32,13 @@ struct Case {
   double base_step = 0;                // s
 };
 
+// The run that a request of the kernel describes, whose first sample is that of the first step's end. Its base rests.
+Case case_of(const Request& request);
+
 constexpr double least_approach_speed = 1e-6;  // m/s; keeps c1 finite for a ball that starts at its stop
 
-double drive_force(const Case& run, double t);  // F(t), N
+double drive_force(const Case& run, double t);        // F(t), N
+double base_acceleration(const Case& run, double t);  // m/s^2
 
 // The largest relative size of the Taylor terms that a step omits.
 constexpr double reference_tolerance = 1e-17;

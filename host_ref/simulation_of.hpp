@@ -113,23 +113,16 @@ class KernelSimulation final : public Simulation {
     const auto now = kernel_.reading();
     const auto& state = kernel_.state();
     const auto& plan = kernel_.plan;
-    const auto& scene = scene_;
     const double side = state.at_left ? -1 : 1;
     const double pair_unit = plan.force_scale * plan.units.si_penetration_unit();
-    Sample sample{};
-    sample.t = static_cast<double>(steps_) * step_;
-    sample.x1 = now.x1;
-    sample.v1 = now.v1;
-    sample.x2 = now.x2;
-    sample.v2 = now.v2;
-    sample.penetration = penetration(now.x2 - now.x1);
+    Sample sample{static_cast<double>(steps_) * step_, now.x1, now.v1, now.x2, now.v2, penetration(now.x2 - now.x1)};
     if (has_impulse_) {
       sample.contact_force = std::abs(plan.units.fraction(kernel_.contact_force())) * plan.force_unit();
     } else if (kernel_.is_touching()) {
       // With a classical scheme, a force of Hooke-Newton may act at the end of a step that ends just outside.
       const double depth = ContactLaw::is_linear ? sample.penetration : larger(sample.penetration, 0.0);
-      sample.contact_force = law_force<ContactLaw>(scene, damping(), depth, side * (now.v2 - now.v1));
-      if (scene.tension == Tension::clamp || !ContactLaw::is_linear)
+      sample.contact_force = law_force<ContactLaw>(scene_, damping(), depth, side * (now.v2 - now.v1));
+      if (scene_.tension == Tension::clamp || !ContactLaw::is_linear)
         sample.contact_force = larger(sample.contact_force, 0.0);
     }
     sample.energy_dissipated = state.dissipated.total() * pair_unit;

@@ -50,17 +50,16 @@ void account(const Case& run, double h, const Sample& before, int side_before, i
   now.peak_force = larger(before.peak_force, now.contact_force);
 }
 
+// Both masses, with the penetration of the nearest stop.
+Sample sample_at(const Scene& scene, double t, const Vector2d& x, const Vector2d& v) {
+  return {t, x[0], v[0], x[1], v[1], penetration(scene, nearest_stop(scene, x[0], x[1]), x[0], x[1])};
+}
+
 Sample initial_sample(const Case& run) {
   const Scene& scene = run.scene;
-  Sample sample;
-  sample.x1 = scene.x1;
-  sample.v1 = scene.v1;
-  sample.x2 = scene.x2;
-  sample.v2 = scene.v2;
-  const int side = nearest_stop(scene, scene.x1, scene.x2);
-  sample.penetration = penetration(scene, side, scene.x1, scene.x2);
+  Sample sample = sample_at(scene, 0, {scene.x1, scene.x2}, {scene.v1, scene.v2});
   if (sample.penetration > 0) {
-    const double rate = side * (scene.v2 - scene.v1);
+    const double rate = nearest_stop(scene, scene.x1, scene.x2) * (scene.v2 - scene.v1);
     sample.contact_force =
         contact_force(run.law, scene.contact_stiffness, scene.contact_damping, sample.penetration, rate).force;
     if (scene.tension == Tension::clamp) sample.contact_force = larger(sample.contact_force, 0.0);
@@ -122,8 +121,7 @@ void TextbookNewmark::step() {
   Scene& scene = run_.scene;
   const Sample before = sample_;
   const int side_before = side_;
-  sample_.t = static_cast<double>(++steps_) * step_;
-  const double drive = drive_force(run_, sample_.t);
+  const double t = static_cast<double>(++steps_) * step_, drive = drive_force(run_, t);
 
   double force = 0;
   Motion end = step_end(drive, 0, force);
@@ -143,12 +141,7 @@ void TextbookNewmark::step() {
   }
   motion_ = end;
 
-  sample_.x1 = end.displacement[0];
-  sample_.v1 = end.velocity[0];
-  sample_.x2 = end.displacement[1];
-  sample_.v2 = end.velocity[1];
-  const int nearest = nearest_stop(scene, sample_.x1, sample_.x2);
-  sample_.penetration = penetration(scene, nearest, sample_.x1, sample_.x2);
+  sample_ = sample_at(scene, t, end.displacement, end.velocity);
   sample_.contact_force = force;
   account(run_, step_, before, side_before, side_, work_on_contact_, sample_);
 }
@@ -178,15 +171,10 @@ void TextbookRungeKutta::step() {
                         d = slope(t + h, z + h * c);
   const Eigen::Vector4d end = z + h / 6 * (a + 2 * b + 2 * c + d);
 
-  sample_.t = static_cast<double>(++steps_) * h;
-  sample_.x1 = end[0];
-  sample_.v1 = end[1];
-  sample_.x2 = end[2];
-  sample_.v2 = end[3];
-  const int side = nearest_stop(scene, end[0], end[2]);
-  sample_.penetration = penetration(scene, side, end[0], end[2]);
+  sample_ = sample_at(scene, static_cast<double>(++steps_) * h, {end[0], end[2]}, {end[1], end[3]});
   sample_.contact_force = contact(end);
-  account(run_, h, before, nearest_stop(scene, before.x1, before.x2), side, work_on_contact_, sample_);
+  account(run_, h, before, nearest_stop(scene, before.x1, before.x2), nearest_stop(scene, end[0], end[2]),
+          work_on_contact_, sample_);
 }
 
 }  // namespace impact::host

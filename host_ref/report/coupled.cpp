@@ -6,6 +6,7 @@
 //     energy_gain_max   the largest growth of the energy while the ball is apart, relative to the energy at the start
 
 #include <host_ref/coupled_scenes.hpp>
+#include <host_ref/extremes.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
@@ -20,7 +21,7 @@ constexpr unsigned scenes = 150;  // per edge
 void write_row(Output& output, Law law, Stepper stepper, Numeric numeric) {
   long accepted = 0, faults = 0;
   double worst = 0;
-  for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball}) {
+  for (const Edge edge : every_edge) {
     for (unsigned index = 0; index < scenes; ++index) {
       CoupledScene scene = coupled_scene(law, edge, index);
       scene.request.stepper = stepper;
@@ -29,7 +30,7 @@ void write_row(Output& output, Law law, Stepper stepper, Numeric numeric) {
       if (!run.is_accepted) continue;
       ++accepted;
       if (run.has_fault) ++faults;
-      if (!(run.gain <= worst)) worst = run.gain;
+      worst = larger(worst, run.gain);
     }
   }
   if (accepted == 0) return;

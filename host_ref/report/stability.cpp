@@ -10,16 +10,15 @@
 // result. textbook-rk4 is the classical Runge-Kutta method, which has no plan.
 
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <host_ref/free_pair.hpp>
+#include <host_ref/parallel.hpp>
 #include <host_ref/report/machine_rule.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/text.hpp>
 #include <host_ref/tool/output.hpp>
-#include <thread>
+#include <mutex>
 #include <vector>
 
 namespace impact::report {
@@ -98,18 +97,13 @@ void write_report(const std::vector<std::string>& paths) {
       "accepted,machine_rule\n");
   Progress progress("step lengths", columns);
   std::array<std::string, columns> rows;
-  std::atomic<size_t> next{0};
-  const auto work = [&](bool shows_progress) {
-    for (size_t index = next++; index < columns; index = next++) {
-      if (shows_progress) progress.at(static_cast<long>(index));
-      rows[index] = column(index);
-    }
-  };
-  std::vector<std::future<void>> others;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-    others.push_back(std::async(std::launch::async, work, false));
-  work(true);
-  for (auto& other : others) other.get();
+  std::mutex one_at_a_time;
+  long done = 0;
+  on_all_cores(columns, [&](size_t index) {
+    rows[index] = column(index);
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    progress.at(++done);
+  });
   for (const std::string& text : rows) output.write(text);
   output.commit();
 }

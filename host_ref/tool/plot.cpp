@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -8,19 +6,9 @@
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/plot.hpp>
 #include <iostream>
-#include <sstream>
 
 namespace impact::host {
 namespace {
-
-bool on_path(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
-  }
-  return false;
-}
 
 std::string quoted(const std::string& text) {
   std::string result = "'";
@@ -62,7 +50,7 @@ bool is_whole(const std::string& path) {
 }  // namespace
 
 void draw(const std::string& path, const Request& request, const Curve& with_absorber, const Curve& without_absorber) {
-  if (!on_path("gnuplot")) {
+  if (std::system("command -v gnuplot >/dev/null") != 0) {
     std::cerr << "impact-sim: --plot " << path << ": gnuplot is not installed, so nothing is drawn\n";
     return;
   }

@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <host_ref/extremes.hpp>
+#include <host_ref/parallel.hpp>
 #include <host_ref/settled.hpp>
 #include <host_ref/text.hpp>
 #include <host_ref/tool/commands.hpp>
@@ -19,7 +18,6 @@
 #include <iostream>
 #include <map>
 #include <mutex>
-#include <thread>
 
 namespace impact::host {
 namespace {
@@ -255,35 +253,19 @@ int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) 
     if (!file.holds(scene.number)) waiting.push_back(&scene);
   }
 
-  std::atomic<size_t> next{0};
   std::mutex one_at_a_time;
-  std::exception_ptr error;
   BareRuns bare_runs;
   {
     const auto total = static_cast<long>(sweep.scenes.size());
     long done = total - static_cast<long>(waiting.size());
     Progress progress("scenes", total);
-    const auto work = [&] {
-      for (size_t i = next++; i < waiting.size(); i = next++) {
-        try {
-          const std::string results = results_of(*waiting[i], bare_runs);
-          const std::lock_guard<std::mutex> lock(one_at_a_time);
-          file.add(waiting[i]->number, waiting[i]->key + results);
-          progress.at(++done);
-        } catch (...) {
-          const std::lock_guard<std::mutex> lock(one_at_a_time);
-          error = std::current_exception();
-          next = waiting.size();
-        }
-      }
-    };
-    std::vector<std::thread> others;
-    for (size_t i = 1; i < std::min<size_t>(std::thread::hardware_concurrency(), waiting.size()); ++i)
-      others.emplace_back(work);
-    work();
-    for (std::thread& thread : others) thread.join();
+    on_all_cores(waiting.size(), [&](size_t i) {
+      const std::string results = results_of(*waiting[i], bare_runs);
+      const std::lock_guard<std::mutex> lock(one_at_a_time);
+      file.add(waiting[i]->number, waiting[i]->key + results);
+      progress.at(++done);
+    });
   }
-  if (error) std::rethrow_exception(error);
   file.finish();
   const bool fault = std::any_of(sweep.scenes.begin(), sweep.scenes.end(), [&](const SweptScene& scene) {
     const std::string& row = file.row(scene.number);

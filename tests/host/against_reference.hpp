@@ -6,20 +6,28 @@
 
 namespace impact {
 
-// The largest difference of a displacement, m, in every `ratio`-th step up to `duration`. advance(n) makes the
-// absorber's n-th step.
-template <class Absorber, class Advance>
-double largest_difference(const host::Case& run, const Absorber& absorber, double step, int ratio, double duration,
-                          const Advance& advance) {
+struct Differences {
+  double x1 = 0, x2 = 0;  // m
+  double largest() const { return larger(x1, x2); }
+};
+
+// The largest differences of the displacements at multiples of `interval` up to `duration`. The samples of drive and
+// base are those of the run at the end of each step.
+template <class Kernel>
+Differences differences(const host::Case& run, const Bounds& bounds, double step, double duration, double interval) {
+  auto absorber = accepted<Kernel>(run.scene, bounds, step);
   host::Reference reference(run);
-  double worst = 0;
-  for (int n = 1; n * step <= duration * (1 + 1e-12); ++n) {
-    advance(n);
-    if (n % ratio != 0) continue;
-    reference.advance(n * step);
+  const long every = std::lround(interval / step);
+  Differences worst;
+  for (long n = 1; n <= std::lround(duration / step); ++n) {
+    const double t = static_cast<double>(n) * step;
+    step_with(absorber, host::drive_force(run, t), host::base_acceleration(run, t));
+    if (n % every != 0) continue;
+    reference.advance(t);
     const auto now = absorber.reading();
     const host::Sample right = reference.sample();
-    worst = larger(worst, larger(std::abs(now.x1 - right.x1), std::abs(now.x2 - right.x2)));
+    worst.x1 = larger(worst.x1, std::abs(now.x1 - right.x1));
+    worst.x2 = larger(worst.x2, std::abs(now.x2 - right.x2));
   }
   EXPECT_EQ(absorber.fault(), Fault::none);
   return worst;

@@ -5,6 +5,7 @@
 #include <impact/choice.hpp>
 
 #include "host_ref/free_pair.hpp"
+#include "host_ref/settled.hpp"
 #include "kinds.hpp"
 
 namespace impact::host {
@@ -28,12 +29,6 @@ Request pair_of(Law law, double e, Tension tension = Tension::clamp) {
   scene.contact_damping = law == Law::hertz ? 0 : contact_damping(impact, e).value();
   scene.clearance = 0.2;
   return request;
-}
-
-Resolution resolution(const Request& request) {
-  return request.law == Law::hertz          ? resolution_of<Hertz>(request.scene, bounds)
-         : request.law == Law::hooke_newton ? resolution_of<HookeNewton>(request.scene, bounds)
-                                            : resolution_of<HuntCrossley>(request.scene, bounds);
 }
 
 struct Contact {
@@ -207,42 +202,6 @@ TEST(Choice, MomentKeepsWhatItStates) {
             << which;
       }
   EXPECT_GE(accepted, 320);  // of 336
-}
-
-// The picture's scene at large steps, compared with the same scene at 0.01 ms, where Moment has an error below 1e-10 m
-// (accuracy_test.cpp). A cubic approximates the main oscillation of 40 mm at 40 rad/s. At 5 ms its error is 40 mm (40
-// rad/s 5 ms)^4/384 = 1.7e-7 m per contact, or 1e-6 m in some six contacts. It falls with the fourth power of the step.
-TEST(Choice, TheDrivenSceneIsAccurateAtLargeSteps) {
-  const auto displacements = [](double step, Stepper stepper) {
-    Request request;
-    request.step = step;
-    request.stepper = stepper;
-    request.duration = 1;
-    request.bounds = Bounds{0.1, 1, 0.03, 10};
-    const auto simulation = make_simulation(request).simulation;
-    std::vector<double> result;
-    if (!simulation) return result;
-    const long steps = std::lround(1 / step), every = std::lround(0.01 / step);
-    for (long i = 1; i <= steps; ++i) {
-      simulation->step(0);
-      if (i % every == 0) result.push_back(simulation->sample().x1);
-    }
-    return result;
-  };
-  const auto exact = displacements(1e-5, Stepper::moment);
-  for (const Stepper stepper : {Stepper::automatic, Stepper::moment_4, Stepper::moment_8})
-    for (const double step : {5e-3, 2.5e-3, 1e-3}) {
-      const auto found = displacements(step, stepper);
-      ASSERT_EQ(found.size(), exact.size());
-      double error = 0;
-      for (size_t i = 0; i < exact.size(); ++i) error = larger(error, std::abs(found[i] - exact[i]));
-      std::printf("  %s at %g s: %.1e m\n", std::string(host::name_of(stepper)).c_str(), step, error);
-      if (stepper != Stepper::automatic || step > 4e-3) {
-        EXPECT_LE(error, 1e-6 * std::pow(step / 5e-3, 4) + 1e-9) << step;
-      } else {
-        EXPECT_LE(error, 1e-6) << step;
-      }
-    }
 }
 
 }  // namespace

@@ -23,8 +23,7 @@ class CoupledScenes : public testing::TestWithParam<Kind> {
  protected:
   static CoupledScene scene(Edge edge, unsigned index, Parts parts = Parts::none) {
     CoupledScene result = coupled_scene(GetParam().law, edge, index, parts);
-    result.request.numeric = GetParam().numeric;
-    result.request.damping = GetParam().damping;
+    set_kind(result.request, GetParam());
     return result;
   }
 
@@ -46,8 +45,8 @@ class CoupledScenes : public testing::TestWithParam<Kind> {
         EXPECT_FALSE(run.has_fault) << text_of(found.request);
         EXPECT_LE(run.gain, largest_energy_gain(found)) << text_of(found.request);
         see(found, run);
-        if (!(run.gain <= worst)) worst = run.gain;
-        if (!(run.rubbed <= worst_rubbed)) worst_rubbed = run.rubbed;
+        worst = larger(worst, run.gain);
+        worst_rubbed = larger(worst_rubbed, run.rubbed);
       }
     std::printf("  %-10s %5u of %5u scenes accepted, largest gain %.2g, with friction's ledger %.2g\n",
                 std::string(name_of(stepper)).c_str(), tally.accepted, tally.made, worst, worst_rubbed);
@@ -164,12 +163,7 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
     if (physical.clearance < 40 * request.bounds->speed * request.step) continue;
     const Outcome outcome = make_simulation(request);
     if (!outcome.simulation) continue;
-    Case run;
-    run.law = request.law;
-    run.scene = physical;
-    run.drive = request.drive;
-    if (request.damping != Damping::constant)
-      run.damping_ratio = damping_ratio(request.damping, physical.restitution).value();
+    const Case run = case_of(request);
     Reference reference(run);
     long i = 0;
     const auto has_ended = [](const Sample& sample) { return sample.impacts == 1 && sample.penetration < 0; };
@@ -191,11 +185,11 @@ TEST_P(CoupledScenes, DissipateAtTheFirstImpactWhatTheReferenceDoes) {
     const double mu = 1 / (1 / physical.main_mass + 1 / physical.ball_mass),
                  damping = physical.contact_stiffness * run.damping_ratio / exact.impact_speed * std::pow(deepest, 1.5);
     if (request.damping != Damping::constant && request.step * damping / mu > (is_energy ? 0.2 : 2.5)) {
-      if (!(off <= worst_clamped)) worst_clamped = off;
+      worst_clamped = larger(worst_clamped, off);
       continue;
     }
     ++compared;
-    if (!(off <= worst)) worst = off;
+    worst = larger(worst, off);
     EXPECT_LE(off, (is_energy ? 0.15 : 0.02) + 2 * energy_rounded(found))
         << text_of(request) << ": " << stepped.energy_dissipated << " J, not " << exact.energy_dissipated << ", "
         << outcome.description;

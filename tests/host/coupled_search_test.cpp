@@ -12,7 +12,6 @@
 namespace impact::host {
 namespace {
 
-constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::sampled};
 
 // Three further coordinates select the edge, the drive, and whether the scene has parts. The tool has no parts in
@@ -25,11 +24,10 @@ CoupledScene scene_at(const Kind& kind, const Everywhere& at) {
   Place place;
   std::copy_n(at.begin(), coordinates, place.begin());
   const bool has_parts = kind.numeric != Numeric::float32_plain && at[coordinates + 2] > 0.5;
-  CoupledScene result = coupled_scene(kind.law, one_of(edges, at[coordinates]), one_of(drives, at[coordinates + 1]),
-                                      has_parts ? Parts::some : Parts::none, place);
-  result.request.numeric = kind.numeric;
-  result.request.stepper = kind.stepper;
-  result.request.damping = kind.damping;
+  CoupledScene result =
+      coupled_scene(kind.law, one_of(every_edge, at[coordinates]), one_of(drives, at[coordinates + 1]),
+                    has_parts ? Parts::some : Parts::none, place);
+  set_kind(result.request, kind);
   return result;
 }
 

@@ -61,9 +61,8 @@ template <class Run> Means means_over(int starts, Run run_from) {
 
 Means reference_means(double contact_stiffness, int starts) {
   return means_over(starts, [=](int start) {
-    Case run;
-    run.scene = scene_at(contact_stiffness, start);
-    Reference reference(run, 1e-8);  // after a few impacts, no tolerance would give the true motion
+    // After a few impacts, no tolerance would give the true motion.
+    Reference reference({Law::hunt_crossley, scene_at(contact_stiffness, start)}, 1e-8);
     Ran result;
     for (int n = 1; n <= steps; ++n) {
       reference.advance(n * step);

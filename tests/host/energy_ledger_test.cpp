@@ -44,11 +44,13 @@ Errors errors_of(const Request& request) {
 
 // With Moment, the motion's error is negligible compared with the ledger's. The ledger assumes drive and rates that are
 // linear in a step, so it is of second order. For Hooke-Newton the factor depends on where in their steps the force
-// jumps. At 1 ms the error is below 1 % of an impact's 0.3 J.
+// jumps. At 1 ms the error is below 1 % of an impact's 0.3 J, and of what is
+// dissipated below 0.1 %.
 TEST(EnergyLedger, IsOfSecondOrder) {
   for (const auto& [law, tension] : variants) {
     const Errors coarse = errors_of(paper_request(law, Stepper::moment, 1e-3, tension));
     for (const double error : {coarse.dissipated, coarse.drive_work, coarse.balance}) EXPECT_LT(error, 3e-3);
+    EXPECT_LT(coarse.dissipated, 3e-4);
     for (const double step : {5e-4, 2.5e-4, 1.25e-4, 1e-5}) {
       const Errors error = errors_of(paper_request(law, Stepper::moment, step, tension));
       const double fall = (law == Law::hooke_newton ? 3 : 1.25) * step * step / 1e-6;
@@ -95,17 +97,9 @@ TEST(EnergyLedger, In32BitsIsThatOfDouble) {
 // v2 changes the work by 1e-5, and the phase of the contact in the step by 2e-3.
 TEST(EnergyLedger, OfFixed32HasWorkOfForcesFarBelowTheUnitOfRates) {
   Request request;
-  Scene& scene = request.scene;
-  scene.main_mass = 18.056230048672653;
-  scene.main_stiffness = 562375.8718658582;
-  scene.main_damping = 0;
-  scene.ball_mass = 19.900048007607214;
-  scene.clearance = 0.06982344970793633;
-  scene.contact_stiffness = 6362103156295.825;
-  scene.contact_damping = 661965128952583;
-  scene.v1 = -0.0025345495425073373;
-  scene.x2 = 0.03321885695634879;
-  scene.v2 = 0.004800608406780541;
+  request.scene =
+      scene_of(18.056230048672653, 562375.8718658582, 0, 19.900048007607214, 0.06982344970793633, 6362103156295.825,
+               661965128952583, 0, 0, 0, -0.0025345495425073373, 0.03321885695634879, 0.004800608406780541);
   request.drive = DriveKind::none;
   request.step = 1.4685487050347006e-3;
   request.bounds = Bounds{0.03530191581408315, 0.005697610099778938};
@@ -117,13 +111,6 @@ TEST(EnergyLedger, OfFixed32HasWorkOfForcesFarBelowTheUnitOfRates) {
     const Sample rounded = kernel_samples(request, duration, duration).back();
     EXPECT_GT(exact.impacts, 0);
     EXPECT_NEAR(rounded.energy_dissipated, exact.energy_dissipated, 2e-3 * exact.energy_dissipated);
-  }
-}
-
-TEST(EnergyLedger, HertzDissipatesNothing) {
-  for (const double step : {1e-3, 1e-4}) {
-    const Sample end = kernel_samples(paper_request(Law::hertz, Stepper::moment, step), duration, duration).back();
-    EXPECT_NEAR(end.energy_dissipated, 0, 1e-3 * step * step / 1e-6);
   }
 }
 

@@ -21,31 +21,23 @@ template <class Kernel> bool is_clamped(const Kernel& absorber) {
          units.is_within(state.dx1, units.limits.displacement) && units.is_within(state.dx2, units.limits.displacement);
 }
 
-// Makes a step, with a sample if the drive is sampled.
-template <class Kernel> void advance(Kernel& absorber, typename Kernel::Value sample) {
-  if constexpr (Kernel::PlanType::DriveType::is_sampled)
-    absorber.step(sample);
-  else
-    absorber.step();
-}
-
 // Steps until the fault and beyond it. The state stays clamped, and the fault remains.
-template <class Kernel> void expect_fault(Kernel absorber, Fault expected, typename Kernel::Value sample = {}) {
+template <class Kernel, class Advance> void expect_fault(Kernel absorber, Fault expected, const Advance& advance) {
   const double start = absorber.reading().x1;
   for (int n = 0; n < 100000 && absorber.fault() == Fault::none; ++n) {
-    advance(absorber, sample);
+    advance(absorber);
     ASSERT_TRUE(is_clamped(absorber)) << n;
   }
   ASSERT_EQ(absorber.fault(), expected);
   for (int n = 0; n < 100000; ++n) {
-    advance(absorber, sample);
+    advance(absorber);
     ASSERT_TRUE(is_clamped(absorber)) << n;
     ASSERT_EQ(absorber.fault(), expected);
   }
   absorber.clear_fault();
   EXPECT_EQ(absorber.fault(), Fault::none);
   EXPECT_TRUE(is_clamped(absorber));
-  advance(absorber, sample);
+  advance(absorber);
   absorber.reset();
   EXPECT_EQ(absorber.fault(), Fault::none);
   EXPECT_EQ(absorber.reading().x1, start);
@@ -54,7 +46,8 @@ template <class Kernel> void expect_fault(Kernel absorber, Fault expected, typen
 // The same with a sine drive.
 template <class Format, class Law, class Stepper>
 void expect_fault_of(Law, Stepper, const Scene& scene, const Bounds& bounds, Fault expected) {
-  expect_fault(accepted<Absorber<AtRunTime, Law, Stepper, Sine, Format>>(scene, bounds, 1e-3), expected);
+  expect_fault(accepted<Absorber<AtRunTime, Law, Stepper, Sine, Format>>(scene, bounds, 1e-3), expected,
+               [](auto& absorber) { absorber.step(); });
 }
 
 template <class Format> struct Faults : testing::Test {};
@@ -79,6 +72,14 @@ TYPED_TEST(Faults, ADisplacementOutOfRange) {
   expect_fault_of<TypeParam>(HuntCrossley{}, Moment{}, scene, bounds, Fault::displacement);
   expect_fault_of<TypeParam>(Hertz{}, EnergyConsistent{}, scene, bounds, Fault::displacement);
   expect_fault_of<TypeParam>(HookeNewton{}, AverageAcceleration{}, scene, bounds, Fault::displacement);
+}
+
+// Masses that fall until they are as fast as their bound, and whose field goes on.
+TYPED_TEST(Faults, AFallBeyondTheBoundOfSpeed) {
+  Scene scene = free_scene();
+  scene.gravity = 9.81;
+  using Falling = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>;
+  expect_fault(accepted<Falling>(scene, {1, 0.5}, 1e-3), Fault::speed, [](Falling& absorber) { absorber.step(); });
 }
 
 // An impact at the bound of speed goes deeper than the bound of penetration.
@@ -174,10 +175,7 @@ template <class Kernel, class Force> void expect_no_speed_beyond(const Scene& sc
   double fastest = 0;
   for (int n = 1; n < 10000 && absorber.fault() == Fault::none; ++n) {
     EXPECT_LE(fastest, 1.6 * bounds.speed) << n << ": a fault too late";
-    if constexpr (Kernel::PlanType::DriveType::is_sampled)
-      absorber.step(absorber.sample_of(force(n)));
-    else
-      absorber.step();
+    step_with(absorber, force(n));
     const auto now = absorber.reading();
     fastest = host::larger(std::abs(now.v1), std::abs(now.v2));
   }
@@ -477,7 +475,8 @@ TYPED_TEST(Faults, ASampleOutOfRange) {
         bad.step(static_cast<Value>(1));
       }
       EXPECT_EQ(bad.fault(), Fault::sample);
-      expect_fault(fresh, Fault::sample, static_cast<Value>(sample));
+      const auto sampled = static_cast<Value>(sample);
+      expect_fault(fresh, Fault::sample, [sampled](Kernel& absorber) { absorber.step(sampled); });
     }
   }
 }
@@ -619,8 +618,9 @@ TEST(Faults, AreNoImpacts) {
 }
 
 // In a field a flight may end deeper than the law. A correction to a depth where the stop would store more than the
-// bounds allow was no fault. `depth` is relative to the deepest penetration.
-template <class Format> Fault fault_of_a_push_into_the_stop(double depth) {
+// bounds allow was no fault.
+TYPED_TEST(Faults, ACorrectionToMoreEnergyThanTheBoundsAllow) {
+  using Weighted = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, TypeParam, Gravity>;
   Scene scene;
   scene.gravity = 9.81;
   scene.contact_stiffness = 1e11;
@@ -631,21 +631,13 @@ template <class Format> Fault fault_of_a_push_into_the_stop(double depth) {
   scene.stops = Stops::right;
   const Bounds bounds{0.05, 2};
   const double deepest = deepest_penetration(scene, bounds, false, 0.87 * 2 * bounds.speed, 0);
-  using Weighted = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Format, Gravity>;
-  auto absorber = accepted<Weighted>(scene, bounds, 3e-4);
-  while (!absorber.is_touching()) absorber.step();
-  const auto now = absorber.reading();
-  const double further = depth * deepest - (now.x2 - now.x1 - scene.clearance / 2);
-  absorber.correct(Format::sample(-further / absorber.plan.displacement_unit()), {});
-  return absorber.fault();
-}
-TEST(Faults, OfACorrectionToMoreEnergyThanTheBoundsAllow) {
-  EXPECT_EQ(fault_of_a_push_into_the_stop<Fixed32>(0.99), Fault::none);
-  EXPECT_EQ(fault_of_a_push_into_the_stop<Fixed32>(1.03), Fault::penetration);
-  EXPECT_EQ(fault_of_a_push_into_the_stop<Float32>(0.99), Fault::none);
-  EXPECT_EQ(fault_of_a_push_into_the_stop<Float32>(1.03), Fault::penetration);
-  EXPECT_EQ(fault_of_a_push_into_the_stop<Float64>(0.99), Fault::none);
-  EXPECT_EQ(fault_of_a_push_into_the_stop<Float64>(1.03), Fault::penetration);
+  for (const auto& [depth, fault] : {std::pair(0.99, Fault::none), {1.03, Fault::penetration}}) {
+    auto absorber = accepted<Weighted>(scene, bounds, 3e-4);
+    while (!absorber.is_touching()) absorber.step();
+    const double further = depth * deepest - depth_of(scene, absorber.reading());
+    absorber.correct(TypeParam::sample(-further / absorber.displacement_unit()), {});
+    EXPECT_EQ(absorber.fault(), fault) << depth;
+  }
 }
 
 TEST(Exponents, EndForEveryNumber) {

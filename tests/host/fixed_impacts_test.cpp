@@ -47,10 +47,6 @@ Pair random_pair(unsigned seed, const Kind& kind) {
   return pair;
 }
 
-double energy(const Scene& scene, double x1, double v1, double v2) {
-  return (scene.main_mass * v1 * v1 + scene.main_stiffness * x1 * x1 + scene.ball_mass * v2 * v2) / 2;
-}
-
 // The share of the energy that remains, for a free pair that of the approach. Returns NaN if the contact lasts too
 // long, and no value if the plan is rejected or a fault is raised.
 template <class Format, class Stepper, class Law = Exact>
@@ -71,8 +67,7 @@ std::optional<double> energy_left(const Pair& pair, int longest) {
   if (touched == 0 || absorber.is_touching()) return std::nan("");
   const auto state = absorber.reading();
   const Scene& scene = pair.scene;
-  if (scene.main_stiffness > 0)
-    return energy(scene, state.x1, state.v1, state.v2) / energy(scene, scene.x1, scene.v1, scene.v2);
+  if (scene.main_stiffness > 0) return mechanical_energy(scene, state) / mechanical_energy(scene, scene);
   const double restitution = (state.v1 - state.v2) / (scene.v2 - scene.v1);
   return restitution * restitution;
 }

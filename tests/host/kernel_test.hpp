@@ -54,6 +54,18 @@ template <class Kernel> Kernel accepted(const Scene& scene, const Bounds& bounds
   return Kernel(plan);
 }
 
+// Makes a step. The numbers, N and m/s^2, are read by a drive and by a field that take samples.
+template <class Kernel> void step_with(Kernel& absorber, double force, double base = 0) {
+  if constexpr (Kernel::Drive::is_sampled && Kernel::Field::is_sampled)
+    absorber.step(absorber.sample_of(force), absorber.base_sample_of(base));
+  else if constexpr (Kernel::Drive::is_sampled)
+    absorber.step(absorber.sample_of(force));
+  else if constexpr (Kernel::Field::is_sampled)
+    absorber.step(absorber.base_sample_of(base));
+  else
+    absorber.step();
+}
+
 // How deep the ball is in either stop, m. Negative while it is apart.
 template <class Motion> double depth_of(const Scene& scene, const Motion& at) {
   return std::abs(at.x2 - at.x1) - scene.clearance / 2;
@@ -80,10 +92,8 @@ void expect_near(const Motion& found, const std::common_type_t<Motion>& right, d
 
 // The last place from `from` on at which a property holds that is lost somewhere before `to`.
 template <class Property> double end_of(double from, double to, const Property& holds) {
-  for (int pass = 0; pass < 100; ++pass) {
-    const double middle = (from + to) / 2;
+  for (double middle = (from + to) / 2; from < middle && middle < to; middle = (from + to) / 2)
     (holds(middle) ? from : to) = middle;
-  }
   return from;
 }
 

@@ -22,9 +22,16 @@ inline void PrintTo(const Kind& kind, std::ostream* out) {
        << name_of(kind.damping);
 }
 
+inline void set_kind(Request& request, const Kind& kind) {
+  request.law = kind.law;
+  request.stepper = kind.stepper;
+  request.numeric = kind.numeric;
+  request.damping = kind.damping;
+}
+
 inline std::vector<Kind> kinds(std::initializer_list<Stepper> varied, Damping per_impact,
-                               std::initializer_list<Numeric> formats = {Numeric::float64, Numeric::float32,
-                                                                         Numeric::float32_plain, Numeric::fixed32}) {
+                               const std::vector<Numeric>& formats = {std::begin(every_format),
+                                                                      std::end(every_format)}) {
   std::vector<Kind> result;
   for (const Stepper stepper : varied)
     for (const Numeric numeric : formats) {

@@ -152,6 +152,7 @@ TYPED_TEST(NamedLaw, HasOneRestitutionAtAnySpeed) {
   expect_one_restitution<TypeParam, EnergyConsistent, Fixed32>(1e-3, 2e-3);
   expect_one_restitution<TypeParam, Impulsive, Float64>(1e-3, 1e-12);
   expect_one_restitution<TypeParam, Impulsive, Fixed32>(1e-3, 1e-5);
+  expect_one_restitution<TypeParam, Impulsive, Float32Plain>(1e-3, 16 * 0x1p-24);
 }
 
 // A light impact without other forces keeps its own damping at 14 steps per contact, although the bounds let the main

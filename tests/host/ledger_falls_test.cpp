@@ -73,12 +73,11 @@ struct Allowance : SilentFeature {
 };
 
 // All random scenes of coupled_scenes.hpp, except those that samples drive.
-constexpr Edge edges[] = {Edge::none, Edge::crossing, Edge::heavy_ball};
 constexpr unsigned scenes_an_edge = 300;
 
 template <class Kernel, class Use> int each_scene(const Use& use, Tension tension = Tension::clamp) {
   int accepted = 0;
-  for (const Edge edge : edges)
+  for (const Edge edge : every_edge)
     for (unsigned index = 0; index < scenes_an_edge; ++index) {
       CoupledScene found = coupled_scene(Kernel::ContactLaw::law, edge, index);
       if (found.request.drive == DriveKind::sampled) continue;

@@ -51,20 +51,14 @@ inline Samples kernel_samples(const Request& request, double interval, double du
   return samples;
 }
 
-inline Case case_of(const Request& request) {
-  Case run;
-  run.law = request.law;
-  run.scene = request.scene;
-  run.drive = request.drive;
-  run.samples = request.samples;
-  if (!run.samples.empty()) run.samples.insert(run.samples.begin(), 0);
-  run.sample_step = request.step;
-  run.damping_ratio = damping_ratio(request.damping, request.scene.restitution).value();
-  return run;
-}
-
 inline Samples reference_samples(const Request& request, double interval, double duration) {
   return reference_trajectory(case_of(request), interval, duration).samples;
+}
+
+// The largest difference of x1 between both, m.
+inline double error_of(const Request& request, double interval, double duration) {
+  return largest_difference(kernel_samples(request, interval, duration),
+                            reference_samples(request, interval, duration));
 }
 
 }  // namespace impact::host

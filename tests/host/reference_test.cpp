@@ -112,19 +112,14 @@ void expect_single_impact(const Case& run, int side) {
   EXPECT_EQ(after.contact_force, 0);
   EXPECT_NEAR(after.v1 + 0.3 * after.v2, 0.3 * 0.8 * side, 1e-15);  // momentum is conserved
 
-  // The instant at which a property ends that is true when the contact starts.
-  const auto end_of = [&](auto property) {
-    double before = start, behind = start + 2 * duration;
-    while (behind - before > 1e-12 * duration) {
-      const double middle = (before + behind) / 2;
-      if (middle <= before || middle >= behind) break;
-      (property(sample_at(run, middle)) ? before : behind) = middle;
-    }
-    return before;
-  };
-  const double deepest = end_of([&](const Sample& s) { return s.t <= start || side * (s.v2 - s.v1) > 0; });
+  const double late = start + 2 * duration;
+  const double deepest = end_of(start, late, [&](double t) {
+    const Sample s = sample_at(run, t);
+    return s.t <= start || side * (s.v2 - s.v1) > 0;
+  });
   EXPECT_NEAR(sample_at(run, deepest).penetration / *peak_penetration(impact), 1, tolerance);
-  const double separation = end_of([&](const Sample& s) { return s.t <= start || s.contact_force != 0; });
+  const double separation =
+      end_of(start, late, [&](double t) { return t <= start || sample_at(run, t).contact_force != 0; });
   EXPECT_NEAR((separation - start) / duration, 1, tolerance + 4e-18 / duration);  // the resolution of t in double
 }
 

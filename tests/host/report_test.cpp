@@ -22,13 +22,6 @@ template <Law law> struct Rig {
   static constexpr double step = 1e-4;
 };
 
-template <Law law> host::Case case_under() {
-  host::Case run;
-  run.law = law;
-  run.scene = Rig<law>::scene;
-  return run;
-}
-
 // The largest difference of x1 over 0.5 s, which has impacts at both stops.
 template <class Model, class Matrix> double largest_difference(Model model, Matrix matrix) {
   double largest = 0;
@@ -51,8 +44,9 @@ TYPED_TEST_SUITE(TextbookMethods, Laws);
 TYPED_TEST(TextbookMethods, AreTheMatrixMethods) {
   constexpr Law law = TypeParam::law;
   using R = Rig<law>;
-  const host::TextbookNewmark newmark(case_under<law>(), 0.25, R::step);
-  const host::TextbookRungeKutta runge_kutta(case_under<law>(), R::step);
+  const host::Case run{law, R::scene};
+  const host::TextbookNewmark newmark(run, 0.25, R::step);
+  const host::TextbookRungeKutta runge_kutta(run, R::step);
   EXPECT_LT(largest_difference(TextbookNewmark<double, R, law, LibraryPower>{}, newmark), 1e-9);
   EXPECT_LT(largest_difference(TextbookRk4<double, R, law, LibraryPower>{}, runge_kutta), 1e-9);
   EXPECT_LT(largest_difference(TunedRk4<double, R, law, LibraryRoot>{}, runge_kutta), 1e-9);

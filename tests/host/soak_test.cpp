@@ -79,23 +79,6 @@ TYPED_TEST(Tallies, GrowByTermsBelowTheirLsb) {
   EXPECT_NEAR(tally.total(), 4e7 * static_cast<double>(entry), 1e-6);
 }
 
-// With a period of three, four or six steps the curvature is an integer, so every period rounds alike. The errors must
-// not add up.
-TEST(SoakOfAnOscillator, KeepsTheAmplitudeOfAFewStepsAPeriod) {
-  constexpr double pi = 3.14159265358979323846;
-  for (const int period : {3, 4, 6})
-    for (const double phase : {0.0, 0.3, 1.2}) {
-      const double turn = 2 * pi / period;
-      const auto plan = IntegerOscillator::make_plan({std::cos(phase), std::sin(phase)}, turn);
-      auto oscillator = IntegerOscillator::start(plan);
-      for (long n = 0; n < 1200000; ++n) oscillator.advance(plan);
-      const double unit = std::ldexp(1.0, plan.exponent - 63), now = static_cast<double>(oscillator.value) * unit,
-                   last = now - static_cast<double>(oscillator.slope) * unit;
-      EXPECT_NEAR(now, std::sin(phase), 1e-6) << period << " steps, phase " << phase;
-      EXPECT_NEAR(last, std::sin(phase - turn), 1e-6) << period << " steps, phase " << phase;
-    }
-}
-
 // A rig that stands upright on a shaken base, with enough friction to hold the ball for a part of each period.
 struct RigWithParts {
   static constexpr Scene scene = [] {
@@ -174,10 +157,12 @@ TYPED_TEST(Soak, TheLedgerClosesWithAllPartsOfAScene) {
 }
 
 // A sine at any pulsation. The curvature has 31 bits, so the relative error of a phase is at most 2^-32. Sine and
-// product round down, which makes the recurrence oscillate by at most 2^-29 of the amplitude.
-TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
-  for (const double turn : {0x1p-24, 6e-8, 1.1e-7, 1e-6, 3.3e-6, 1e-5, 3e-5, 4e-3})
-    for (const double phase : {0.0, 1.0}) {
+// product round down, which makes the recurrence oscillate by at most 2^-29 of the amplitude. With a period of three,
+// four or six steps the curvature is an integer, so every period rounds alike. The errors must not add up.
+TEST(IntegerOscillator, KeepsAmplitudeAndPhaseAtAnyPulsation) {
+  constexpr double pi = 3.14159265358979323846;
+  for (const double turn : {0x1p-24, 6e-8, 1.1e-7, 1e-6, 3.3e-6, 1e-5, 3e-5, 4e-3, pi / 3, pi / 2, 2 * pi / 3})
+    for (const double phase : {0.0, 0.3, 1.0}) {
       const auto plan = IntegerOscillator::make_plan({std::cos(phase), std::sin(phase)}, turn);
       auto oscillator = IntegerOscillator::start(plan);
       const long steps = turn < 1e-7 ? 120000000 : 20000000;
@@ -189,7 +174,7 @@ TEST(IntegerOscillator, KeepsAmplitudeAndPhaseHoweverSlow) {
         const long double angle = static_cast<long double>(turn) * n + static_cast<long double>(phase);
         worst = host::larger(worst, std::abs(value - static_cast<double>(std::sin(angle))));
       }
-      EXPECT_LE(worst, 4 * 0x1p-29 + turn * static_cast<double>(steps) * 0x1p-32) << turn;
+      EXPECT_LE(worst, turn > 1 ? 1e-6 : 4 * 0x1p-29 + turn * static_cast<double>(steps) * 0x1p-32) << turn;
     }
 }
 

@@ -3,6 +3,7 @@
 // There is no fault and no gain of energy, and the restitution is the law's. The scenes are all corners of the range,
 // and a low-discrepancy sequence inside it, whose length is IMPACT_STABILITY_CELLS.
 
+#include "host_ref/coupled_scenes.hpp"
 #include "host_ref/free_pair.hpp"
 #include "host_ref/settled.hpp"
 #include "kinds.hpp"
@@ -50,12 +51,9 @@ FreePair cell(Law law, int index) {
 
 int cells() { return corners + static_cast<int>(number_of_runs("IMPACT_STABILITY_CELLS", 200)); }
 
+// The command that runs the pair.
 std::string text_of(const FreePair& free) {
-  char text[256];
-  std::snprintf(text, sizeof text, "k1 %.6g, e %.4g, v0 %.6g m/s, m/M %.6g, d %.6g m, h %.6g s: %.3g steps/contact",
-                free.contact_stiffness, free.restitution, free.speed, free.ball_mass / free.main_mass, free.clearance,
-                free.step, steps_per_contact(free));
-  return text;
+  return text_of(request_for(free, Stepper::automatic, Numeric::float64, 0));
 }
 
 // A format's resolution: the LSBs of a position and of a displacement per step, as shares of the ball's displacement in

@@ -4,8 +4,7 @@
 #include <impact/choice.hpp>
 #include <impact/law/per_impact.hpp>
 
-#include "host_ref/reference.hpp"
-#include "kernel_test.hpp"
+#include "against_reference.hpp"
 
 namespace impact {
 namespace {
@@ -64,16 +63,7 @@ template <class ContactLaw> host::Case with_stop(const Scene& scene, double stif
 template <class Format, class ContactLaw, class Stepper, class... Parts>
 double error(const host::Case& run, double h, double duration) {
   using Driven = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format, Gravity, Parts...>;
-  auto absorber = accepted<Driven>(run.scene, bounds_of(run.scene), h);
-  host::Reference reference(run);
-  double worst = 0;
-  for (int n = 1; n * h <= duration * (1 + 1e-12); ++n) {
-    absorber.step();
-    reference.advance(n * h);
-    worst = host::larger(worst, std::abs(absorber.reading().x1 - reference.sample().x1));
-  }
-  EXPECT_EQ(absorber.fault(), Fault::none);
-  return worst;
+  return differences<Driven>(run, bounds_of(run.scene), h, duration, h).x1;
 }
 // Fixed32 has at most 4096 sub-steps, with Hooke-Newton 1024. A contact that requires more is so short that Impulsive
 // is as exact.

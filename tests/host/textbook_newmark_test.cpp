@@ -112,30 +112,6 @@ TEST(TextbookRungeKutta, OrderOverAnImpact) {
   expect_order_over_an_impact(2.3, [](const Case& run, double h) { return TextbookRungeKutta(run, h); });
 }
 
-// The order in the driven scene over 1 s, for laws with a continuous force. Hooke-Newton's first-order errors are too
-// large at these steps to compare trajectories.
-TEST(TextbookNewmark, OrderOverASecond) {
-  for (const Law law : {Law::hertz, Law::hunt_crossley}) {
-    const Case run = paper_case(law);
-    const Samples reference = reference_trajectory(run, 0.01, 1).samples;
-    for (const double beta : betas) {
-      std::printf("  law %d, beta %.4f:", static_cast<int>(law), beta);
-      double errors[5];
-      for (int i = 0; i < 5; ++i) {
-        const int steps = 2000 << i;
-        TextbookNewmark textbook(run, beta, 1.0 / steps);
-        Samples samples{textbook.sample()};
-        for (int n = 1; n <= steps; ++n) {
-          textbook.step();
-          if (n % (steps / 100) == 0) samples.push_back(textbook.sample());
-        }
-        errors[i] = largest_difference(samples, reference);
-      }
-      EXPECT_GT(order_of(errors), 1.8);
-    }
-  }
-}
-
 // In double the kernel's classical steppers equal Newmark's method of the textbook in each step, which solves the same
 // equations in matrices, with accelerations, to convergence.
 

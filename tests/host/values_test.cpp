@@ -104,18 +104,6 @@ using Kernel = Absorber<AtRunTime, HuntCrossley, Stepper, Drive, Format, EnergyL
 double sample_at(int n) { return 11 * std::sin(0.037 * n) * std::cos(0.011 * n); }
 
 // A sine ignores samples of the drive, and weight ignores samples of the base.
-template <class Kernel> void advance(Kernel& kernel, double force, double base) {
-  using Plan = typename Kernel::PlanType;
-  if constexpr (Plan::DriveType::is_sampled && Plan::FieldType::is_sampled)
-    kernel.step(kernel.sample_of(force), kernel.base_sample_of(base));
-  else if constexpr (Plan::DriveType::is_sampled)
-    kernel.step(kernel.sample_of(force));
-  else if constexpr (Plan::FieldType::is_sampled)
-    kernel.step(kernel.base_sample_of(base));
-  else
-    kernel.step();
-}
-
 template <class Format, class Stepper, class Drive, class Field> void expect_same_bits(double stiffness, double step) {
   Scene scene;
   scene.gravity = -9.81;
@@ -129,8 +117,8 @@ template <class Format, class Stepper, class Drive, class Field> void expect_sam
   auto kernel = accepted<Kernel<Format, Stepper, Drive, Field>>(scene, bounds, step);
   auto any = accepted<Kernel<Format, Stepper, AnyDrive, AnyField>>(of_any, bounds, step);
   for (int n = 1; n * step <= 3; ++n) {
-    advance(kernel, sample_at(n), sample_at(n + 7));
-    advance(any, Drive::is_sampled ? sample_at(n) : 6, Field::is_sampled ? sample_at(n + 7) : 0);
+    step_with(kernel, sample_at(n), sample_at(n + 7));
+    step_with(any, Drive::is_sampled ? sample_at(n) : 6, Field::is_sampled ? sample_at(n + 7) : 0);
     const auto now = kernel.reading();
     const auto other = any.reading();
     ASSERT_TRUE(now.x1 == other.x1 && now.v1 == other.v1 && now.x2 == other.x2 && now.v2 == other.v2) << n;

@@ -87,13 +87,11 @@ TEST_P(WatchedFixed32, WrapsNowhereInCoupledScenes) {
   Random random;
   int accepted = 0;
   for (int i = 0; i < scenes(); ++i)
-    for (const Edge edge : {Edge::none, Edge::crossing, Edge::heavy_ball})
+    for (const Edge edge : every_edge)
       for (const Parts parts : {Parts::none, Parts::some}) {
         if (parts == Parts::some && stepper < Stepper::moment) continue;  // the tool's classical schemes reject parts
         CoupledScene scene = coupled_scene(law, edge, static_cast<unsigned>(i), parts);
-        scene.request.numeric = numeric;
-        scene.request.stepper = stepper;
-        scene.request.damping = damping;
+        set_kind(scene.request, GetParam());
         // The bounds are what the scene reaches, or up to a hundred times that.
         if (i % 2 == 1) {
           scene.request.bounds->displacement *= random.wide(1, 100);
@@ -132,10 +130,7 @@ TEST_P(WatchedFixed32, WrapsNowhereInFreePairs) {
 // mass, or a force may change a speed in a step by far more than its bound.
 TEST_P(WatchedFixed32, WrapsNowhereInWideStepsAndUnderALargeForce) {
   Request request;
-  request.law = GetParam().law;
-  request.damping = GetParam().damping;
-  request.stepper = GetParam().stepper;
-  request.numeric = Numeric::fixed32;
+  set_kind(request, GetParam());
   request.scene = paper_scene(request.law);
   request.scene.drive_pulsation = 0.123;
   Request wide = request;

@@ -15,6 +15,8 @@ class RefusedInput : public ImpactSim, public testing::WithParamInterface<Refuse
 
 TEST_P(RefusedInput, IsExitCodeTwoWithOneLineAndTouchesNothing) {
   write(file("kept.csv"), "precious\n");
+  write(file("a"), "1\n2\n");
+  write(file("bad"), "1\nx\n");
   const auto time = fs::last_write_time(file("kept.csv"));
   const Result result = run(std::string(GetParam().arguments) + " --output kept.csv");
   EXPECT_EQ(result.code, 2);
@@ -26,7 +28,7 @@ TEST_P(RefusedInput, IsExitCodeTwoWithOneLineAndTouchesNothing) {
   EXPECT_EQ(read(file("kept.csv")), "precious\n");
   EXPECT_EQ(fs::last_write_time(file("kept.csv")), time);
   const auto entries = std::distance(fs::directory_iterator(folder), {});
-  EXPECT_EQ(entries, 3) << "kept.csv, stdout and stderr";
+  EXPECT_EQ(entries, 5) << "kept.csv, a, bad, stdout and stderr";
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -98,6 +100,24 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--main-stiffness 10 --main-damping 30 --step 0.05", "--step", "0.05", "at most M/c, for the damper)"},
         Refused{"--newmark moment --contact-stiffness 1e9 --step 1e-3", "--step", "0.001",
                 " s, and moment requires more steps in it; auto takes a stepper that suits the step)"}));
+
+// Weight, friction and a base.
+INSTANTIATE_TEST_SUITE_P(
+    OfAPart, RefusedInput,
+    testing::Values(
+        Refused{"--gravity nan", "--gravity", "nan", "a number from -1e+06 to 1e+06 m/s^2"},
+        Refused{"--ball-friction -1", "--ball-friction", "-1", "a number from 0"},
+        Refused{"--ball-friction 1e6", "--ball-friction", "1e+06", "allowed: 0 to "},
+        Refused{"--ball-friction 1e6 --step 1e-4", "--ball-friction", "1e+06", "allowed: 0 to "},
+        Refused{"--gravity 1 --newmark average", "--newmark", "average",
+                "auto, moment, moment-4, moment-8, moment-n, energy, impulsive: the classical schemes do not support "
+                "--gravity"},
+        Refused{"--base-acceleration-file bad", "--base-acceleration-file", "bad line 2: 'x'", "a number from"},
+        Refused{"--base-acceleration-file a --duration 1", "--base-acceleration-file", "a with 2 lines", ""},
+        Refused{"--base-file none", "--base-file", "none", "a file that can be read"},
+        Refused{"--base-file a --drive-file a", "--base-file", "a", "only without --drive-file"},
+        Refused{"--bound-base-acceleration 3", "--bound-base-acceleration", "3",
+                "only with --base-acceleration-file"}));
 
 // A rig at resonance that its damper limits to 1 m/s, and the same rig without a damper. An estimate of its motion
 // grows with the duration. The tool uses the values that the run reaches, for any duration, also in a sweep.

@@ -9,10 +9,10 @@
 //
 // Vi is the rate of free flight at that instant, and A the acceleration towards the stop by spring and drive at the
 // touch. What A does during the contact is taken to first order (Press in law/free_impact.hpp). An impact creates no
-// energy, for any t and any restitution. If A presses the ball to its stop, a force over the step, f = d/(b + h^2/2m),
-// ends the step with the ball on the stop. From then on the ball rests: the force keeps it there and does no work. In a
-// field the ball is lifted only as far as the energy suffices that the force has taken. There is one impact per step.
-// Dry friction turns at the impact's instant.
+// energy, for any t and any restitution; beside a main damper it gains less than (c h/M)^3 of the energy. If A presses
+// the ball to its stop, a force over the step, f = d/(b + h^2/2m), ends the step with the ball on the stop. From then on
+// the ball rests: the force keeps it there and does no work. In a field the ball is lifted only as far as the energy
+// suffices that the force has taken. There is one impact per step. Dry friction turns at the impact's instant.
 
 #include <impact/law/impact_force.hpp>
 #include <impact/law/rebound.hpp>

@@ -14,8 +14,8 @@ namespace {
 
 constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::sampled};
 
-// Three further coordinates select the edge, the drive, and whether the scene has parts. The tool has no parts in
-// Float32Plain.
+// Three further coordinates select the edge, the drive, and whether the scene has parts. With parts the rounding of one
+// float per state exceeds the limits.
 using Everywhere = std::array<double, coordinates + 3>;
 template <class Value, size_t n> Value one_of(const Value (&values)[n], double u) {
   return values[std::min(n - 1, static_cast<size_t>(u * n))];

@@ -184,5 +184,30 @@ TEST(NarrowCavity, GivesLittleEnergy) {
   }
 }
 
+// One float near its bound rounds each displacement per step to its LSBs. At 64 LSBs that is at most 0.8 %, and a
+// plan with less is rejected.
+TEST(ShortStep, IsRejectedIfOneFloatLosesItsMotion) {
+  using Plain = Absorber<AtRunTime, Hertz, Moment, NoDrive, Float32Plain>;
+  using Compensated = Absorber<AtRunTime, Hertz, Moment, NoDrive, Float32>;
+  Scene scene;
+  scene.drive_amplitude = scene.contact_damping = 0;
+  scene.stops = Stops::none;
+  scene.x2 = 0.045;
+  Bounds bounds{0.05};
+  constexpr int flown = 1000;
+  for (const double h : {1e-4, 1e-5, 1e-6}) {
+    bounds.speed = scene.v2 = 1.02 * 0x1p-17 * bounds.displacement / h;
+    const auto plan = Plain::PlanType::make(scene, bounds, h);
+    ASSERT_EQ(plan.status, PlanStatus::ok) << h;
+    Plain absorber(plan);
+    for (int n = 0; n < flown; ++n) absorber.step();
+    const double distance = flown * h * scene.v2;
+    EXPECT_NEAR(absorber.reading().x2 - scene.x2, distance, distance / 128) << h;
+    bounds.speed = scene.v2 = 0.98 * 0x1p-17 * bounds.displacement / h;
+    EXPECT_EQ(Plain::PlanType::make(scene, bounds, h).status, PlanStatus::displacement_bound) << h;
+    EXPECT_EQ(Compensated::PlanType::make(scene, bounds, h).status, PlanStatus::ok) << h;
+  }
+}
+
 }  // namespace
 }  // namespace impact::host

@@ -67,6 +67,7 @@ struct Fixed32Units {
     return Overflow::none;
   }
 
+  static constexpr bool resolves_motion(const StateLimits&) { return true; }  // a position has 64 bits
   // True if this change of a quantity with this exponent is more than an LSB.
   static constexpr bool resolves(double change, int exponent) { return change > constant::power_of_two(exponent - 31); }
 

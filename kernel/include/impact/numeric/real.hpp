@@ -99,6 +99,12 @@ template <class RealType, template <class> class State, class OscillatorType> st
     static constexpr UnitExponents exponents(const UnitBounds&) { return {}; }
     static constexpr Overflow overflow_of(const UnitExponents&, const UnitBounds&) { return Overflow::none; }
     static constexpr bool resolves(double, int) { return true; }
+    // True if a step at the bound of speed is at least 64 LSBs of the farthest position, so that rounding changes a
+    // displacement by at most 0.8 %.
+    static constexpr bool resolves_motion(const StateLimits& limits) {
+      constexpr double least = sizeof(Real) == sizeof(float) ? 0x1p-17 : 0x1p-46;
+      return sizeof(Long) > sizeof(Real) || limits.speed >= least * limits.ball;
+    }
 
     Long gap;                          // m
     Real per_second, step, of_forces;  // 1/s, s, N

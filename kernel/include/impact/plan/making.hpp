@@ -255,6 +255,7 @@ template <class Plan> class PlanMaking {
     const double h = terms.step;
     const PlanStatus status = status_of(Units::overflow_of(exponents, largest));
     if (status != PlanStatus::ok) return status;
+    if (!Units::resolves_motion(largest.limits)) return PlanStatus::displacement_bound;
     // Half a step's displacement at the fastest impact must be more than an LSB.
     if (!Units::resolves(terms.largest_rate * h / 2, exponents.penetration)) return PlanStatus::speed_bound;
     const double lighter = constant::smaller(scene.ball_mass, scene.main_mass);

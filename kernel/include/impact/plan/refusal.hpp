@@ -71,8 +71,9 @@ template <class Rig, class PlanType, PlanStatus status> constexpr void require_a
   static_assert(together != PlanStatus::initial_displacement,
                 "Rig::scene.x1 and x2: -1e3 to 1e3 m, and the ball no deeper in a stop than Bounds allow");
   static_assert(together != PlanStatus::displacement_bound,
-                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements. In Fixed32 a smaller "
-                "bound may be necessary, to resolve spring force and penetration");
+                "Bounds::displacement: 1e-9 to 1e6 m, no less than the initial displacements. A smaller bound may "
+                "be necessary: in Fixed32 to resolve spring force and penetration, in Float32Plain so that a step at "
+                "Bounds::speed is at least 2^-17 of it");
   static_assert(together != PlanStatus::speed_bound,
                 "Bounds::speed: 1e-9 to 1e6 m/s, no less than the initial velocities, and in Fixed32 below 2^20 k1/c1");
   static_assert(together != PlanStatus::penetration_bound,

@@ -208,8 +208,13 @@ TYPED_TEST(Faults, ASpeedBelowAnLsb) {
   scene.contact_stiffness = 3.6e9;
   const Bounds bounds{2, 0.006, 0, 5};
   const double h = 1e-7, limit = 1.01 * bounds.speed, in_a_step = bounds.force / scene.main_mass * h;
+  using Absorber = impact::Absorber<AtRunTime, Hertz, Moment, Sampled, TypeParam>;
+  if (std::is_same_v<TypeParam, Float32Plain>) {  // one float has no room for such steps
+    EXPECT_EQ(Absorber::PlanType::make(scene, bounds, h).status, PlanStatus::displacement_bound);
+    return;
+  }
   for (const int sign : {-1, 1}) {
-    auto absorber = accepted<Absorber<AtRunTime, Hertz, Moment, Sampled, TypeParam>>(scene, bounds, h);
+    auto absorber = accepted<Absorber>(scene, bounds, h);
     while (absorber.fault() == Fault::none) {
       ASSERT_LT(std::abs(absorber.reading().v1), limit);
       for (int n = 0; n < 1000 && absorber.fault() == Fault::none; ++n)

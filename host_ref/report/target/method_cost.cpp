@@ -22,7 +22,8 @@ template <class Newmark> constexpr bool is_wanted = true;
 template <class Law, class Newmark, class... Parts>
 void print_unless_budgeted(Configuration<Law, Newmark, IMPACT_NUMERIC, Sine, Parts...> configuration) {
   using Measured = decltype(configuration);
-  if constexpr (is_wanted<Newmark> && !is_among<Measured>(Counted{})) print_costs<Measured>(Measured::label.text);
+  if constexpr (is_wanted<Newmark> && !is_among<Measured>(Budgeted{} + BudgetedWithParts{}))
+    print_costs<Measured>(Measured::label.text);
 }
 template <class OtherDrive> void print_unless_budgeted(OtherDrive) {}
 

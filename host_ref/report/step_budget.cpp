@@ -18,6 +18,7 @@ std::string configuration_of(const Row& row) {
   for (const char* column : {"law", "newmark", "numeric", "drive"}) key += row.at(column) + ",";
   return key;
 }
+std::string key_of(const Row& row) { return row.at("target") + "," + configuration_of(row); }
 
 }  // namespace
 
@@ -32,7 +33,7 @@ void write_report(const std::vector<std::string>& paths) {
   std::map<std::string, double> largest;
   for (const Row& row : costs) {
     if (row.at("phase") == "iterating") continue;  // another scene
-    double& worst = largest[row.at("target") + "," + configuration_of(row)];
+    double& worst = largest[key_of(row)];
     worst = host::larger(worst, number(row, "instructions_max"));
   }
 
@@ -50,7 +51,7 @@ void write_report(const std::vector<std::string>& paths) {
                                 budget[key + phase + "_cycles"]));
   };
   for (const Row& row : costs) {
-    const std::string key = row.at("target") + "," + configuration_of(row);
+    const std::string key = key_of(row);
     write(key, row.at("phase"), row.at("instructions_mean"), row.at("instructions_max"));
     if (row.at("phase") == "contact") write(key, "all", "", std::to_string(static_cast<long>(largest[key])));
   }

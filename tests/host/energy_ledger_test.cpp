@@ -44,8 +44,7 @@ Errors errors_of(const Request& request) {
 
 // With Moment, the motion's error is negligible compared with the ledger's. The ledger assumes drive and rates that are
 // linear in a step, so it is of second order. For Hooke-Newton the factor depends on where in their steps the force
-// jumps. At 1 ms the error is below 1 % of an impact's 0.3 J, and of what is
-// dissipated below 0.1 %.
+// jumps. At 1 ms the error is below 1 % of an impact's 0.3 J, and that of what is dissipated below 0.1 %.
 TEST(EnergyLedger, IsOfSecondOrder) {
   for (const auto& [law, tension] : variants) {
     const Errors coarse = errors_of(paper_request(law, Stepper::moment, 1e-3, tension));

@@ -154,9 +154,9 @@ TYPED_TEST(ImpulsiveStep, SettlesUnderAConstantForceAndStaysPut) {
 }
 
 // A constant acceleration A presses the ball into the stop. The ball's place and rate after the impact are compared
-// with those of the reference. An impulse that neglects the press within the contact misses the
-// rate by 0.03 to 0.1 A tc, and the place by 0.1 to 0.13 A tc^2. The limits are those of 5 % of the press
-// (free_impact.hpp), and of the chord that locates the impulse: 0.05 (A h/V)^2 h.
+// with those of the reference. An impulse that neglects the press within the contact misses the rate by 0.03 to 0.1 A
+// tc, and the place by 0.1 to 0.13 A tc^2. The limits are those of 5 % of the press (free_impact.hpp), and of the chord
+// that locates the impulse: 0.05 (A h/V)^2 h.
 template <class Format, class ContactLaw> void expect_pressed_rebound(double e, double h) {
   using Pressed = Kernel<Format, ContactLaw, Sampled>;
   Scene scene = free_scene();

@@ -19,8 +19,13 @@
 
 namespace impact {
 
-// For up to 2^most_exponent sub-steps.
-template <class Format, int most_exponent> struct ImpulseSums {
+namespace detail {
+// Of a power of two.
+constexpr int binary_exponent(int n) { return constant::exponent_above(n + 0.5) - 1; }
+}  // namespace detail
+
+// For up to `most` sub-steps, a power of two.
+template <class Format, int most> struct ImpulseSums {
   using Value = typename Format::Value;
   using Gain = typename Format::Gain;
   using Penetration = impact::Penetration<Value>;
@@ -31,9 +36,9 @@ template <class Format, int most_exponent> struct ImpulseSums {
     Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
   };
   struct Plan {
-    int exponent;                                        // n = 2^exponent
-    Stride strides[static_cast<size_t>(most_exponent)];  // over 1, 2, 4, .. sub-steps
-    int moment_bits;                                     // the impulses' own unit is 2^moment_bits as fine as a step's
+    int exponent;                                                        // n = 2^exponent
+    Stride strides[static_cast<size_t>(detail::binary_exponent(most))];  // over 1, 2, 4, .. sub-steps
+    int moment_bits;  // the impulses' own unit is 2^moment_bits as fine as a step's
     GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton, from forces
     Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
     int travel_bits;                                                // from these to penetrations
@@ -44,7 +49,7 @@ template <class Format, int most_exponent> struct ImpulseSums {
       const double n = terms.parts, part = terms.step / n, mobility = response.mobility(terms),
                    of_force = terms.force_unit * part * part * mobility;
       Plan plan{};
-      plan.exponent = exponent_of(terms.parts);
+      plan.exponent = detail::binary_exponent(terms.parts);
       for (int i = 0; i < plan.exponent; ++i) {
         const double k = constant::power_of_two(i);
         const LinearFlow over = exact_flow(main, k * part);
@@ -65,7 +70,6 @@ template <class Format, int most_exponent> struct ImpulseSums {
       return plan;
     }
   };
-  static constexpr int exponent_of(int n) { return constant::exponent_above(n + 0.5) - 1; }
 
   typename Format::Sum x, y;
   Recoil u, w;

@@ -73,7 +73,7 @@ template <int named = 0> struct SubsteppedMoment {
     // converted.
     static constexpr bool is_linear = ContactLaw::is_linear;
     using Flight = FreeFlight<Format>;
-    using Sums = ImpulseSums<Format, constant::exponent_above(most + 0.5) - 1>;
+    using Sums = ImpulseSums<Format, most>;
 
     struct Plan {
       StepAnswer response;

@@ -14,8 +14,7 @@ namespace {
 
 constexpr DriveKind drives[] = {DriveKind::none, DriveKind::sine, DriveKind::sampled};
 
-// Three further coordinates select the edge, the drive, and whether the scene has parts. With parts the rounding of one
-// float per state exceeds the limits.
+// Three further coordinates select the edge, the drive, and whether the scene has parts.
 using Everywhere = std::array<double, coordinates + 3>;
 template <class Value, size_t n> Value one_of(const Value (&values)[n], double u) {
   return values[std::min(n - 1, static_cast<size_t>(u * n))];
@@ -23,7 +22,7 @@ template <class Value, size_t n> Value one_of(const Value (&values)[n], double u
 CoupledScene scene_at(const Kind& kind, const Everywhere& at) {
   Place place;
   std::copy_n(at.begin(), coordinates, place.begin());
-  const bool has_parts = kind.numeric != Numeric::float32_plain && at[coordinates + 2] > 0.5;
+  const bool has_parts = at[coordinates + 2] > 0.5;
   CoupledScene result =
       coupled_scene(kind.law, one_of(every_edge, at[coordinates]), one_of(drives, at[coordinates + 1]),
                     has_parts ? Parts::some : Parts::none, place);
@@ -31,13 +30,32 @@ CoupledScene scene_at(const Kind& kind, const Everywhere& at) {
   return result;
 }
 
+// The share of a scene's energy E that the rounding of one float per position may add. A step rounds a position by up
+// to half an LSB p. Against a force F this changes the energy by up to F p/2. Weight, base and friction do not turn,
+// and a mass whose displacement per step is below p/2 does not move at all, so these errors may all have the same sign.
+// Those of contacts have random signs and the variance (F p)^2/12. F is at most 5/2 E/d, where d is the depth that
+// stores E.
+double energy_rounded_in_one_float(const CoupledScene& found) {
+  const Scene& scene = found.request.scene;
+  const Bounds& bounds = *found.request.bounds;
+  const double energy = found.energy, steps = static_cast<double>(found.steps);
+  const double lsb = 0x1p-23 * (bounds.displacement + scene.clearance / 2);
+  const double field = std::abs(scene.gravity) + bounds.base_acceleration;
+  const double lasting = (scene.main_mass + scene.ball_mass) * field + scene.ball_friction;
+  const double depth = found.request.law == Law::hooke_newton ? std::sqrt(2 * energy / scene.contact_stiffness)
+                                                              : std::pow(2.5 * energy / scene.contact_stiffness, 0.4);
+  return lsb * (steps * lasting / (2 * energy) + 5 * std::sqrt(steps / 12) * 2.5 / depth);
+}
+
 // The energy gain, or what friction supplies in a step, beyond rounding. A fault counts more than any gain.
 double badness(const CoupledScene& scene) {
   const CoupledRun run = run_coupled(scene);
   if (!run.is_accepted) return -1e300;
   if (run.has_fault || !(run.gain < 1e9) || !(run.rubbed < 1e9) || !(run.rubbed_back < 1e9)) return 1e9;
-  return larger(larger(run.gain, run.rubbed) / largest_energy_gain(scene),
-                run.rubbed_back / largest_supply_by_friction(scene));
+  const bool has_one_float = scene.request.numeric == Numeric::float32_plain;
+  const double rounded = has_one_float ? energy_rounded_in_one_float(scene) : 0;
+  return larger(larger(run.gain, run.rubbed) / (largest_energy_gain(scene) + rounded),
+                run.rubbed_back / (largest_supply_by_friction(scene) + rounded));
 }
 
 // Scenes that this search or a run of 20000 scenes per format found. Each is now rejected or within the limits.

@@ -256,8 +256,9 @@ template <int named = 0> struct SubsteppedMoment {
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
         sums.add(plan.sums, Inner::impulse_of(plan.inner, units, part));
-        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free_rate - sums.rate(plan.sums), at);
+        const Penetration before = at;
         at = lowered(plan, this->penetration);
+        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free_rate - sums.rate(plan.sums), before, at);
         if constexpr (Seen::is_recorded)
           if (this->phase == Phase::apart) work.end(free_rate - sums.rate(plan.sums), sums.w - friction.taken);
         if (this->phase == Phase::apart) {
@@ -361,8 +362,9 @@ template <int named = 0> struct SubsteppedMoment {
         const Penetration more = part.force - assumed;
         taken = taken + sums.take(plan.sums, more, Format::value(half(plan.part * more)));
       }
-      // At a sub-step's end, at the rate that contact has left. The ball was at `before`.
-      constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration at_rate, Penetration before) {
+      // At a sub-step's end, at the rate that contact has left. The ball was at `before` and is now at `at`.
+      constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration at_rate, Penetration before,
+                          Penetration& at) {
         if (!acts) return;
         const Penetration force = part.force;
         const auto by = part.follow(rate, at_rate);
@@ -371,8 +373,9 @@ template <int named = 0> struct SubsteppedMoment {
           taken = taken + sums.take(plan.sums, by.rate, moment);
           contact.rub(plan.inner, raised(plan, moment), rate_in_a_part(plan, by.rate),
                       rate_in_a_part(plan, part.force - force));
+          at = at - moment;
         }
-        fly(at_rate - by.rate, lowered(plan, contact.penetration) - before);
+        fly(at_rate - by.rate, at - before);
       }
       // The rest of a step after the ball has left, of k sub-steps.
       constexpr void leave(const Plan& plan, Sums& sums, Penetration free_rate, int k) {

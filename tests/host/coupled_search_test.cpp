@@ -7,6 +7,7 @@
 
 #include "coupled_limits.hpp"
 #include "host_ref/coupled_scenes.hpp"
+#include "host_ref/settled.hpp"
 #include "kinds.hpp"
 
 namespace impact::host {
@@ -47,10 +48,14 @@ double energy_rounded_in_one_float(const CoupledScene& found) {
   return lsb * (steps * lasting / (2 * energy) + 5 * std::sqrt(steps / 12) * 2.5 / depth);
 }
 
-// The energy gain, or what friction supplies in a step, beyond rounding. A fault counts more than any gain.
+bool has_useful_sub_steps(const Request& request) {
+  return sub_steps(request) <= most_sub_steps_in(request.numeric, request.law);
+}
+// The energy gain, or what friction supplies in a step, beyond rounding. A fault counts more than any gain. A stepper
+// with more sub-steps than are useful is left out.
 double badness(const CoupledScene& scene) {
   const CoupledRun run = run_coupled(scene);
-  if (!run.is_accepted) return -1e300;
+  if (!run.is_accepted || !has_useful_sub_steps(scene.request)) return -1e300;
   if (run.has_fault || !(run.gain < 1e9) || !(run.rubbed < 1e9) || !(run.rubbed_back < 1e9)) return 1e9;
   const bool has_one_float = scene.request.numeric == Numeric::float32_plain;
   const double rounded = has_one_float ? energy_rounded_in_one_float(scene) : 0;
@@ -197,6 +202,27 @@ TEST(FoundInAField, TheGainOfABallPlacedInItsStopIsRemovedToSecondOrder) {
   const CoupledRun run = run_coupled(scene_at({Law::hunt_crossley, Stepper::energy, Numeric::float64}, point));
   EXPECT_TRUE(run.is_accepted);
   EXPECT_LE(run.gain, 4 * 0.05 * 0.05 * 0.05 * 0.05);
+}
+
+// More sub-steps than are useful create energy by rounding. impact-sim warns of them. This search found both scenes.
+TEST(TooManySubSteps, CreateUpToThirtyPercentInTwoThousandSteps) {
+  const auto expect = [](Law law, Numeric numeric, const Everywhere& point) {
+    const CoupledScene scene = scene_at({law, Stepper::moment_n, numeric}, point);
+    EXPECT_FALSE(has_useful_sub_steps(scene.request));
+    const CoupledRun run = run_coupled(scene);
+    EXPECT_GT(run.gain, 0.1);
+    EXPECT_LT(run.gain, 0.3);
+  };
+  expect(Law::hooke_newton, Numeric::float32,
+         at(0.19959094616515669, 0.47344646172048704, 0.43722360607989313, 0.015409798762306699, 1, 0.37768184633625468,
+            0.88766479486153016, 0, 0.34921413080055663, 0.46149216470699361, 0.98707451323104123, 0.045506276821028549,
+            0.21010657661213039, 0.60167750479500437, 0.42103006279777661, 0.70439236055457122, 0, 0.44833642249385058,
+            0.16908243517854749, 0.2888290142603579, 0.12833364587654197));
+  expect(Law::hertz, Numeric::fixed32,
+         at(0, 0.99566029787597077, 1, 0.13863221220923966, 0.9951580950365434, 0.89874718292094047, 1,
+            0.70725770464344262, 0.43018465466081451, 0.0060648499793171896, 0.36262292808937791, 0, 0.2494168941957306,
+            0.64647330640235412, 0.46417629304509866, 0.82477620063916479, 0.042819356604028566, 0.8250671596962641,
+            0.636869257813797, 0, 0.30249507013810856));
 }
 
 // A seeded search for the largest value of a function of coordinates from 0 to 1: the (1+1) evolution strategy

@@ -32,8 +32,7 @@ struct NoFriction {
   template <class Format> struct FrictionPlan {};
 };
 
-// With an EnergyLedger: the distance that the ball has slid, a Penetration. Times R it is the energy that
-// friction has dissipated.
+// With an EnergyLedger: the energy that friction has dissipated, over R. It is a distance, which counts as a penetration.
 template <class Format, bool is_counted> struct SlidingDistance {};
 template <class Format> struct SlidingDistance<Format, true> { typename Format::Tally slid; };
 

@@ -141,6 +141,7 @@ template <class Model> struct FrictionImpulse {
     rubbing.full = m.plan.friction.full;
     rubbing.force = mirrored(m.state.impulse, left);
     rubbing.main_share = m.plan.friction.main_share;
+    rubbing.half_by_full = m.plan.friction.half_by_full;
     rubbing.slides = mirrored(Friction::slides(m.plan, m.state.impulse), left);
   }
   // A ball that has turned before it met its stop: the flight ends with the friction since then. Returns true if it
@@ -181,7 +182,9 @@ template <class Model> struct FrictionImpulse {
       Friction::act_at_once(m.plan, m.state, impulse, moved);
       count_change(m, flight, impulse, moved, before, rubbing_rate(m) - rubbed_ahead(m));
     } else {
-      count_slid(m, rubbing.has_turned ? rubbing.slid - mirrored(rubbing.displacement, left) : rubbing.slid);
+      if constexpr (Model::counts_sliding_distance)
+        for (int quarter = 0; quarter < 4; ++quarter) m.state.slid.add(rubbing.quarter);
+      if (rubbing.has_turned) count_loss(m, m.state.impulse, -rubbing.displacement);
     }
     if (rubbing.slides != 0) {
       Friction::slide_on(m.plan, m.state, is_negative(sliding_rate(m)));

@@ -27,11 +27,17 @@ template <class Format> struct Rubbing {
   bool meets_stop;           // false: all of the step was flight
   bool has_turned;           // before the stop
   Penetration displacement;  // of the flight, if it has turned
-  Penetration slid;          // the sliding distance, where sub-steps follow it
+  GainOf<typename Format::ClampedGain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
+  typename Format::Energy quarter;  // with sub-steps: of what friction dissipates in this step, over R
   // With a contact that takes no time: what it prevents of the flight's displacement, and how friction changes rate and
   // penetration at the step's end. For the ledger of a ball that has turned before it comes to rest: half of what its
   // displacement differs from that of a flight with the last friction alone.
   Penetration prevented, taken, moved, half_late;
+
+  // Of an impulse of up to 4 r, over r.
+  constexpr auto quarter_of(Penetration impulse) const {
+    return bare(half_by_full * Penetration(Format::value(half(impulse))));
+  }
 };
 
 // The friction in a part of the step.
@@ -42,9 +48,11 @@ template <class Format> struct PartRubbing {
   Penetration full, force;
   int slides;
 
-  // What friction takes of the rate, and its moment about the part's end, over the part's duration.
+  // What friction takes of the rate, its moment about the part's end, over the part's duration, and the average rate
+  // that it works against: besides the work of the friction so far on the part's displacement, it takes `rate` times
+  // (v1 - rate - z f)/2.
   struct Taken {
-    Penetration rate, moment;
+    Penetration rate, moment, lost_at;
   };
   // At the part's end, with `rate` as if the friction had not changed.
   constexpr Taken follow(Penetration before, Penetration rate) {
@@ -52,6 +60,7 @@ template <class Format> struct PartRubbing {
     const bool back = is_negative(rate), turns = !is_positive(mirrored(before, back));
     const Penetration end = mirrored(rate, back), start = mirrored(before, back), needed = force + (rate - before);
     const auto left = Format::quotient(positive_part(end), turns ? positive_part(end - start) : positive_part(end));
+    const Penetration before_turn = Format::value(left * mirrored(force, back));
     Penetration taken = end;
     if (turns && !is_positive(mirrored(needed, is_negative(needed)) - full)) {
       slides = 0;
@@ -62,8 +71,9 @@ template <class Format> struct PartRubbing {
       slides = back ? -1 : 1;
       force = mirrored(full, back);
     }
+    const Penetration lost_at = Format::value(half(end - taken - before_turn));
     taken = mirrored(taken, back);
-    return {taken, Format::value(half(Format::value(left * taken)))};
+    return {taken, Format::value(half(Format::value(left * taken))), mirrored(lost_at, back)};
   }
 };
 

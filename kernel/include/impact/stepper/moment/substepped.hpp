@@ -207,12 +207,12 @@ template <int named = 0> struct SubsteppedMoment {
       int left = 1 << plan.sums.exponent;  // sub-steps to the step's end
       if (begins) skip_flight(plan, free, left, at);
       Sums sums{};  // the effect of the impulses so far
-      [[maybe_unused]] Friction friction{};
+      [[maybe_unused]] Friction<Seen::is_recorded> friction{};
       if constexpr (Seen::is_rubbed) {
         const Penetration now = left < 1 << plan.sums.exponent
                                     ? free.rate_at(Format::parts(left, plan.sums.exponent, plan.part))
                                     : start_rate;
-        friction.begin(plan, *step.rubbing, now, begins ? at - step.before : Penetration{});
+        friction.begin(plan, step.rubbing, now, begins ? at - step.before : Penetration{});
       }
       uint32_t crossings = 0;
       const auto cross = [&] {  // to the coordinates of the other stop
@@ -239,7 +239,7 @@ template <int named = 0> struct SubsteppedMoment {
             ++crossings;
           }
           if (!is_positive(part_trial)) {
-            if constexpr (Seen::is_rubbed) friction.fly(rate_now, part_trial - at);
+            if constexpr (Seen::is_rubbed) friction.fly(plan, rate_now, part_trial - at);
             at = part_trial;
             continue;
           }
@@ -265,15 +265,15 @@ template <int named = 0> struct SubsteppedMoment {
           Sums end = sums;
           for (int stride = 0; stride < plan.sums.exponent; ++stride)
             if (((left >> stride) & 1) != 0) end.advance(plan.sums, stride);
-          [[maybe_unused]] Friction last = friction;
-          if constexpr (Seen::is_rubbed) last.leave(plan, end, free.rate, left);
-          const Penetration ended = free.end - end.displacement(plan.sums);
+          [[maybe_unused]] auto last = friction;
+          Penetration ended{};
+          if constexpr (Seen::is_rubbed)
+            ended = last.leave(plan, end, free, left, at);
+          else
+            ended = free.end - end.displacement(plan.sums);
           if (is_positive(ended) || (plan.crosses && is_positive(across(plan, ended)))) continue;
           sums = end;
-          if constexpr (Seen::is_rubbed) {
-            friction = last;
-            friction.slide(ended - at);
-          }
+          friction = last;
           break;
         }
       }
@@ -281,7 +281,7 @@ template <int named = 0> struct SubsteppedMoment {
       if constexpr (Seen::is_recorded)
         if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
       if ((crossings & 1) != 0) cross();
-      if constexpr (Seen::is_rubbed) friction.end(plan, *step.rubbing);
+      if constexpr (Seen::is_rubbed) friction.end(plan);
       auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u, Recoil(sums.x.value())});
       reaction.ball = {sums.w, Recoil(sums.y.value())};
       reaction.crossings = crossings;
@@ -330,30 +330,40 @@ template <int named = 0> struct SubsteppedMoment {
       }
     };
     // Friction in the sub-steps. The flight contains the one that the step began with; the rest acts here.
-    struct Friction {
+    template <bool is_counted> struct Friction {
       PartRubbing<Format> part;   // of a sub-step
       Penetration assumed, rate;  // the flight's part.force; the rate at the last sub-step's end
       Recoil taken;               // of the rate so far
-      Penetration slid;
+      Rubbing<Format>* step;
+      typename Format::Energy quarter;  // as step->quarter
       bool acts;
 
       // `displacement`: of the sub-steps that are skipped.
-      constexpr void begin(const Plan& plan, const Rubbing<Format>& step, Penetration at_rate,
-                           Penetration displacement) {
-        acts = is_positive(step.full);
+      constexpr void begin(const Plan& plan, Rubbing<Format>* of_step, Penetration at_rate, Penetration displacement) {
+        step = of_step;
+        acts = is_positive(step->full);
         if (!acts) return;
-        const bool back = is_negative(step.force);
-        part.full = plan.part * step.full;
-        part.force = assumed = mirrored(plan.part * mirrored(step.force, back), back);
-        part.slides = step.slides;
-        fly(at_rate, displacement);
+        const bool back = is_negative(step->force);
+        part.full = plan.part * step->full;
+        part.force = assumed = mirrored(plan.part * mirrored(step->force, back), back);
+        part.slides = step->slides;
+        fly(plan, at_rate, displacement);
       }
-      constexpr void fly(Penetration at_rate, Penetration displacement) {
+      constexpr void fly(const Plan& plan, Penetration at_rate, Penetration displacement) {
         rate = at_rate;
-        slide(displacement);
+        count_so_far(plan, displacement);
       }
-      constexpr void slide(Penetration displacement) {
-        slid = slid + mirrored(displacement, is_negative(displacement));
+      constexpr void count_so_far(const Plan& plan, Penetration displacement) {
+        if constexpr (is_counted)
+          quarter = quarter + work(part.slides != 0 ? mirrored(Format::value(Format::constant(0.25)), part.slides < 0)
+                                                    : step->quarter_of(in_a_step(plan)),
+                                   displacement);
+      }
+      constexpr void count(Penetration impulse, Penetration displacement) {
+        if constexpr (is_counted) quarter = quarter + work(step->quarter_of(impulse), displacement);
+      }
+      constexpr Penetration in_a_step(const Plan& plan) const {
+        return Penetration(Format::times(part.force, 1 << plan.sums.exponent));
       }
       // What it takes of the rate's change in a sub-step.
       constexpr Penetration bending(const Plan& plan) const { return rate_in_a_part(plan, part.force - assumed); }
@@ -366,37 +376,41 @@ template <int named = 0> struct SubsteppedMoment {
       constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration at_rate, Penetration before,
                           Penetration& at) {
         if (!acts) return;
+        count_so_far(plan, at - before);
         const Penetration force = part.force;
         const auto by = part.follow(rate, at_rate);
+        rate = at_rate - by.rate;
+        if (!is_positive(by.rate) && !is_negative(by.rate)) return;
         const Penetration moment = plan.part * by.moment;
-        if (is_positive(by.rate) || is_negative(by.rate)) {
-          taken = taken + sums.take(plan.sums, by.rate, moment);
-          contact.rub(plan.inner, raised(plan, moment), rate_in_a_part(plan, by.rate),
-                      rate_in_a_part(plan, part.force - force));
-          at = at - moment;
-        }
-        fly(at_rate - by.rate, at - before);
+        taken = taken + sums.take(plan.sums, by.rate, moment);
+        count(by.rate, by.lost_at);
+        contact.rub(plan.inner, raised(plan, moment), rate_in_a_part(plan, by.rate),
+                    rate_in_a_part(plan, part.force - force));
+        at = at - moment;
       }
-      // The rest of a step after the ball has left, of k sub-steps.
-      constexpr void leave(const Plan& plan, Sums& sums, Penetration free_rate, int k) {
-        if (!acts) return;
+      // The rest of a step after the ball has left at `at`, of k sub-steps. Returns the penetration at the step's end.
+      constexpr Penetration leave(const Plan& plan, Sums& sums, const Flight& free, int k, Penetration at) {
+        if (!acts) return free.end - sums.displacement(plan.sums);
         const auto share = Format::parts(k, plan.sums.exponent, plan.part);
         PartRubbing<Format> rest{Penetration(Format::times(part.full, k)), Penetration(Format::times(part.force, k)),
                                  part.slides};
         const Penetration change(Format::times(part.force - assumed, k));
         taken = taken + sums.take(plan.sums, change, Format::value(half(Format::value(share * change))));
-        const Penetration end = free_rate - sums.rate(plan.sums);
+        const Penetration end = free.rate - sums.rate(plan.sums);
+        count_so_far(plan, free.end - sums.displacement(plan.sums) - at);
         const auto by = rest.follow(rate, end);
         taken = taken + sums.take(plan.sums, by.rate, Format::value(share * by.moment));
+        count(by.rate, by.lost_at);
         part.slides = rest.slides;
         rate = end - by.rate;
+        return free.end - sums.displacement(plan.sums);
       }
-      constexpr void end(const Plan& plan, Rubbing<Format>& step) const {
+      constexpr void end(const Plan& plan) const {
         if (!acts) return;
-        step.meets_stop = true;
-        step.slides = part.slides;
-        step.force = Penetration(Format::times(part.force, 1 << plan.sums.exponent));
-        step.slid = slid;
+        step->meets_stop = true;
+        step->slides = part.slides;
+        step->force = in_a_step(plan);
+        step->quarter = quarter;
       }
     };
     // Advances to the start of the sub-step in which the ball touches. It is found by bisection. If there are many

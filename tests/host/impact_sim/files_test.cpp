@@ -83,7 +83,8 @@ TEST_F(ImpactSim, ASignalThatEndsARunLeavesTheOldFileAndNoRemains) {
 }
 
 TEST_F(ImpactSim, WhatCannotBeWrittenIsExitCodeOne) {
-  for (const char* arguments : {"--output /dev/full", "--output missing/folder.csv", "--output ."}) {
+  for (const char* arguments :
+       {"--output /dev/full", "--output missing/folder.csv", "--output .", "--rig missing/rig.hpp"}) {
     const Result result = run(std::string("--newmark moment --duration 0.01 ") + arguments);
     EXPECT_EQ(result.code, 1) << arguments;
     EXPECT_THAT(lines_of(result.err), SizeIs(1));
@@ -146,19 +147,6 @@ TEST_F(ImpactSim, ADashIsStandardInputOrOutput) {
               HasSubstr("--rig -: allowed: another file than --output, which is standard output"));
   EXPECT_THAT(run("--drive-file - --base-acceleration-file -").err,
               HasSubstr("--base-acceleration-file -: allowed: another file than --drive-file"));
-}
-
-// The two lengths contradict each other unless a duration is stated.
-TEST_F(ImpactSim, FilesOfDifferentLengthAreRefused) {
-  write(file("two"), "1\n1\n");
-  write(file("three"), "1\n1\n1\n");
-  EXPECT_THAT(
-      run("--drive-file three --base-acceleration-file two").err,
-      HasSubstr("--base-acceleration-file two with 2 lines: allowed: 3, as the other file has, or else a --duration"));
-  EXPECT_THAT(run("--drive-file two --base-acceleration-file three").err, HasSubstr("--drive-file two with 2 lines"));
-  expect_refusal("--base-file three --base-acceleration-file three", "only without --base-file");
-  EXPECT_EQ(run("--drive-file three --base-acceleration-file two --duration 2e-4").code, 0);
-  EXPECT_EQ(run("--drive-file three --base-acceleration-file three").code, 0);
 }
 
 // The header that --rig writes compiles for a constant plan, and its absorber computes the bits of the run.
@@ -298,15 +286,6 @@ TEST_F(ImpactSim, ARigHasTheBoundsThatTheRunNeedsInEveryFormat) {
   }
   ASSERT_EQ(run("--numeric float32 --bound-speed 5 --rig rig.hpp").code, 0);
   EXPECT_EQ(bound_in(read(file("rig.hpp")), "speed"), 5);
-}
-
-TEST_F(ImpactSim, ARigIsNotWrittenForARefusedRun) {
-  write(file("rig.hpp"), "precious\n");
-  EXPECT_EQ(run("--step 0.05 --newmark moment --rig rig.hpp").code, 2);
-  EXPECT_EQ(run("--sweep scenes.csv --rig rig.hpp").code, 2);
-  EXPECT_EQ(run("--rig rig.hpp --output ./rig.hpp").code, 2);
-  EXPECT_EQ(read(file("rig.hpp")), "precious\n");
-  EXPECT_EQ(run("--duration 0.01 --rig missing/rig.hpp").code, 1);
 }
 
 }  // namespace

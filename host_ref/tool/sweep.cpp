@@ -35,25 +35,6 @@ struct Sweep {
   std::map<long, std::string> keys;
 };
 
-// The cells of a line in the format of RFC 4180: a cell in quotes may contain commas, and two quotes mean one.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool is_quoted = false;
-  for (size_t i = 0; i < line.size(); ++i) {
-    std::string& cell = cells.back();
-    if (is_quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
-      cell += line[i++];
-    else if (line[i] == '"' && (is_quoted || trimmed(cell).empty()))
-      is_quoted = !is_quoted;
-    else if (line[i] == ',' && !is_quoted)
-      cells.emplace_back();
-    else
-      cell += line[i];
-  }
-  for (std::string& cell : cells) cell = trimmed(cell);
-  return cells;
-}
-
 bool names_samples(const std::string& option) {
   return option == "drive-file" || option == "base-file" || option == "base-acceleration-file";
 }

@@ -172,29 +172,27 @@ double largest_alone(const Request& bare) {
 class BareRuns {
  public:
   // `drive_file` is the file of the request's samples. Returns 0 if the mass alone cannot be run.
-  double largest(const Request& request, const std::string& drive_file);
+  double largest(const Request& request, const std::string& drive_file) {
+    Request bare = without_absorber(request);
+    bare.counts_drive_work = false;
+    Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration}, drive_file};
+    for (const ParameterEntry& row : parameters)
+      if (row.in_scene) key.first.push_back(bare.scene.*row.in_scene);
+    std::shared_future<double> known;
+    {
+      const std::lock_guard<std::mutex> lock(one_at_a_time_);
+      const auto [entry, is_new] = known_.try_emplace(key);
+      if (is_new) entry->second = std::async(std::launch::deferred, [&bare] { return largest_alone(bare); }).share();
+      known = entry->second;
+    }
+    return known.get();  // the first one runs it and the others wait, so that `bare` exists while it is read
+  }
 
  private:
   using Key = std::pair<std::vector<double>, std::string>;
   std::mutex one_at_a_time_;
   std::map<Key, std::shared_future<double>> known_;
 };
-
-double BareRuns::largest(const Request& request, const std::string& drive_file) {
-  Request bare = without_absorber(request);
-  bare.counts_drive_work = false;
-  Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration}, drive_file};
-  for (const ParameterEntry& row : parameters)
-    if (row.in_scene) key.first.push_back(bare.scene.*row.in_scene);
-  std::shared_future<double> known;
-  {
-    const std::lock_guard<std::mutex> lock(one_at_a_time_);
-    const auto [entry, is_new] = known_.try_emplace(key);
-    if (is_new) entry->second = std::async(std::launch::deferred, [&bare] { return largest_alone(bare); }).share();
-    known = entry->second;
-  }
-  return known.get();  // the first one runs it and the others wait, so that `bare` exists while it is read
-}
 
 // The part of a scene's row after the key.
 std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {

@@ -139,17 +139,11 @@ for change in "s/IMPACT_C_SAMPLED/X/" "s/IMPACT_C_BASE/X/" "s/DDRIVE/DIMPACT_C_F
   grep -q 'undefined reference to .impact_' log || { cat log && exit 1; }
 done
 
-cat >toolchain.cmake <<'END'
-set(CMAKE_SYSTEM_NAME Generic)
-set(CMAKE_SYSTEM_PROCESSOR arm)
-set(CMAKE_C_COMPILER arm-none-eabi-gcc)
-set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
-set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-set(CMAKE_C_FLAGS_INIT "-mcpu=cortex-m3 -mthumb -ffreestanding")
-set(CMAKE_CXX_FLAGS_INIT "-mcpu=cortex-m3 -mthumb -ffreestanding -fno-exceptions")
-END
+cpu="-mcpu=cortex-m3 -mthumb -ffreestanding"
 cmake -S . -B on_target -DIMPACT="$project/kernel" -DSTART=start.cpp -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_TOOLCHAIN_FILE="$folder/toolchain.cmake" -DCMAKE_EXE_LINKER_FLAGS="-nostdlib -T $folder/memory.ld" \
+  -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_SYSTEM_PROCESSOR=arm -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY \
+  -DCMAKE_C_COMPILER=arm-none-eabi-gcc -DCMAKE_C_FLAGS="$cpu" -DCMAKE_CXX_COMPILER=arm-none-eabi-g++ \
+  -DCMAKE_CXX_FLAGS="$cpu -fno-exceptions" -DCMAKE_EXE_LINKER_FLAGS="-nostdlib -T $folder/memory.ld" \
   -DCMAKE_C_STANDARD_LIBRARIES=-lgcc >log || { cat log && exit 1; }
 cmake --build on_target --verbose >log || { cat log && exit 1; }
 grep -q 'arm-none-eabi-gcc .*-o program' log || { echo "the C compiler does not link the program; its commands:" && cat log && exit 1; }

@@ -13,6 +13,12 @@ bool in_range(const Impact& impact) {
          std::isfinite(impact.contact_stiffness + impact.contact_damping + impact.reduced_mass + impact.speed);
 }
 
+// True if a damping may be asked for that leads to the restitution e.
+bool may_rebound(Impact impact, double e) {
+  impact.contact_damping = 0;
+  return in_range(impact) && e > 0 && e <= 1;
+}
+
 // The argument at which a function changes sign that is negative at `low` and not at `high`.
 template <typename Function> double sign_change(Function function, double low, double high) {
   for (;;) {
@@ -82,8 +88,6 @@ template <typename Function> double integral(Function function, double length) {
   return sum * step;
 }
 
-double hertz_peak_penetration(const Impact& impact) { return penetration(impact, 0.5); }
-
 // The contact time for strong damping. At the end 1 + c1 V/k1 is exp(-1 - a), less than an LSB of 1 in double.
 // Therefore the variable is y = ln(1 + c1 V/k1), with dt = mu v0/(a k1) dy / delta^(3/2). It runs from ln(1 + a) down
 // to the -w with the same exp(y) - 1 - y.
@@ -133,9 +137,7 @@ std::optional<double> restitution(const Impact& impact) {
 }
 
 std::optional<double> contact_damping(const Impact& impact, double e) {
-  Impact undamped = impact;
-  undamped.contact_damping = 0;
-  if (!in_range(undamped) || !(e > 0 && e <= 1)) return std::nullopt;
+  if (!may_rebound(impact, e)) return std::nullopt;
   if (e == 1) return 0;
   if (impact.law == Law::hertz) return std::nullopt;
   if (impact.law == Law::hunt_crossley) {
@@ -152,9 +154,7 @@ std::optional<double> contact_damping(const Impact& impact, double e) {
 }
 
 std::optional<double> paper_contact_damping(const Impact& impact, double e) {
-  Impact undamped = impact;
-  undamped.contact_damping = 0;
-  if (!in_range(undamped) || !(e > 0 && e <= 1) || impact.law == Law::hertz) return std::nullopt;
+  if (!may_rebound(impact, e) || impact.law == Law::hertz) return std::nullopt;
   if (impact.law == Law::hunt_crossley)
     return *damping_ratio(Damping::hunt_crossley, e) * impact.contact_stiffness / impact.speed;
   const double zeta = -std::log(e) / std::hypot(pi, std::log(e));
@@ -168,7 +168,7 @@ std::optional<double> peak_penetration(const Impact& impact) {
     return impact.speed / pulsation(impact) * std::exp(-zeta * phase_of_peak(zeta));
   }
   const double a = a_of(impact);
-  return a > 0 ? penetration(impact, G(a) / (a * a)) : hertz_peak_penetration(impact);
+  return penetration(impact, a > 0 ? G(a) / (a * a) : 0.5);
 }
 
 std::optional<double> peak_force(const Impact& impact) {
@@ -180,7 +180,7 @@ std::optional<double> peak_force(const Impact& impact) {
            std::exp(-zeta / std::sqrt(1 - zeta * zeta) * (pi / 2 - 3 * std::asin(zeta)));
   }
   const double a = a_of(impact);
-  if (a <= 0) return impact.contact_stiffness * std::pow(hertz_peak_penetration(impact), 1.5);
+  if (a <= 0) return impact.contact_stiffness * std::pow(penetration(impact, 0.5), 1.5);
   // d/dx of (G(a) - G(x))^(3/5) (1 + x) is 0 at G(a) - G(x) = 3 x / 5.
   const double x = sign_change([&](double speed) { return 0.6 * speed - gain(a, a - speed); }, 0, a);
   return impact.contact_stiffness * (1 + x) * std::pow(penetration(impact, gain(a, a - x) / (a * a)), 1.5);
@@ -196,8 +196,7 @@ std::optional<double> contact_time(const Impact& impact) {
   }
   const double a = a_of(impact);
   if (a <= 0)
-    return 4 * std::sqrt(pi) * std::tgamma(0.4) / (5 * std::tgamma(0.9)) * hertz_peak_penetration(impact) /
-           impact.speed;
+    return 4 * std::sqrt(pi) * std::tgamma(0.4) / (5 * std::tgamma(0.9)) * penetration(impact, 0.5) / impact.speed;
   if (a > 1) return hunt_crossley_contact_time(impact, a);
   const double e = hunt_crossley_restitution(a);
   // dt = mu dV / force over the speeds V = -e v0 to v0, in units of v0.

@@ -127,6 +127,34 @@ Refusal refusal_of_parts(const Request& request) {
           allowed + ": the classical schemes do not support --" + part};
 }
 
+double preferred_step(Request open) {
+  constexpr double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
+  constexpr double longest_phase = 0.2, longest_displacement = 0.25, usual = 1e-4, longest_run = 1e7;
+  Request request = open;
+  request.bounds = estimated_bounds(open);
+  const Scene& scene = request.scene;
+  const auto longest = [&] {
+    const double pulsation = std::max(natural_pulsation(scene), scene.drive_pulsation);
+    const double displacement = scene.clearance > 0 ? longest_displacement * scene.clearance : bound_range.most;
+    for (const double step : steps) {
+      request.step = step;
+      if (step <= request.duration / 100 && step * pulsation <= longest_phase &&
+          step * request.bounds->speed <= displacement && chosen(request) == Stepper::moment &&
+          Moment::restitution_error(resolution(request), step) <= automatic_error)
+        return step;
+    }
+    return 0.0;
+  };
+  double step = longest();
+  if (step < usual && request.duration / usual <= longest_run && has_open_bounds(open)) {
+    open.step = usual;
+    open.numeric = Numeric::float64;
+    request.bounds = settled(open).request.bounds;
+    step = longest();
+  }
+  return step > 0 ? step : usual;
+}
+
 }  // namespace
 
 double expected_error_of(const Request& made) {
@@ -168,38 +196,6 @@ Refusal refusal_before_a_run(const Request& asked) {
                             (has_open_bounds(request) && depends_on_bounds(made.planned.status, made.request));
   return may_be_taken ? Refusal{} : refusal_of(made);
 }
-
-namespace {
-
-double preferred_step(Request open) {
-  constexpr double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
-  constexpr double longest_phase = 0.2, longest_displacement = 0.25, usual = 1e-4, longest_run = 1e7;
-  Request request = open;
-  request.bounds = estimated_bounds(open);
-  const Scene& scene = request.scene;
-  const auto longest = [&] {
-    const double pulsation = std::max(natural_pulsation(scene), scene.drive_pulsation);
-    const double displacement = scene.clearance > 0 ? longest_displacement * scene.clearance : bound_range.most;
-    for (const double step : steps) {
-      request.step = step;
-      if (step <= request.duration / 100 && step * pulsation <= longest_phase &&
-          step * request.bounds->speed <= displacement && chosen(request) == Stepper::moment &&
-          Moment::restitution_error(resolution(request), step) <= automatic_error)
-        return step;
-    }
-    return 0.0;
-  };
-  double step = longest();
-  if (step < usual && request.duration / usual <= longest_run && has_open_bounds(open)) {
-    open.step = usual;
-    open.numeric = Numeric::float64;
-    request.bounds = settled(open).request.bounds;
-    step = longest();
-  }
-  return step > 0 ? step : usual;
-}
-
-}  // namespace
 
 double automatic_step(const Request& asked) {
   Request open = asked;

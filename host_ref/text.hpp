@@ -9,7 +9,6 @@
 #include <host_ref/simulation.hpp>
 #include <initializer_list>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -133,17 +132,29 @@ inline std::string in_one_line(std::string text) {
   return text;
 }
 
-// The cells of a line of CSV without quotes.
-inline std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream text(line + ",");
-  for (std::string field; std::getline(text, field, ',');) fields.push_back(field);
-  return fields;
-}
-
 inline std::string_view trimmed(std::string_view text) {
   const size_t first = text.find_first_not_of(" \t\r");
   return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+// The cells of a line of CSV in the format of RFC 4180, without blanks at their ends: a cell in quotes may contain
+// commas, and two quotes mean one.
+inline std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (size_t i = 0; i < line.size(); ++i) {
+    std::string& cell = cells.back();
+    if (is_quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
+      cell += line[i++];
+    else if (line[i] == '"' && (is_quoted || trimmed(cell).empty()))
+      is_quoted = !is_quoted;
+    else if (line[i] == ',' && !is_quoted)
+      cells.emplace_back();
+    else
+      cell += line[i];
+  }
+  for (std::string& cell : cells) cell = trimmed(cell);
+  return cells;
 }
 
 // Removes the byte order mark that some programs write at the beginning of a UTF-8 file.

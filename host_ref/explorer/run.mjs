@@ -71,6 +71,6 @@ export class Run {
     const { step, duration } = scene, missing = missingFile(scene);
     if (missing) return { option: missing.name, value: 'no file', allowed: 'a file, or a column of numbers' };
     if (duration / step <= mostSteps) return null;
-    return { option: 'duration', value: String(duration), allowed: `${step} to ${mostSteps * step}`, why: `this page runs at most ${mostSteps} steps, impact-sim 1e9` };
+    return { option: 'duration', value: String(duration), allowed: `${step} to ${mostSteps * step}` };
   }
 }

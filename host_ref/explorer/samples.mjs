@@ -9,20 +9,19 @@ export const plainName = (name) => name.replace(/[^A-Za-z0-9._-]+/g, '_').replac
 export class SampleFiles {
   constructor(kernel) {
     this.kernel = kernel;
-    this.texts = new Map();
-    this.counts = new Map();
+    this.files = new Map();  // { text, lines } by name
   }
 
   // The name that it has here, which no other text has.
   add(name, text) {
     const lines = text.replace(/\r/g, '').trim(), whole = lines === '' ? '' : `${lines}\n`;
     let own = plainName(name);
-    for (let n = 2; (this.texts.get(own) ?? whole) !== whole; ++n) own = plainName(name).replace(/(\.[^.]*)?$/, `_${n}$1`);
+    for (let n = 2; (this.text(own) ?? whole) !== whole; ++n) own = plainName(name).replace(/(\.[^.]*)?$/, `_${n}$1`);
     this.#keep(own, whole);
     return own;
   }
-  text(name) { return this.texts.get(name); }
-  lines(name) { return this.counts.get(name) ?? 0; }
+  text(name) { return this.files.get(name)?.text; }
+  lines(name) { return this.files.get(name)?.lines ?? 0; }
 
   // The example's file for a step, of at least as many lines.
   example(step, count) {
@@ -33,14 +32,13 @@ export class SampleFiles {
 
   // For a link: a name and a text without line ends; null where the text is too long for an address.
   inLink(name) {
-    const text = this.texts.get(name)?.trim().replaceAll('\n', ' ');
+    const text = this.text(name)?.trim().replaceAll('\n', ' ');
     return text !== undefined && text.length <= mostInLink ? text : null;
   }
   fromLink(name, text) { this.#keep(plainName(name), `${text.trim().replaceAll(' ', '\n')}\n`); }
 
   #keep(name, text) {
-    this.texts.set(name, text);
-    this.counts.set(name, text.split('\n').length - 1);
+    this.files.set(name, { text, lines: text.split('\n').length - 1 });
     this.kernel.writeFile(name, text);
   }
 }

@@ -13,7 +13,6 @@
 #include <host_ref/report/textbook_methods.hpp>
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -172,16 +171,16 @@ void write_law(Output& output, Progress& progress, long done, std::integer_seque
 
 }  // namespace
 
-void write_report(const std::vector<std::string>& paths) {
-  Output output(paths.at(0));
-  output.write("law,newmark,numeric,step_s,error_m,method_error_m,rounding_error_m,host_ns_per_step,contact_share\n");
+const char* const csv_header =
+    "law,newmark,numeric,step_s,error_m,method_error_m,rounding_error_m,host_ns_per_step,contact_share\n";
+
+void write_rows(Output& output, const std::vector<std::string>&) {
   using StepsPerInterval = std::integer_sequence<int, 1, 2, 4, 5, 10, 20, 50, 100, 200, 500, 1000>;
   constexpr long step_lengths = StepsPerInterval::size();
   Progress progress("step lengths", 3 * step_lengths);
   write_law<Law::hooke_newton>(output, progress, 0, StepsPerInterval{});
   write_law<Law::hertz>(output, progress, step_lengths, StepsPerInterval{});
   write_law<Law::hunt_crossley>(output, progress, 2 * step_lengths, StepsPerInterval{});
-  output.commit();
 }
 
 }  // namespace impact::report

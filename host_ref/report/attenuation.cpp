@@ -9,7 +9,6 @@
 #include <host_ref/settled.hpp>
 #include <host_ref/simulation.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 
 namespace impact::report {
 namespace {
@@ -57,9 +56,9 @@ double swing_without(const Request& request) {
 
 }  // namespace
 
-void write_report(const std::vector<std::string>& paths) {
-  Output output(paths.at(0));
-  output.write("rig,ball_friction_N,pulsation,swing_without_m,swing_m,attenuation\n");
+const char* const csv_header = "rig,ball_friction_N,pulsation,swing_without_m,swing_m,attenuation\n";
+
+void write_rows(Output& output, const std::vector<std::string>&) {
   constexpr int slowest = 20, fastest = 60;  // rad/s
   Progress progress("runs", 4 * (fastest - slowest + 1));
   long done = 0;
@@ -74,7 +73,6 @@ void write_report(const std::vector<std::string>& paths) {
       }
     }
   }
-  output.commit();
 }
 
 }  // namespace impact::report

@@ -9,7 +9,6 @@
 #include <host_ref/extremes.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 
 namespace impact::report {
 namespace {
@@ -39,9 +38,9 @@ void write_row(Output& output, Law law, Stepper stepper, Numeric numeric) {
 
 }  // namespace
 
-void write_report(const std::vector<std::string>& paths) {
-  Output output(paths.at(0));
-  output.write("law,newmark,numeric,scenes,faults,energy_gain_max\n");
+const char* const csv_header = "law,newmark,numeric,scenes,faults,energy_gain_max\n";
+
+void write_rows(Output& output, const std::vector<std::string>&) {
   const Law laws[] = {Law::hooke_newton, Law::hertz, Law::hunt_crossley};
   const Numeric numerics[] = {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32};
   const Stepper steppers[] = {Stepper::automatic, Stepper::moment,    Stepper::moment_4, Stepper::moment_8,
@@ -54,7 +53,6 @@ void write_report(const std::vector<std::string>& paths) {
       for (const Stepper stepper : steppers) write_row(output, law, stepper, numeric);
     }
   }
-  output.commit();
 }
 
 }  // namespace impact::report

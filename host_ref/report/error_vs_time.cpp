@@ -10,7 +10,6 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 
 namespace impact::report {
 namespace {
@@ -38,12 +37,14 @@ bool costs_as_measured(const std::string& law, const std::string& newmark, doubl
 
 }  // namespace
 
-void write_report(const std::vector<std::string>& paths) {
-  const std::vector<Row> accuracy = read_table(paths.at(1));
+const char* const csv_header = "target,law,method,numeric,step_s,error_m,instructions_per_simulated_second,frontier\n";
+
+void write_rows(host::Output& output, const std::vector<std::string>& inputs) {
+  const std::vector<Row> accuracy = read_table(inputs.at(0));
   std::map<std::string, std::map<std::string, double>> cost;  // by target,law,method,numeric and phase
   std::vector<std::string> targets;
-  for (size_t i = 2; i < paths.size(); ++i) {
-    for (const Row& row : read_table(paths[i])) {
+  for (size_t i = 1; i < inputs.size(); ++i) {
+    for (const Row& row : read_table(inputs[i])) {
       const std::string& target = row.at("target");
       if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
       cost[target + "," + row.at("law") + "," + row.at("newmark") + "," + row.at("numeric")][row.at("phase")] =
@@ -64,15 +65,12 @@ void write_report(const std::vector<std::string>& paths) {
     }
   }
 
-  host::Output output(paths.at(0));
-  output.write("target,law,method,numeric,step_s,error_m,instructions_per_simulated_second,frontier\n");
   for (const Point& point : points) {
     const bool is_beaten =
         std::any_of(points.begin(), points.end(), [&](const Point& p) { return point.is_dominated_by(p); });
     output.write(host::csv_line(5, point.target, point.law, point.method, point.numeric, point.step, point.error,
                                 point.instructions, is_beaten ? 0 : 1));
   }
-  output.commit();
 }
 
 }  // namespace impact::report

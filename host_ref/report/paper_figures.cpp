@@ -1,6 +1,5 @@
-// paper_figures FOLDER RUNS.csv: the quantities of the paper's figures, from the runs of target/paper_runs.cpp and from
-// the reference. It writes FOLDER/figures.csv, and for the pictures FOLDER/paper_traces.csv and
-// FOLDER/paper_restitutions.csv.
+// paper_figures OUTPUT.csv TRACES.csv RESTITUTIONS.csv RUNS.csv: the quantities of the paper's figures, from the runs
+// of target/paper_runs.cpp and from the reference. It also writes TRACES.csv and RESTITUTIONS.csv, for the pictures.
 //
 // attenuation: 1 - peak with the absorber / peak without it, both since the start.
 
@@ -12,7 +11,6 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 
 namespace impact::report {
 namespace {
@@ -106,9 +104,7 @@ double early_difference(const Curves& curves) {
   return largest;
 }
 
-void write_figures(const std::string& path, const std::vector<Curves>& curves) {
-  Output figures(path);
-  figures.write("figure,law,quantity,value\n");
+void write_figures(Output& figures, const std::vector<Curves>& curves) {
   const auto write = [&](int figure, const std::string& law, const std::string& quantity, double value) {
     figures.write(host::csv_line(6, figure, law, quantity, value));
   };
@@ -134,14 +130,14 @@ void write_figures(const std::string& path, const std::vector<Curves>& curves) {
     write(8, run.name, "peak_at_restitution_" + e + "_m", curves[i].kernel.back().peak);
     write(8, run.name, "peak_reference_at_restitution_" + e + "_m", curves[i].reference.back().peak);
   }
-  figures.commit();
 }
 
 }  // namespace
 
-void write_report(const std::vector<std::string>& arguments) {
-  const std::string& folder = arguments.at(0);
-  const std::vector<Curve> kernel = kernel_curves(arguments.at(1));
+const char* const csv_header = "figure,law,quantity,value\n";
+
+void write_rows(Output& output, const std::vector<std::string>& paths) {
+  const std::vector<Curve> kernel = kernel_curves(paths.at(2));
   std::vector<Curves> curves;
   host::Progress progress("runs of the reference", paper_runs);
   for (int run = 0; run < paper_runs; ++run) {
@@ -149,9 +145,9 @@ void write_report(const std::vector<std::string>& arguments) {
     const Curve& curve = kernel[static_cast<size_t>(run)];
     curves.push_back({curve, reference_curve(paper_run(run), curve)});
   }
-  write_traces(folder + "/paper_traces.csv", curves);
-  write_restitutions(folder + "/paper_restitutions.csv", curves);
-  write_figures(folder + "/figures.csv", curves);
+  write_traces(paths.at(0), curves);
+  write_restitutions(paths.at(1), curves);
+  write_figures(output, curves);
 }
 
 }  // namespace impact::report

@@ -24,18 +24,10 @@ constexpr double least_restitution = 0.4, restitution_step = 0.05;
 constexpr int restitutions = 13;  // up to 1
 constexpr int traced_runs = 4, paper_runs = traced_runs + 2 * restitutions;
 
-// ln x = 2 artanh((x - 1)/(x + 1)), exact within rounding for x from 0.4 to 1.
-constexpr double logarithm(double x) {
-  const double z = (x - 1) / (x + 1);
-  double sum = 0, power = z;
-  for (int n = 1; n < 60; n += 2, power *= z * z) sum += power / n;
-  return 2 * sum;
-}
-
 constexpr double hooke_newton_damping(const Scene& scene, double e) {
   constexpr double pi = 3.14159265358979323846;
   const double reduced_mass = scene.ball_mass * scene.main_mass / (scene.ball_mass + scene.main_mass);
-  const double l = logarithm(e), ratio = -l / constant::square_root(pi * pi + l * l);
+  const double l = constant::logarithm_of_one_plus(e - 1), ratio = -l / constant::square_root(pi * pi + l * l);
   return 2 * ratio * constant::square_root(scene.contact_stiffness * reduced_mass);
 }
 

@@ -11,7 +11,6 @@
 #include <host_ref/reference.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 #include <host_ref/tool/samples.hpp>
 
 namespace impact::report {
@@ -113,9 +112,9 @@ class PartsAccuracy {
 
 }  // namespace
 
-void write_report(const std::vector<std::string>& paths) {
-  Output output(paths.at(0));
-  output.write("part,newmark,numeric,contact_stiffness,horizon_s,step_s,error_m,order,ledger_open_J\n");
+const char* const csv_header = "part,newmark,numeric,contact_stiffness,horizon_s,step_s,error_m,order,ledger_open_J\n";
+
+void write_rows(Output& output, const std::vector<std::string>&) {
   Progress progress("parts", std::size(all_parts));
   long done = 0;
   for (const Parts& parts : all_parts) {
@@ -127,7 +126,6 @@ void write_report(const std::vector<std::string>& paths) {
       stiff.write(Stepper::impulsive, numeric);
     }
   }
-  output.commit();
 }
 
 }  // namespace impact::report

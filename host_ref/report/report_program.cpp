@@ -6,7 +6,11 @@
 
 int main(int count, char** arguments) {
   try {
-    impact::report::write_report({arguments + 1, arguments + count});
+    const std::vector<std::string> paths(arguments + 1, arguments + count);
+    impact::host::Output output(paths.at(0));
+    output.write(impact::report::csv_header);
+    impact::report::write_rows(output, {paths.begin() + 1, paths.end()});
+    output.commit();
     return 0;
   } catch (const std::exception& failure) {
     std::cerr << arguments[0] << ": " << failure.what() << "\n";

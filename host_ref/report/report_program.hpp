@@ -1,11 +1,14 @@
 #pragma once
-// What a report's program does with its arguments. report_program.cpp has the main function.
+// What differs between the report's programs: report-NAME OUTPUT.csv INPUT... writes one file of CSV.
+// report_program.cpp has the main function.
 
+#include <host_ref/tool/output.hpp>
 #include <string>
 #include <vector>
 
 namespace impact::report {
 
-void write_report(const std::vector<std::string>& arguments);
+extern const char* const csv_header;  // the first line
+void write_rows(host::Output& output, const std::vector<std::string>& inputs);
 
 }  // namespace impact::report

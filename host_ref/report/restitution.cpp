@@ -7,15 +7,14 @@
 #include <host_ref/names.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 
 namespace impact::report {
 
 using namespace host;
 
-void write_report(const std::vector<std::string>& paths) {
-  Output output(paths.at(0));
-  output.write("damping,stated,restitution_min,restitution_max,restitution_exact\n");
+const char* const csv_header = "damping,stated,restitution_min,restitution_max,restitution_exact\n";
+
+void write_rows(Output& output, const std::vector<std::string>&) {
   Progress progress("laws", std::size(dampings));
   long done = 0;
   for (const auto& [damping, name, type] : dampings) {
@@ -33,7 +32,6 @@ void write_report(const std::vector<std::string>& paths) {
           csv_line(6, name, free.restitution, found->least, found->largest, restitution(impact_of(free)).value()));
     }
   }
-  output.commit();
 }
 
 }  // namespace impact::report

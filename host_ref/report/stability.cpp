@@ -17,7 +17,6 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 #include <mutex>
 #include <vector>
 
@@ -90,11 +89,11 @@ std::string column(size_t index) {
 
 }  // namespace
 
-void write_report(const std::vector<std::string>& paths) {
-  Output output(paths.at(0));
-  output.write(
-      "law,newmark,numeric,step_s,contact_stiffness,restitution_min,restitution_max,restitution_exact,energy_gain_max,"
-      "accepted,machine_rule\n");
+const char* const csv_header =
+    "law,newmark,numeric,step_s,contact_stiffness,restitution_min,restitution_max,restitution_exact,energy_gain_max,"
+    "accepted,machine_rule\n";
+
+void write_rows(Output& output, const std::vector<std::string>&) {
   Progress progress("step lengths", columns);
   std::array<std::string, columns> rows;
   std::mutex one_at_a_time;
@@ -105,7 +104,6 @@ void write_report(const std::vector<std::string>& paths) {
     progress.at(++done);
   });
   for (const std::string& text : rows) output.write(text);
-  output.commit();
 }
 
 }  // namespace impact::report

@@ -7,7 +7,6 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 #include <iostream>
 
 namespace impact::report {
@@ -22,14 +21,18 @@ std::string key_of(const Row& row) { return row.at("target") + "," + configurati
 
 }  // namespace
 
-void write_report(const std::vector<std::string>& paths) {
+const char* const csv_header =
+    "target,law,newmark,numeric,drive,phase,instructions_mean,instructions_max,budget,flash_bytes,ram_bytes,"
+    "stack_bytes,cycles_max\n";
+
+void write_rows(host::Output& output, const std::vector<std::string>& inputs) {
   std::map<std::string, std::string> budget;  // by target, configuration, and phase or quantity
-  for (const Row& row : read_table(paths.at(1)))
+  for (const Row& row : read_table(inputs.at(0)))
     for (const auto& [target, count] : row)  // of other columns too, which nothing asks for
       budget[target + "," + configuration_of(row) + row.at("quantity")] = count;
   std::vector<Row> costs;
-  for (size_t i = 2; i < paths.size(); ++i)
-    for (const Row& row : read_table(paths[i])) costs.push_back(row);
+  for (size_t i = 1; i < inputs.size(); ++i)
+    for (const Row& row : read_table(inputs[i])) costs.push_back(row);
   std::map<std::string, double> largest;
   for (const Row& row : costs) {
     if (row.at("phase") == "iterating") continue;  // another scene
@@ -37,10 +40,6 @@ void write_report(const std::vector<std::string>& paths) {
     worst = host::larger(worst, number(row, "instructions_max"));
   }
 
-  host::Output output(paths.at(0));
-  output.write(
-      "target,law,newmark,numeric,drive,phase,instructions_mean,instructions_max,budget,flash_bytes,ram_bytes,"
-      "stack_bytes,cycles_max\n");
   const auto write = [&](const std::string& key, const std::string& phase, const std::string& mean,
                          const std::string& most) {
     const std::string& allowed = budget[key + phase];
@@ -55,7 +54,6 @@ void write_report(const std::vector<std::string>& paths) {
     write(key, row.at("phase"), row.at("instructions_mean"), row.at("instructions_max"));
     if (row.at("phase") == "contact") write(key, "all", "", std::to_string(static_cast<long>(largest[key])));
   }
-  output.commit();
 }
 
 }  // namespace impact::report

@@ -8,11 +8,12 @@
 #include <host_ref/report/stiff_scene.hpp>
 #include <host_ref/report/table.hpp>
 #include <host_ref/text.hpp>
-#include <host_ref/tool/output.hpp>
 
 namespace impact::report {
 
-void write_report(const std::vector<std::string>& paths) {
+const char* const csv_header = "target,method,numeric,step_s,contact_steps,error_m,instructions_per_simulated_second\n";
+
+void write_rows(host::Output& output, const std::vector<std::string>& inputs) {
   host::Case run;
   run.scene = stiff_scene(steel);
   const auto reference = host::reference_trajectory(run, stiff_interval, stiff_duration).samples;
@@ -34,16 +35,13 @@ void write_report(const std::vector<std::string>& paths) {
   run_at_steel<Fixed32>("fixed32", measure);
   run_events_at_steel(measure);
 
-  host::Output output(paths.at(0));
-  output.write("target,method,numeric,step_s,contact_steps,error_m,instructions_per_simulated_second\n");
-  for (size_t i = 1; i < paths.size(); ++i)
-    for (const Row& row : read_table(paths[i])) {
+  for (size_t i = 0; i < inputs.size(); ++i)
+    for (const Row& row : read_table(inputs[i])) {
       const std::string &method = row.at("method"), &numeric = row.at("numeric"), &steps = row.at("contact_steps");
       output.write(host::csv_line(5, row.at("target"), method, numeric, 1e-6 * number(row, "microseconds"), steps,
                                   errors.at(key(method, numeric, row.at("microseconds"), steps)),
                                   number(row, "instructions") / stiff_duration));
     }
-  output.commit();
 }
 
 }  // namespace impact::report

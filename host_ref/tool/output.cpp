@@ -41,11 +41,6 @@ void replace_unfinished(const char* noted, const char* path) {
   for (auto& slot : unfinished)
     if (const char* expected = noted; slot.compare_exchange_strong(expected, path)) return;
 }
-void add_to_unfinished(const char* path) {
-  watch_signals();
-  replace_unfinished(nullptr, path);
-}
-void remove_from_unfinished(const char* path) { replace_unfinished(path, nullptr); }
 
 // The target of a link, even if it does not exist. For a loop of links it is one of them.
 std::string behind_links(fs::path path) {
@@ -77,9 +72,10 @@ Output::Output(const std::string& path) : target_(is_standard_output(path) ? "" 
   } else {
     if (exists && access(target_.c_str(), W_OK) != 0) throw OutputError(path);
     temporary_ = target_ + "." + std::to_string(getpid()) + ".partial";
-    add_to_unfinished(temporary_.c_str());
+    watch_signals();
+    replace_unfinished(nullptr, temporary_.c_str());
     file_ = std::fopen(temporary_.c_str(), "wx");
-    if (!file_) remove_from_unfinished(temporary_.c_str());
+    if (!file_) replace_unfinished(temporary_.c_str(), nullptr);
     if (file_ && exists) fchmod(fileno(file_), status.st_mode & 07777);
   }
   if (!file_) throw OutputError(path);
@@ -89,7 +85,7 @@ Output::~Output() {
   if (file_ && file_ != stdout) std::fclose(file_);
   if (temporary_.empty()) return;
   std::remove(temporary_.c_str());
-  remove_from_unfinished(temporary_.c_str());
+  replace_unfinished(temporary_.c_str(), nullptr);
 }
 
 void Output::write(std::string_view text) {
@@ -105,7 +101,7 @@ void Output::commit() {
   if (std::fclose(std::exchange(file_, nullptr)) != 0) throw OutputError(target_);
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw OutputError(target_);
-  remove_from_unfinished(temporary_.c_str());
+  replace_unfinished(temporary_.c_str(), nullptr);
   temporary_.clear();
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <host_ref/tool/settings.hpp>
+#include <host_ref/tool/options.hpp>
 
 namespace impact::host {
 

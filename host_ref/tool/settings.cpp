@@ -3,9 +3,9 @@
 #include <fstream>
 #include <host_ref/settled.hpp>
 #include <host_ref/text.hpp>
+#include <host_ref/tool/options.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/samples.hpp>
-#include <host_ref/tool/settings.hpp>
 #include <utility>
 
 namespace impact::host {

@@ -13,7 +13,7 @@ namespace {
 std::vector<std::vector<std::string>> budgets() {
   std::ifstream file(IMPACT_BUDGETS);
   std::vector<std::vector<std::string>> rows;
-  for (std::string row; std::getline(file, row);) rows.push_back(fields_of(row));
+  for (std::string row; std::getline(file, row);) rows.push_back(cells_of(row));
   if (rows.empty()) rows.emplace_back();  // without the file no part is known
   return rows;
 }

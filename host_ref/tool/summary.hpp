@@ -1,7 +1,7 @@
 #pragma once
 // The summary of a run: impacts, peaks, shares of the bounds, the stepper's error, the cost of a step on a part.
 
-#include <host_ref/tool/settings.hpp>
+#include <host_ref/tool/options.hpp>
 #include <string>
 #include <vector>
 

@@ -1,3 +1,8 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,11 +16,11 @@
 #include <host_ref/tool/commands.hpp>
 #include <host_ref/tool/output.hpp>
 #include <host_ref/tool/run.hpp>
-#include <host_ref/tool/summary_file.hpp>
 #include <impact/explain.hpp>
 #include <impact/numeric/fingerprint.hpp>
 #include <impact/status.hpp>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <mutex>
 
@@ -34,25 +39,6 @@ struct Sweep {
   std::vector<SweptScene> scenes;
   std::map<long, std::string> keys;
 };
-
-// The cells of a line in the format of RFC 4180: a cell in quotes may contain commas, and two quotes mean one.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool is_quoted = false;
-  for (size_t i = 0; i < line.size(); ++i) {
-    std::string& cell = cells.back();
-    if (is_quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
-      cell += line[i++];
-    else if (line[i] == '"' && (is_quoted || trimmed(cell).empty()))
-      is_quoted = !is_quoted;
-    else if (line[i] == ',' && !is_quoted)
-      cells.emplace_back();
-    else
-      cell += line[i];
-  }
-  for (std::string& cell : cells) cell = trimmed(cell);
-  return cells;
-}
 
 bool names_samples(const std::string& option) {
   return option == "drive-file" || option == "base-file" || option == "base-acceleration-file";
@@ -186,29 +172,27 @@ double largest_alone(const Request& bare) {
 class BareRuns {
  public:
   // `drive_file` is the file of the request's samples. Returns 0 if the mass alone cannot be run.
-  double largest(const Request& request, const std::string& drive_file);
+  double largest(const Request& request, const std::string& drive_file) {
+    Request bare = without_absorber(request);
+    bare.counts_drive_work = false;
+    Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration}, drive_file};
+    for (const ParameterEntry& row : parameters)
+      if (row.in_scene) key.first.push_back(bare.scene.*row.in_scene);
+    std::shared_future<double> known;
+    {
+      const std::lock_guard<std::mutex> lock(one_at_a_time_);
+      const auto [entry, is_new] = known_.try_emplace(key);
+      if (is_new) entry->second = std::async(std::launch::deferred, [&bare] { return largest_alone(bare); }).share();
+      known = entry->second;
+    }
+    return known.get();  // the first one runs it and the others wait, so that `bare` exists while it is read
+  }
 
  private:
   using Key = std::pair<std::vector<double>, std::string>;
   std::mutex one_at_a_time_;
   std::map<Key, std::shared_future<double>> known_;
 };
-
-double BareRuns::largest(const Request& request, const std::string& drive_file) {
-  Request bare = without_absorber(request);
-  bare.counts_drive_work = false;
-  Key key{{static_cast<double>(bare.stepper), static_cast<double>(bare.drive), bare.step, bare.duration}, drive_file};
-  for (const ParameterEntry& row : parameters)
-    if (row.in_scene) key.first.push_back(bare.scene.*row.in_scene);
-  std::shared_future<double> known;
-  {
-    const std::lock_guard<std::mutex> lock(one_at_a_time_);
-    const auto [entry, is_new] = known_.try_emplace(key);
-    if (is_new) entry->second = std::async(std::launch::deferred, [&bare] { return largest_alone(bare); }).share();
-    known = entry->second;
-  }
-  return known.get();  // the first one runs it and the others wait, so that `bare` exists while it is read
-}
 
 // The part of a scene's row after the key.
 std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {
@@ -229,6 +213,92 @@ std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {
   return ",,,,," + one_cell(bad.what()) + "\n";
 }
 
+// The rows of a sweep, in a file that survives an interruption. Each row is written in one piece. A lock prevents a
+// second run from writing the file. Standard output, devices and pipes only receive rows.
+class SummaryFile {
+ public:
+  // An empty path or - is standard output. Keeps the whole rows of an interrupted run of this sweep, and drops an
+  // incomplete last one. If a file contains anything else, it is not changed, and BadInput is thrown.
+  SummaryFile(const std::string& path, const Sweep& sweep)
+      : path_(is_standard_output(path) ? "" : path), sweep_(sweep) {
+    file_ = path_.empty() ? STDOUT_FILENO : open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    struct stat status {};
+    if (file_ < 0 || fstat(file_, &status) != 0) throw OutputError(path_);
+    regular_ = !path_.empty() && S_ISREG(status.st_mode);
+    if (regular_) {
+      take_over();
+    } else {
+      write(sweep_.header);
+    }
+  }
+  ~SummaryFile() {
+    if (!path_.empty()) close(file_);
+  }
+  SummaryFile(const SummaryFile&) = delete;
+  SummaryFile& operator=(const SummaryFile&) = delete;
+
+  bool holds(long scene) const { return rows_.count(scene) != 0; }
+  const std::string& row(long scene) const { return rows_.at(scene); }
+  void add(long scene, const std::string& row) {
+    write(row);
+    note(scene, row);
+  }
+  // Sorts the rows of a file in the order of the scenes.
+  void finish() {
+    if (!regular_ || is_sorted_) return;
+    Output output(path_);
+    output.write(sweep_.header);
+    for (const auto& [scene, row] : rows_) output.write(row);
+    output.commit();
+  }
+
+ private:
+  void take_over();
+  void note(long scene, const std::string& row) {
+    is_sorted_ = is_sorted_ && (rows_.empty() || rows_.rbegin()->first <= scene);
+    rows_.emplace(scene, row);
+  }
+  void write(const std::string& text) {
+    for (size_t done = 0; done < text.size();) {
+      const ssize_t count = ::write(file_, text.data() + done, text.size() - done);
+      if (count < 0) throw OutputError(path_);
+      done += static_cast<size_t>(count);
+    }
+  }
+
+  std::string path_;
+  const Sweep& sweep_;
+  int file_;
+  bool regular_ = false, is_sorted_ = true;
+  std::map<long, std::string> rows_;
+};
+
+void SummaryFile::take_over() {
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0)
+    throw std::runtime_error(path_ + ": another impact-sim is writing this file");
+  std::ifstream input(path_, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(input), {}}, &header = sweep_.header;
+  long line = 1;
+  const auto refusal = [&] {
+    return BadInput("--output", path_ + " line " + std::to_string(line),
+                    "a new file, or the rows of an earlier run of the same sweep with the same drive files");
+  };
+
+  const size_t whole = text.rfind('\n') + 1;  // 0 if there is no whole line
+  if (text.compare(0, header.size(), header, 0, whole ? header.npos : text.size()) != 0) throw refusal();
+  for (size_t start = std::min(whole, header.size()); start < whole;) {
+    const size_t end = text.find('\n', start) + 1;
+    const std::string row = text.substr(start, end - start);
+    ++line;
+    const auto key = sweep_.keys.find(whole_number_from(row.substr(0, row.find(','))).value_or(0));
+    if (key == sweep_.keys.end() || row.compare(0, key->second.size(), key->second) != 0) throw refusal();
+    note(key->first, row);
+    start = end;
+  }
+  if (ftruncate(file_, static_cast<off_t>(whole)) != 0 || lseek(file_, 0, SEEK_END) < 0) throw OutputError(path_);
+  if (whole == 0) write(header);
+}
+
 // The steps that the tool chose, if --step is not stated.
 void print_steps(const std::vector<SweptScene>& scenes) {
   double shortest = step_range.most, longest = 0;
@@ -247,7 +317,7 @@ void print_steps(const std::vector<SweptScene>& scenes) {
 int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
   const Sweep sweep = read_sweep(settings, arguments);
   if (!settings.is_quiet) print_steps(sweep.scenes);
-  SummaryFile file(settings.output, sweep.header, sweep.keys);
+  SummaryFile file(settings.output, sweep);
   std::vector<const SweptScene*> waiting;
   for (const SweptScene& scene : sweep.scenes) {
     if (!file.holds(scene.number)) waiting.push_back(&scene);

@@ -1,9 +1,9 @@
 #!/bin/sh
 # The sketch as Arduino builds it: arduino.sh PROJECT
-# Debian has only the IDE's builder and its AVR core, whose double is too short. This test reproduces the flags and
-# macros of ARM cores instead: those of their platform.txt, and an Arduino.h with what theirs define. The sketch is
-# compiled behind #include <Arduino.h>, the library from its src folder. A core with an older compiler or C++ gets a
-# message.
+# Debian has only the IDE's builder and its AVR core, whose double is too short. This test reproduces the
+# flags of ARM cores instead, those of their platform.txt, with an Arduino.h of what the sketch calls. The other
+# names that theirs define are in macros.sh. The sketch is compiled behind #include <Arduino.h>, the library from its src
+# folder. A core with an older compiler or C++ gets a message.
 . "$(dirname "$0")/../folder.sh"
 project=$1
 needs arm-none-eabi-g++
@@ -15,39 +15,9 @@ cat >"$folder/core/Arduino.h" <<'END'
 #include <stdint.h>
 #include <string.h>
 #include <math.h>
-#define HIGH 1
-#define LOW 0
-#define INPUT 0
-#define OUTPUT 1
-#define PI 3.1415926535897932384626433832795
-#define HALF_PI 1.5707963267948966192313216916398
-#define DEG_TO_RAD 0.017453292519943295769236907684886
-#define EULER 2.718281828459045235360287471352
-#define SERIAL 0x0
-#define DISPLAY 0x1
-#define CHANGE 4
-#define DEFAULT 1
-#define EXTERNAL 0
-#define DEC 10
-#define HEX 16
-#define B0 0
-#define B1 1
-#define min(a, b) ((a) < (b) ? (a) : (b))
-#define max(a, b) ((a) > (b) ? (a) : (b))
-#define abs(x) ((x) > 0 ? (x) : -(x))
-#define round(x) ((x) >= 0 ? (long)((x) + 0.5) : (long)((x)-0.5))
-#define constrain(x, low, high) ((x) < (low) ? (low) : ((x) > (high) ? (high) : (x)))
-#define radians(deg) ((deg)*DEG_TO_RAD)
-#define sq(x) ((x) * (x))
-#define bit(b) (1UL << (b))
-#define lowByte(w) ((uint8_t)((w)&0xff))
-#define interrupts() __asm__ volatile("cpsie i")
-#define noInterrupts() __asm__ volatile("cpsid i")
-#define _U 01
-#define _L 02
 class __FlashStringHelper;
 #define F(text) (reinterpret_cast<const __FlashStringHelper*>(text))
-static const uint8_t A0 = 14, A4 = 18;
+static const uint8_t A0 = 14;
 extern "C" unsigned long micros();
 extern "C" void analogWrite(int pin, int value);
 struct SerialPort {

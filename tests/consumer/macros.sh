@@ -58,6 +58,7 @@ if "$compiler" -fsyntax-only "$folder/x11.cpp" 2>/dev/null; then
 fi
 
 if command -v arm-none-eabi-g++ >/dev/null; then
+  check arm-none-eabi-g++ "these names on Arm" "$folder/names.cpp"
   : >"$folder/newlib.cpp"
   for header in ctype math complex stdio stdlib string errno limits float signal setjmp time wchar wctype locale fenv inttypes assert \
     unistd fcntl malloc pthread termios sys/types sys/param sys/stat sys/time sys/termios regdef; do

@@ -37,25 +37,30 @@ wrong() {
   }
 }
 
+# rig [SCENE [BOUNDS [STEP]]]: the first lines of a program, the paper's rig with these changes.
+rig() {
+  cat <<END
+#include <impact/absorber.hpp>
+struct Rig {
+  static constexpr impact::Scene scene = [] {
+    impact::Scene s;
+    ${1-}
+    return s;
+  }();
+  static constexpr impact::Bounds bounds = [] {
+    impact::Bounds b;
+    ${2-}
+    return b;
+  }();
+  static constexpr double step = ${3:-1e-4};
+};
+END
+}
+
 # scene COUNT MESSAGE CHANGES [LAW [STEP [BOUNDS [PART]]]]
 scene() {
   wrong "$1" "$2" <<END
-#include <impact/absorber.hpp>
-constexpr impact::Scene scene() {
-  impact::Scene s;
-  $3
-  return s;
-}
-constexpr impact::Bounds bounds() {
-  impact::Bounds b;
-  ${6-}
-  return b;
-}
-struct Rig {
-  static constexpr impact::Scene scene = ::scene();
-  static constexpr impact::Bounds bounds = ::bounds();
-  static constexpr double step = ${5:-1e-4};
-};
+$(rig "$3" "${6-}" "${5-}")
 impact::Absorber<Rig, impact::${4:-HuntCrossley}, impact::Moment, impact::Sine, impact::Fixed32${7:+, impact::$7}> absorber;
 END
 }
@@ -115,20 +120,7 @@ scene 1 "$unstated" 's.contact_stiffness = 1e6;'
 # message appears.
 chosen() {
   wrong 1 "$1" <<END
-#include <impact/absorber.hpp>
-struct Rig {
-  static constexpr impact::Scene scene = [] {
-    impact::Scene s;
-    $2
-    return s;
-  }();
-  static constexpr impact::Bounds bounds = [] {
-    impact::Bounds b;
-    ${5-}
-    return b;
-  }();
-  static constexpr double step = ${4:-1e-4};
-};
+$(rig "$2" "${5-}" "${4-}")
 using Law = impact::${3:-Exact};
 using Absorber = impact::Absorber<Rig, Law, impact::Chosen<>, impact::Sampled, impact::${6:-Fixed32}, impact::ContactForce>;
 static Absorber absorber;
@@ -161,12 +153,7 @@ for step in 0 0.2 '__builtin_nan("")'; do chosen 'Rig::step: from 1e-9 s to the 
 # absorber COUNT MESSAGE ARGUMENTS [STATEMENTS]: an absorber of the paper's rig.
 absorber() {
   wrong "$1" "$2" <<END
-#include <impact/absorber.hpp>
-struct Rig {
-  static constexpr impact::Scene scene{};
-  static constexpr impact::Bounds bounds{};
-  static constexpr double step = 1e-4;
-};
+$(rig)
 struct NoBounds {
   static constexpr impact::Scene scene{};
   static constexpr double step = 1e-4;
@@ -246,12 +233,7 @@ constant() {
   message=$1
   case $compiler in *clang*) message='must be initialized by a constant expression' ;; esac
   wrong any "$message" <<END
-#include <impact/absorber.hpp>
-struct Rig {
-  static constexpr impact::Scene scene{};
-  static constexpr impact::Bounds bounds{};
-  static constexpr double step = 1e-4;
-};
+$(rig)
 using Absorber = impact::Absorber<Rig, impact::HuntCrossley, impact::Moment, impact::Sampled, impact::$2>;
 constexpr $3;
 END

@@ -18,10 +18,7 @@ const settled = (page) => page.until(runsAreDone);
 
 // Runs the tool with the command that the page shows, in a folder with the sample files that the command names.
 const folder = mkdtempSync(join(tmpdir(), 'page-'));
-function toolAt(command) {
-  const { status, stdout, stderr } = spawnSync(tool, command.split(' ').slice(1), { cwd: folder, encoding: 'utf8', maxBuffer: 1 << 28 });
-  return { status, stdout, stderr };
-}
+const toolAt = (command) => spawnSync(tool, command.split(' ').slice(1), { cwd: folder, encoding: 'utf8', maxBuffer: 1 << 28 });
 async function keepFiles(page, command) {
   for (const [, name] of command.matchAll(/-file=(\S+)/g))
     writeFileSync(join(folder, name), await page.value(`explorer.kernel.files.text('${name}')`));

@@ -16,6 +16,7 @@ class RefusedInput : public ImpactSim, public testing::WithParamInterface<Refuse
 TEST_P(RefusedInput, IsExitCodeTwoWithOneLineAndTouchesNothing) {
   write(file("kept.csv"), "precious\n");
   write(file("a"), "1\n2\n");
+  write(file("three"), "1\n2\n3\n");
   write(file("bad"), "1\nx\n");
   const auto time = fs::last_write_time(file("kept.csv"));
   const Result result = run(std::string(GetParam().arguments) + " --output kept.csv");
@@ -28,7 +29,7 @@ TEST_P(RefusedInput, IsExitCodeTwoWithOneLineAndTouchesNothing) {
   EXPECT_EQ(read(file("kept.csv")), "precious\n");
   EXPECT_EQ(fs::last_write_time(file("kept.csv")), time);
   const auto entries = std::distance(fs::directory_iterator(folder), {});
-  EXPECT_EQ(entries, 5) << "kept.csv, a, bad, stdout and stderr";
+  EXPECT_EQ(entries, 6) << "kept.csv, a, three, bad, stdout and stderr";
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -70,11 +71,18 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--step 1e-3 --step 1e-3", "--step", "1e-3", "once"},
         Refused{"--drive none --drive-pulsation 3", "--drive-pulsation", "3", "sine"},
         Refused{"--drive-file missing", "--drive-file", "missing", "read"},
+        Refused{"--drive-file bad", "--drive-file", "bad line 2: 'x'", "a number from"},
+        Refused{"--drive-file /dev/zero", "--drive-file", "/dev/zero line 1", "at most 63 characters"},
+        Refused{"--drive-file a --duration 0.2", "--drive-file", "a with 2 lines", "each of the 2000 steps"},
         Refused{"--drive-file missing --drive none", "--drive", "none", "without --drive-file"},
         Refused{"--shard 1/2", "--shard", "1/2", "with --sweep"},
         Refused{"--sweep missing --shard 3/2", "--shard", "3/2", "1 <= I <= N"},
         Refused{"--sweep missing", "--sweep", "missing", "CSV"},
+        Refused{"--sweep missing --rig r.hpp", "--rig", "r.hpp", "without --sweep"},
         Refused{"--plot kept.csv", "--plot", "kept.csv", "--output"},
+        Refused{"--rig ./kept.csv", "--rig", "./kept.csv", "another file than --output"},
+        Refused{"--newmark moment --step 0.05 --rig r.hpp", "--step", "0.05", "allowed: "},
+        Refused{"--part pdp-11", "--part", "pdp-11", "cortex-m0, "},
         Refused{"--benchmark --law hertz", "--law", "hertz", "without --benchmark"},
         Refused{"--x1 '1\n2'", "--x1", "1?2", "1000 m"}));
 
@@ -114,6 +122,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "--gravity"},
         Refused{"--base-acceleration-file bad", "--base-acceleration-file", "bad line 2: 'x'", "a number from"},
         Refused{"--base-acceleration-file a --duration 1", "--base-acceleration-file", "a with 2 lines", ""},
+        // Two lengths contradict each other unless a duration is stated.
+        Refused{"--drive-file three --base-acceleration-file a", "--base-acceleration-file", "a with 2 lines",
+                "allowed: 3, as the other file has, or else a --duration"},
+        Refused{"--drive-file a --base-acceleration-file three", "--drive-file", "a with 2 lines", "allowed: 3, "},
+        Refused{"--base-file a --base-acceleration-file a", "--base-acceleration-file", "a",
+                "only without --base-file"},
         Refused{"--base-file none", "--base-file", "none", "a file that can be read"},
         Refused{"--base-file a --drive-file a", "--base-file", "a", "only without --drive-file"},
         Refused{"--bound-base-acceleration 3", "--bound-base-acceleration", "3",
@@ -151,16 +165,27 @@ TEST_F(ImpactSim, ARefusalSaysThatTheBallCrossesTheClearance) {
 
 // If a range depends on bounds that the tool has found, the message states them. The tool accepts both as printed.
 TEST_F(ImpactSim, ARangeIsAcceptedAsItIsPrinted) {
-  const std::string heavy =
-      "--main-mass 1.3748 --ball-mass 911.29 --main-stiffness 20814212 --main-damping 0 --clearance 0.00018452 "
-      "--contact-stiffness 181028338 --contact-damping 2549600921 --drive none --duration 0.0493 --x2 -2.9475e-05 "
-      "--v2 -0.192904 --newmark moment --numeric ";
-  for (const char* numeric : {"float64", "float32", "fixed32"}) {
-    const Result refused = run(heavy + numeric + " --step 2.4671e-05");
-    ASSERT_EQ(refused.code, 2) << numeric;
-    const size_t most = refused.err.find(" to ") + 4, with = refused.err.find(" with "), end = refused.err.find(" (");
-    const Result taken = succeed(heavy + numeric + " --step " + refused.err.substr(most, with - most) +
-                                 refused.err.substr(with + 5, end - with - 5));
+  const std::string friction = "--ball-friction", step = "--step",
+                    heavy =
+                        "--main-mass 1.3748 --ball-mass 911.29 --main-stiffness 20814212 --main-damping 0 "
+                        "--clearance 0.00018452 --contact-stiffness 181028338 --contact-damping 2549600921 --drive "
+                        "none --duration 0.0493 --x2 -2.9475e-05 --v2 -0.192904 --newmark moment --numeric ";
+  const struct {
+    std::string scene, option, value;
+  } cases[] = {{"--duration 0.1", friction, "1e6"},
+               {"--duration 0.1 --step 1e-4", friction, "1e6"},
+               {"--duration 0.1 --numeric fixed32", friction, "1e6"},
+               {"--duration 0.1 --step 5e-4 --newmark energy", friction, "1e6"},
+               {heavy + "float64", step, "2.4671e-05"},
+               {heavy + "float32", step, "2.4671e-05"},
+               {heavy + "fixed32", step, "2.4671e-05"}};
+  for (const auto& [scene, option, value] : cases) {
+    const Result refused = run(scene + " " + option + " " + value);
+    ASSERT_EQ(refused.code, 2) << scene;
+    const std::string line = lines_of(refused.err).front();
+    const size_t most = line.find(" to ") + 4, with = line.find(" with "), end = line.find(" (");
+    ASSERT_NE(with, line.npos) << line;
+    succeed(scene + " " + option + " " + line.substr(most, with - most) + line.substr(with + 5, end - with - 5));
   }
 }
 

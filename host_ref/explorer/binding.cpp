@@ -118,9 +118,7 @@ EXPORT(line_extremes) const DisplacementExtremes* line_extremes(int slot) { retu
 EXPORT(attenuation) double attenuation(int slot, int bare_line) {
   return 1 - runs[slot]->totals().largest_x1 / lines[bare_line]->extremes().largest;
 }
-EXPORT(law_restitution) double law_restitution(int slot, double speed) {
-  return restitution_at(made[slot], speed);
-}
+EXPORT(law_restitution) double law_restitution(int slot, double speed) { return restitution_at(made[slot], speed); }
 
 // The rows that impact-sim writes with --every row_every.
 EXPORT(csv) const char* write_csv(int slot) {

@@ -32,7 +32,8 @@ struct NoFriction {
   template <class Format> struct FrictionPlan {};
 };
 
-// With an EnergyLedger: the energy that friction has dissipated, over R. It is a distance, which counts as a penetration.
+// With an EnergyLedger: the energy that friction has dissipated, over R. It is a distance, which counts as a
+// penetration.
 template <class Format, bool is_counted> struct SlidingDistance {};
 template <class Format> struct SlidingDistance<Format, true> { typename Format::Tally slid; };
 

@@ -128,7 +128,7 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
         // The kernel compares a step's displacement instead of a speed, with a margin of half of the speed's change in
         // a step.
         const double error = is_displacement ? 1e-4 : 1e-4 + w * h / share;
-        auto absorber = accepted<Kernel>(scene, {bounds.displacement, bounds.speed, 0.01, 0}, h);
+        auto absorber = accepted<Kernel>(scene, bounds, h);
         if (share < 1) {
           expect_fault_at_bound(absorber, is_displacement ? Fault::displacement : Fault::speed, error, of);
         } else {
@@ -140,10 +140,9 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
 
 // A ball flies away from the only stop. Another ball is hit by a heavier mass and becomes faster than its bound.
 TYPED_TEST(Faults, ABallBeyondItsBounds) {
-  Scene scene = free_scene();
+  Scene scene = elastic_scene();
   scene.stops = Stops::right;
   scene.contact_stiffness = 1;
-  scene.contact_damping = 0;
   scene.v2 = -1;
   const double h = 0.016;
   expect_fault_at_bound(accepted<Absorber<AtRunTime, Hertz, Moment, NoDrive, TypeParam>>(scene, {0.1, 1, 0, 0}, h),
@@ -256,8 +255,7 @@ TYPED_TEST(Faults, ASpeedThatFrictionMakes) {
 TYPED_TEST(Faults, ASpeedThatAClassicalSchemeMakes) {
   for (const double stiffness : {1e6, 1e8, 1e10}) {
     SCOPED_TRACE(stiffness);
-    Scene scene = free_scene();
-    scene.contact_damping = 0;
+    Scene scene = elastic_scene();
     scene.contact_stiffness = stiffness;
     scene.v2 = 1.9;
     for (int n = 0; n < 20; ++n) {
@@ -306,8 +304,7 @@ template <class Law, class Stepper, class Format> void expect_fault_at_depth() {
   const double speed = 1.4, mu = 0.3 / 1.3, k1 = 32600,
                depth = Law::is_linear ? speed * std::sqrt(mu / k1) : std::pow(1.25 * mu * speed * speed / k1, 0.4);
   const double time = depth / speed * (Law::is_linear ? 3.1416 : 2.943), h = time / 25;
-  Scene scene = free_scene();
-  scene.contact_damping = 0;
+  Scene scene = elastic_scene();
   scene.contact_stiffness = k1;
   for (const bool left : {false, true}) {
     scene.v1 = left ? 0.7 : -0.7;
@@ -609,8 +606,7 @@ TEST(Faults, AreNoImpacts) {
   scene.drive_amplitude = 0;
   scene.v2 = 0.8;
   scene.x2 = 0.0095;
-  auto absorber = accepted<Kernel>(scene, Bounds{}, 1e-4);
-  while (!absorber.is_touching()) absorber.step();
+  auto absorber = touching(accepted<Kernel>(scene, Bounds{}, 1e-4));
   for (int n = 0; n < 10; ++n) absorber.step();
   absorber.correct(0, 2.5);
   EXPECT_EQ(absorber.fault(), Fault::speed);
@@ -637,8 +633,7 @@ TYPED_TEST(Faults, ACorrectionToMoreEnergyThanTheBoundsAllow) {
   const Bounds bounds{0.05, 2};
   const double deepest = deepest_penetration(scene, bounds, false, 0.87 * 2 * bounds.speed, 0);
   for (const auto& [depth, fault] : {std::pair(0.99, Fault::none), {1.03, Fault::penetration}}) {
-    auto absorber = accepted<Weighted>(scene, bounds, 3e-4);
-    while (!absorber.is_touching()) absorber.step();
+    auto absorber = touching(accepted<Weighted>(scene, bounds, 3e-4));
     const double further = depth * deepest - depth_of(scene, absorber.reading());
     absorber.correct(TypeParam::sample(-further / absorber.displacement_unit()), {});
     EXPECT_EQ(absorber.fault(), fault) << depth;

@@ -170,10 +170,8 @@ template <class ContactLaw, class Scheme> void follows_double_in_a_stiff_contact
       scene.v2 = 0.99 * speed;
       scene.x2 = scene.clearance / 2 - speed * h * (1 + phase / 16.0);
       const Bounds bounds{0.05, 2 * speed, 0, 0, 0};
-      using Fixed = Absorber<AtRunTime, ContactLaw, Scheme, NoDrive, Fixed32>;
-      using Double = Absorber<AtRunTime, ContactLaw, Scheme, NoDrive, Float64>;
-      auto fixed = accepted<Fixed>(scene, bounds, h);
-      Double exact(Double::PlanType::make(scene, bounds, h));
+      auto fixed = accepted<Absorber<AtRunTime, ContactLaw, Scheme, NoDrive, Fixed32>>(scene, bounds, h);
+      auto exact = accepted<Absorber<AtRunTime, ContactLaw, Scheme, NoDrive, Float64>>(scene, bounds, h);
       for (int n = 0; n < 60; ++n) {
         fixed.step();
         exact.step();

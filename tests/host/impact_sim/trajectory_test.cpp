@@ -258,19 +258,5 @@ TEST_F(ImpactSim, AByteOrderMarkBeforeAFileIsIgnored) {
   EXPECT_EQ(run("--sweep c --duration 0.01").code, 0);
 }
 
-// The limit of the friction in the message is accepted together with the bounds that follow it there.
-TEST_F(ImpactSim, TooMuchFrictionNamesTheMost) {
-  for (const std::string scene : {"", "--step 1e-4 ", "--numeric fixed32 ", "--step 5e-4 --newmark energy "}) {
-    const Result refused = run(scene + "--ball-friction 1e6 --duration 0.1");
-    const size_t at = refused.err.find("0 to ");
-    ASSERT_NE(at, std::string::npos) << refused.err;
-    const std::string most = lines_of(refused.err.substr(at + 5)).front(), with = " with";
-    const size_t bounds = most.find(with), end = most.find(" (");
-    ASSERT_NE(bounds, std::string::npos) << refused.err;
-    succeed(scene + "--duration 0.1 --ball-friction " + most.substr(0, bounds) +
-            most.substr(bounds + with.size(), end - bounds - with.size()));
-  }
-}
-
 }  // namespace
 }  // namespace impact::host

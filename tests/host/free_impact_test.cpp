@@ -15,9 +15,8 @@ struct Outcomes {
   double restitution, lost, peak_penetration, peak_force, steps_in_contact;
 };
 
-Outcomes impact_at(const Known& known, Stepper stepper, Numeric numeric, int steps_per_contact, double phase) {
-  Request request = paper_request(known.law, stepper, known.contact_time / steps_per_contact, known.tension);
-  request.numeric = numeric;
+Outcomes impact_at(const Known& known, int steps_per_contact, double phase) {
+  Request request = paper_request(known.law, Stepper::moment, known.contact_time / steps_per_contact, known.tension);
   request.drive = DriveKind::none;
   Scene& scene = request.scene;
   scene.main_stiffness = scene.main_damping = 0;
@@ -25,7 +24,6 @@ Outcomes impact_at(const Known& known, Stepper stepper, Numeric numeric, int ste
   scene.stops = Stops::right;
   scene.v2 = known.speed;
   scene.x2 = scene.clearance / 2 - known.speed * request.step * (1 + phase);
-  if (numeric == Numeric::fixed32) request.bounds = Bounds{0.0625, 1, 1.1 * known.peak_penetration, 1};
   const Outcome outcome = make_simulation(request);
   EXPECT_TRUE(outcome.simulation) << outcome.refusal.allowed;
   Outcomes result{};
@@ -54,7 +52,7 @@ Outcomes largest_errors(const Known& known, int steps_per_contact) {
   const double energy = reduced_mass * known.speed * known.speed / 2;
   Outcomes largest{};
   for (int i = 0; i < phases; ++i) {
-    const Outcomes got = impact_at(known, Stepper::moment, Numeric::float64, steps_per_contact, phase(i));
+    const Outcomes got = impact_at(known, steps_per_contact, phase(i));
     const auto keep = [](double& most, double error) { most = larger(most, std::abs(error)); };
     keep(largest.restitution, got.restitution - known.restitution);
     keep(largest.lost, (got.lost - known.lost) / energy);
@@ -125,24 +123,6 @@ std::vector<Known> impacts() {
   return result;
 }
 INSTANTIATE_TEST_SUITE_P(Tables, FreeImpact, testing::ValuesIn(impacts()));
-
-// Restitutions in 32 bits against double at 20 steps per contact. Eight constants of the contact round by an LSB. In
-// Fixed32 each step also rounds the rate by an LSB of a penetration.
-TEST(FreeImpact, In32BitsIsThatOfDouble) {
-  constexpr int steps = 20;
-  for (const Known& known : known_impacts)
-    for (const Stepper stepper : {Stepper::moment, Stepper::average}) {
-      const double lsb = 0x1p-31 * 2 * known.peak_penetration / (known.contact_time / steps) / known.speed;
-      for (int i = 0; i < phases; ++i) {
-        const double exact = impact_at(known, stepper, Numeric::float64, steps, phase(i)).restitution;
-        EXPECT_NEAR(impact_at(known, stepper, Numeric::float32, steps, phase(i)).restitution, exact, 8 * 0x1p-24)
-            << known.name << " " << name_of(stepper) << " " << i;
-        EXPECT_NEAR(impact_at(known, stepper, Numeric::fixed32, steps, phase(i)).restitution, exact,
-                    8 * 0x1p-31 + steps * lsb)
-            << known.name << " " << name_of(stepper) << " " << i;
-      }
-    }
-}
 
 // Alternating samples in a contact of two steps. Each sub-step starts at the rate that the drive has reached. Without a
 // drive, the sub-steps have an error of 7e-5 of the rate.

@@ -113,11 +113,8 @@ template <int microseconds> struct RigOf {
 using Rig = RigOf<100>;
 using SlowRig = RigOf<3300>;
 using SlowestRig = RigOf<30000>;
-static_assert(std::is_same_v<Chosen<Rig, HuntCrossley>::Type, Moment>);
 static_assert(std::is_same_v<Absorber<Rig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, Moment>);
-static_assert(std::is_same_v<Chosen<SlowRig, HuntCrossley>::Type, SubsteppedMoment<>>);
 static_assert(std::is_same_v<Absorber<SlowRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, SubsteppedMoment<>>);
-static_assert(std::is_same_v<Chosen<SlowestRig, HuntCrossley>::Type, EnergyConsistent>);
 static_assert(std::is_same_v<Absorber<SlowestRig, HuntCrossley, Chosen<>, Sine, Fixed32>::Stepper, EnergyConsistent>);
 
 // With AtRunTime, the rig with the stiffest scene determines the stepper.

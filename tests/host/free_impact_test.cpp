@@ -71,8 +71,7 @@ constexpr double error_of_moment(double e) { return e < 0.5 ? 1.3e-4 : 2.5e-5; }
 
 // The orders of the error. Moment and its ledger have order 4. For Hooke-Newton, Moment has errors only at the ends of
 // the contact, where it sums six terms of a series: order 5. Its ledger assumes a linear rate in the step in which the
-// force jumps: order 2. The classical schemes equal the textbook's within rounding. textbook_newmark_test.cpp compares
-// both, and measures their orders.
+// force jumps: order 2. The classical schemes equal the textbook's within rounding (textbook_newmark_test.cpp).
 TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const Known& known = GetParam();
   const bool is_linear = known.law == Law::hooke_newton;

@@ -209,8 +209,6 @@ TEST_F(ImpactSim, ARefusalIsOneLineForAnyQuotedBytes) {
   EXPECT_THAT(run("--sweep scenes.csv").err, HasSubstr("line 2: --drive-file for?ces: allowed: a file name"));
 }
 
-// A fault of the kernel: exit code 3, the reason, and the data up to the fault.
-
 // Each kind of fault has its reason on standard error and the data up to it in the file. The ball of the paper's scene
 // moves by 30 mm. With a bound of 12 mm there is room for less than 15.625 mm = 2^-6 m. Bounds below half the clearance
 // are rejected, and so are penetrations above displacements.

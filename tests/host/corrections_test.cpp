@@ -277,22 +277,22 @@ TEST(Corrections, OfAClassicalContactKeepTheLawsForce) {
   const double step = 1e-5;
   const Kernel start = accepted<Kernel>(scene, {0.1, 2, 0.03}, step);
   const auto& units = start.plan.units;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> within(-1, 1);
+  Random random;
+  const auto share = [&random] { return random.between(-1, 1); };
   int quiet = 0, faults = 0;
   for (int n = 0; n < 20000; ++n) {
     Kernel kernel = start;
     auto saved = kernel.save();
-    const double x1 = 0.05 * within(random), depth = 0.029 * std::abs(within(random));
+    const double x1 = 0.05 * share(), depth = 0.029 * std::abs(share());
     saved.state.x1 = units.state_at(x1);
     saved.state.x2 = units.state_at(x1 + scene.clearance / 2 + depth);
-    saved.state.dx1 = units.state(2 * within(random) * step);
-    saved.state.dx2 = units.state(2 * within(random) * step);
+    saved.state.dx1 = units.state(2 * share() * step);
+    saved.state.dx2 = units.state(2 * share() * step);
     saved.state.contact.phase = Phase::touching;
     if (!kernel.restore(saved)) continue;
     kernel.step();
     if (kernel.fault() != Fault::none || !kernel.is_touching()) continue;
-    kernel.correct(Fixed32::sample(0.02 * within(random)), Fixed32::sample(within(random)));
+    kernel.correct(Fixed32::sample(0.02 * share()), Fixed32::sample(share()));
     if (kernel.fault() != Fault::none) ++faults;
     if (kernel.fault() != Fault::none || !kernel.is_touching()) continue;
     const auto now = kernel.reading();

@@ -10,7 +10,8 @@ namespace {
 // The error of the method: x1 of the kernel in double, every 10 ms, against the reference. The bounds are the errors of
 // prototypes of these schemes, to two digits; with sub-steps and with the rule, the kernel's own. Those of Moment fall
 // with the fourth power of the step. At 10 us little more than the reference's own error would remain. With the other
-// laws no stop pulls in this scene, so that tension changes nothing.
+// laws no stop pulls in this scene, so that tension changes nothing. The classical schemes equal the textbook's
+// (textbook_newmark_test.cpp).
 struct Prototype {
   Law law;
   Stepper stepper;
@@ -48,16 +49,6 @@ const Prototype moments[] = {
      {{1e-3, 2.1e-5}, {5e-4, 2.2e-6}, {1e-4, 1.0e-7}, {1e-5, 1e-11}},
      Tension::allow}};
 INSTANTIATE_TEST_SUITE_P(Moment, Accuracy, testing::ValuesIn(moments));
-
-const Prototype classical_steppers[] = {
-    {Law::hertz, Stepper::average, {{1e-3, 3.5e-3}, {1e-4, 4.9e-6}, {1e-5, 5.7e-8}}},
-    {Law::hertz, Stepper::fox_goodwin, {{1e-3, 2.3e-5}, {1e-4, 7.1e-8}}},
-    {Law::hunt_crossley,
-     Stepper::average,
-     {{2e-3, 2.9e-4}, {1e-3, 7.2e-5}, {5e-4, 1.7e-5}, {1e-4, 7.3e-7}, {1e-5, 7.2e-9}}},
-    {Law::hunt_crossley, Stepper::central, {{1e-3, 1.2e-5}, {1e-4, 1.2e-7}}},
-    {Law::hooke_newton, Stepper::average, {{1e-3, 5.0e-3}, {5e-4, 3.9e-3}, {1e-4, 3.1e-3}}}};
-INSTANTIATE_TEST_SUITE_P(Pointwise, Accuracy, testing::ValuesIn(classical_steppers));
 
 // The same by Moment with a drive that is linear between its samples, in flight and in contact.
 TEST(Accuracy, OfASampledDriveIsSimilar) {

@@ -25,7 +25,6 @@ template <class ContactLaw> host::Case rig(double stiffness, double damping) {
   scene.contact_damping = damping;
   scene.drive_amplitude = 60;
   scene.drive_pulsation = 100;
-  scene.x1 = scene.x2 = 0;
   scene.v1 = 0.1;
   scene.v2 = 0.9;
   return run;
@@ -127,7 +126,6 @@ template <class Format, class ContactLaw> void expect_closed_form(double stiffne
     Scene scene = free_scene();
     scene.contact_stiffness = stiffness;
     scene.contact_damping = damping;
-    scene.x1 = 0;
     scene.x2 = scene.clearance / 2 - speed * 2e-4;
     scene.v2 = speed;
     auto model = accepted<Model>(scene, bounds, 1e-3);

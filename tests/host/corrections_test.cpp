@@ -42,11 +42,6 @@ template <class Kernel> double energy_of(const Scene& scene, const Kernel& kerne
   return mechanical_energy(scene, now) + (is_inside ? stored_at(scene, depth_of(scene, now)) : 0);
 }
 
-template <class Format_, class ContactLaw_, class Stepper_> struct Case {
-  using Format = Format_;
-  using ContactLaw = ContactLaw_;
-  using Kernel = Absorber<AtRunTime, ContactLaw_, Stepper_, NoDrive, Format_>;
-};
 // The energy that rounding in Fixed32 may add in a step in contact, J. The products of an impulse round down, by two
 // LSBs per sub-step, at the relative rate of the masses. With a stiff main spring and a wide bound of its displacement,
 // an LSB of an impulse is larger than that of a penetration (travel_bits).
@@ -69,12 +64,12 @@ template <class Kernel> double rounded_in_contact(const Kernel& kernel, const Sc
   }
 }
 
-template <class Case> class Corrections : public testing::Test {};
+template <class Kernel> class Corrections : public testing::Test {};
 TYPED_TEST_SUITE_P(Corrections);
 
 TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
-  using Format = typename TypeParam::Format;
-  using Kernel = typename TypeParam::Kernel;
+  using Kernel = TypeParam;
+  using Format = typename Kernel::Format;
   // The limit of rounding, as a share of the energy of the bounds.
   constexpr double rounded = std::is_same_v<Format, Float64> ? 1e-7 : std::is_same_v<Format, Float32> ? 1e-6 : 1e-5;
   Random chance(5);
@@ -84,8 +79,7 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
     const auto [scene, bounds, step] = random_scene(chance);
     Kernel kernel(Kernel::PlanType::make(scene, bounds, step));
     if (kernel.fault() == Fault::plan) continue;
-    const double deepest = contact_terms<typename TypeParam::ContactLaw>(scene, bounds).deepest,
-                 gap = scene.clearance / 2;
+    const double deepest = contact_terms<typename Kernel::ContactLaw>(scene, bounds).deepest, gap = scene.clearance / 2;
     // Float32Plain's positions must resolve a penetration.
     if (std::is_same_v<Format, Float32Plain> && deepest < 1e-2 * gap) continue;
     ++accepted;
@@ -125,12 +119,14 @@ TYPED_TEST_P(Corrections, MakeNoEnergyBeyondTheirOwn) {
 }
 REGISTER_TYPED_TEST_SUITE_P(Corrections, MakeNoEnergyBeyondTheirOwn);
 template <class Format>
-using CasesOf = testing::Types<Case<Format, Exact, Moment>, Case<Format, Exact, SubsteppedMoment<4>>,
-                               Case<Format, Exact, EnergyConsistent>, Case<Format, Hertz, Moment>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(InFixed32, Corrections, CasesOf<Fixed32>);
-INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, CasesOf<Float32>);
-INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, CasesOf<Float32Plain>);
-INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, CasesOf<Float64>);
+using KernelsIn = testing::Types<Absorber<AtRunTime, Exact, Moment, NoDrive, Format>,
+                                 Absorber<AtRunTime, Exact, SubsteppedMoment<4>, NoDrive, Format>,
+                                 Absorber<AtRunTime, Exact, EnergyConsistent, NoDrive, Format>,
+                                 Absorber<AtRunTime, Hertz, Moment, NoDrive, Format>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(InFixed32, Corrections, KernelsIn<Fixed32>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32, Corrections, KernelsIn<Float32>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat32Plain, Corrections, KernelsIn<Float32Plain>);
+INSTANTIATE_TYPED_TEST_SUITE_P(InFloat64, Corrections, KernelsIn<Float64>);
 
 // The ball is placed on the stop within an LSB of the state, some 2^-45 of it in Float32. In a very stiff contact,
 // penetrations are smaller than a float's LSB of the clearance, and an error of the position would create energy.
@@ -190,14 +186,13 @@ TEST(Corrections, PutABallInContactOntoTheOtherStop) {
 // A Hooke-Newton stop may have released a ball that is still inside it and leaving. If a correction put that ball
 // deeper, the spring would push it out with energy that no motion has stored.
 template <class Stepper, class Format> void expect_ball_not_deeper() {
-  using Kernel = Absorber<AtRunTime, HookeNewton, Stepper, NoDrive, Format>;
   Scene scene = free_scene();
   scene.contact_stiffness = 16300;
   scene.contact_damping = 40;
   scene.stops = Stops::right;
   scene.x2 = 0.0099;
   scene.v2 = 0.6;
-  auto absorber = accepted<Kernel>(scene, Bounds{}, 1e-4);
+  auto absorber = accepted<Absorber<AtRunTime, HookeNewton, Stepper, NoDrive, Format>>(scene, Bounds{}, 1e-4);
   const auto inside = [&] { return depth_of(scene, absorber.reading()); };
   const auto kinetic = [&] { return kinetic_energy(scene, absorber.reading()); };
   for (int n = 0; n < 1000 && absorber.state().contact.phase != Phase::released; ++n) absorber.step();
@@ -219,19 +214,15 @@ TEST(Corrections, PutAReleasedBallNoDeeper) {
 // change of x1 over the first impacts of the paper's scene, m. With Moment it is 0. With EnergyConsistent it is at most
 // the stepper's own error: 1.8e-5 m at 1 ms, and 7.1e-5 m with Exact.
 template <class ContactLaw, class Stepper> double change_by_zero_corrections(double step) {
-  using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Float64>;
   Scene scene;
   if (ContactLaw::is_linear) scene.contact_damping = 5;
-  auto free = accepted<Kernel>(scene, {}, step), corrected = free;
-  double largest = 0;
+  const auto start = accepted<Absorber<AtRunTime, ContactLaw, Stepper, Sine, Float64>>(scene, {}, step);
   int touching = 0;
-  for (int n = 0; n < 0.4 / step; ++n) {
-    free.step();
-    corrected.step();
-    corrected.correct(0, 0);
-    largest = host::larger(largest, std::abs(corrected.reading().x1 - free.reading().x1));
-    touching += free.is_touching();
-  }
+  const auto correct = [&](auto& absorber) {
+    absorber.correct(0, 0);
+    touching += absorber.is_touching();
+  };
+  const double largest = changes(start, 0.4 / step, correct).x1;
   EXPECT_GE(touching * step, 0.05);
   return largest;
 }
@@ -255,7 +246,6 @@ TYPED_TEST_SUITE(CorrectionsInEveryFormat, EveryFormat);
 
 // In Fixed32 the distance to the only stop exceeds 2^63 LSBs for a ball far on the other side.
 TYPED_TEST(CorrectionsInEveryFormat, OfZeroLeaveABallFarFromItsStop) {
-  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   for (const double side : {1.0, -1.0}) {
     Scene scene;
     scene.stops = side > 0 ? Stops::right : Stops::left;
@@ -264,7 +254,7 @@ TYPED_TEST(CorrectionsInEveryFormat, OfZeroLeaveABallFarFromItsStop) {
     scene.x1 = side * 0.12;
     scene.x2 = -side * 0.12;
     const Bounds bounds{0.125};
-    auto kernel = accepted<Kernel>(scene, bounds, 1e-4);
+    auto kernel = accepted<Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>>(scene, bounds, 1e-4);
     EXPECT_FALSE(kernel.is_touching());
     for (int n = 0; n < 10; ++n) {
       kernel.step();
@@ -287,22 +277,22 @@ TEST(Corrections, OfAClassicalContactKeepTheLawsForce) {
   const double step = 1e-5;
   const Kernel start = accepted<Kernel>(scene, {0.1, 2, 0.03}, step);
   const auto& units = start.plan.units;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> within(-1, 1);
+  Random random;
+  const auto share = [&random] { return random.between(-1, 1); };
   int quiet = 0, faults = 0;
   for (int n = 0; n < 20000; ++n) {
     Kernel kernel = start;
     auto saved = kernel.save();
-    const double x1 = 0.05 * within(random), depth = 0.029 * std::abs(within(random));
+    const double x1 = 0.05 * share(), depth = 0.029 * std::abs(share());
     saved.state.x1 = units.state_at(x1);
     saved.state.x2 = units.state_at(x1 + scene.clearance / 2 + depth);
-    saved.state.dx1 = units.state(2 * within(random) * step);
-    saved.state.dx2 = units.state(2 * within(random) * step);
+    saved.state.dx1 = units.state(2 * share() * step);
+    saved.state.dx2 = units.state(2 * share() * step);
     saved.state.contact.phase = Phase::touching;
     if (!kernel.restore(saved)) continue;
     kernel.step();
     if (kernel.fault() != Fault::none || !kernel.is_touching()) continue;
-    kernel.correct(Fixed32::sample(0.02 * within(random)), Fixed32::sample(within(random)));
+    kernel.correct(Fixed32::sample(0.02 * share()), Fixed32::sample(share()));
     if (kernel.fault() != Fault::none) ++faults;
     if (kernel.fault() != Fault::none || !kernel.is_touching()) continue;
     const auto now = kernel.reading();

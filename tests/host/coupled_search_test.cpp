@@ -285,9 +285,7 @@ TEST_P(CoupledSearch, FindsNoSceneThatGainsEnergyOrRaisesAFault) {
   EXPECT_LE(worst.value, 1) << text_of(scene.request);
 }
 INSTANTIATE_TEST_SUITE_P(Every, CoupledSearch,
-                         testing::ValuesIn(kinds({Stepper::automatic, Stepper::moment, Stepper::moment_4,
-                                                  Stepper::moment_8, Stepper::moment_n, Stepper::energy,
-                                                  Stepper::impulsive},
+                         testing::ValuesIn(kinds({std::begin(every_stepper), std::end(every_stepper)},
                                                  Damping::hunt_crossley)));
 
 }  // namespace

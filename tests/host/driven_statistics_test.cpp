@@ -73,21 +73,16 @@ Means reference_means(double contact_stiffness, int starts) {
   });
 }
 
-Outcome kernel_run(double contact_stiffness, int start, Stepper stepper, Numeric numeric) {
-  Request request;
-  request.stepper = stepper;
-  request.numeric = numeric;
-  request.scene = scene_at(contact_stiffness, start);
-  request.step = step;
-  request.bounds = Bounds{0.1, 4, 1e-3, 10};
-  Outcome made = make_simulation(request);
-  EXPECT_TRUE(made.simulation) << made.refusal.field << " " << made.refusal.allowed;
-  return made;
-}
-
 Means kernel_means(double contact_stiffness, int starts, Stepper stepper, Numeric numeric) {
   return means_over(starts, [=](int start) {
-    Outcome made = kernel_run(contact_stiffness, start, stepper, numeric);
+    Request request;
+    request.stepper = stepper;
+    request.numeric = numeric;
+    request.scene = scene_at(contact_stiffness, start);
+    request.step = step;
+    request.bounds = Bounds{0.1, 4, 1e-3, 10};
+    const Outcome made = make_simulation(request);
+    EXPECT_TRUE(made.simulation) << made.refusal.field << " " << made.refusal.allowed;
     Ran result{std::vector<double>(steps, std::nan("")), {}};
     if (!made.simulation) return result;
     EXPECT_EQ(made.simulation->run(steps, nullptr, result.x1.data(), nullptr), steps);
@@ -116,15 +111,6 @@ TEST_P(Driven, HasTheReferencesStatistics) {
       }
       std::printf("\n");
     }
-  // The paper's scheme creates energy in the stop. It exceeds the bounds, which raises a fault.
-  int faults = 0;
-  for (int start = 0; start < 16; ++start) {
-    Outcome made = kernel_run(stiffness, start, Stepper::average, Numeric::float64);
-    std::vector<double> x1(steps);
-    if (made.simulation) faults += made.simulation->run(steps, nullptr, x1.data(), nullptr) < steps;
-  }
-  std::printf("  average acceleration passes its bounds in %d of 16 runs\n", faults);
-  EXPECT_GE(faults, 8);
 }
 INSTANTIATE_TEST_SUITE_P(ContactStiffness, Driven, testing::Values(1e8, 1e10, 1e12));
 

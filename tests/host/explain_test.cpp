@@ -148,7 +148,7 @@ TEST(Explain, NamesEveryValueAsItsMember) {
 TEST(Explain, NamesTheValueThatIsOutOfItsRange) {
   for (int i = 0; i < static_cast<int>(Parameter::step); ++i) {
     const auto parameter = static_cast<Parameter>(i);
-    for (const double value : {-1e30, 1e30, 0.0 / 0.0}) {
+    for (const double value : {-1e30, range_of(parameter).least - 1, 1.1 * range_of(parameter).most, 0.0 / 0.0}) {
       const Explanation said = changed<Fixed>(parameter, value);
       EXPECT_EQ(said.parameter, parameter) << name_of(parameter) << " " << value;
       EXPECT_TRUE(said.value == value || value != value) << name_of(parameter) << " " << value;

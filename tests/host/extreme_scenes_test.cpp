@@ -141,21 +141,18 @@ template <class Law> Cavity random_cavity(unsigned seed, double phase) {
   return cavity;
 }
 
-template <class Law, class Reading> double energy(const Scene& scene, const Reading& at) {
-  return mechanical_energy(scene, at) + stored_at(scene, depth_of(scene, at), Law::is_linear);
-}
-
 // The average relative gain of energy over the last steps, or NaN if the plan is rejected.
 template <class Law, class Format> double gained(const Cavity& cavity) {
   using Kernel = Absorber<AtRunTime, Law, Moment, NoDrive, Format>;
   const auto plan = Kernel::PlanType::make(cavity.scene, cavity.bounds, step);
   if (plan.status != PlanStatus::ok) return std::nan("");
   Kernel absorber(plan);
-  const double first = energy<Law>(cavity.scene, absorber.reading());
+  const auto energy = [&] { return energy_with_stop(cavity.scene, absorber.reading(), Law::is_linear); };
+  const double first = energy();
   double sum = 0;
   for (int n = 0; n < steps; ++n) {
     absorber.step();
-    if (n >= steps - last_steps) sum += energy<Law>(cavity.scene, absorber.reading());
+    if (n >= steps - last_steps) sum += energy();
   }
   EXPECT_EQ(absorber.fault(), Fault::none);
   return sum / last_steps / first - 1;

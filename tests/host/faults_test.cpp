@@ -109,7 +109,7 @@ void expect_fault_at_bound(Kernel absorber, Fault expected, double error, Share 
   EXPECT_TRUE(is_clamped(absorber));
 }
 
-// The closed form of a free vibration: 4 mm at 31.6 rad/s.
+// The closed form of a free vibration: 4 mm at 31.6 rad/s. The bounds are smaller than the cavity.
 TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
   using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>;
   const double w = std::sqrt(1000.0), amplitude = 0.004, h = 1e-4;
@@ -128,7 +128,7 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
         // The kernel compares a step's displacement instead of a speed, with a margin of half of the speed's change in
         // a step.
         const double error = is_displacement ? 1e-4 : 1e-4 + w * h / share;
-        auto absorber = accepted<Kernel>(scene, {bounds.displacement, bounds.speed, 0.01, 0}, h);
+        auto absorber = accepted<Kernel>(scene, bounds, h);
         if (share < 1) {
           expect_fault_at_bound(absorber, is_displacement ? Fault::displacement : Fault::speed, error, of);
         } else {
@@ -140,10 +140,9 @@ TYPED_TEST(Faults, AFreeVibrationBeyondItsBounds) {
 
 // A ball flies away from the only stop. Another ball is hit by a heavier mass and becomes faster than its bound.
 TYPED_TEST(Faults, ABallBeyondItsBounds) {
-  Scene scene = free_scene();
+  Scene scene = elastic_scene();
   scene.stops = Stops::right;
   scene.contact_stiffness = 1;
-  scene.contact_damping = 0;
   scene.v2 = -1;
   const double h = 0.016;
   expect_fault_at_bound(accepted<Absorber<AtRunTime, Hertz, Moment, NoDrive, TypeParam>>(scene, {0.1, 1, 0, 0}, h),
@@ -256,8 +255,7 @@ TYPED_TEST(Faults, ASpeedThatFrictionMakes) {
 TYPED_TEST(Faults, ASpeedThatAClassicalSchemeMakes) {
   for (const double stiffness : {1e6, 1e8, 1e10}) {
     SCOPED_TRACE(stiffness);
-    Scene scene = free_scene();
-    scene.contact_damping = 0;
+    Scene scene = elastic_scene();
     scene.contact_stiffness = stiffness;
     scene.v2 = 1.9;
     for (int n = 0; n < 20; ++n) {
@@ -306,8 +304,7 @@ template <class Law, class Stepper, class Format> void expect_fault_at_depth() {
   const double speed = 1.4, mu = 0.3 / 1.3, k1 = 32600,
                depth = Law::is_linear ? speed * std::sqrt(mu / k1) : std::pow(1.25 * mu * speed * speed / k1, 0.4);
   const double time = depth / speed * (Law::is_linear ? 3.1416 : 2.943), h = time / 25;
-  Scene scene = free_scene();
-  scene.contact_damping = 0;
+  Scene scene = elastic_scene();
   scene.contact_stiffness = k1;
   for (const bool left : {false, true}) {
     scene.v1 = left ? 0.7 : -0.7;
@@ -362,27 +359,6 @@ TYPED_TEST(Faults, AnUnstableContactIsNotSilent) {
       absorber.step();
     }
     EXPECT_NE(absorber.fault(), Fault::none) << penetration;
-  }
-}
-
-// Bounds::displacement is much smaller than the cavity. The spring's force is in range up to the bound, and nothing
-// wraps.
-TYPED_TEST(Faults, ABoundWithinTheCavity) {
-  Scene scene;
-  scene.drive_amplitude = 0;
-  scene.v1 = 0.5;
-  for (const double bound : {0.031, 0.015, 0.005}) {
-    auto absorber =
-        accepted<Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam>>(scene, {bound, 2, 0, 0}, 1e-4);
-    double most = 0;
-    for (int n = 0; n < 20000 && absorber.fault() == Fault::none; ++n) {
-      absorber.step();
-      const auto now = absorber.reading();
-      most = host::larger(most, std::abs(now.x1));
-      EXPECT_LE(now.v1 * now.v1 + 1000 * now.x1 * now.x1 + 0.3 * now.v2 * now.v2, 0.2501);
-    }
-    EXPECT_LE(most, 1.01 * bound);
-    EXPECT_EQ(absorber.fault(), bound < 0.0147 ? Fault::displacement : Fault::none) << bound;
   }
 }
 
@@ -465,12 +441,10 @@ TYPED_TEST(Faults, ASampleOutOfRange) {
       double sample, clamped;
     } cases[] = {{no_number, 4}, {-no_number, 4}, {infinity, 10}, {-infinity, -10}, {10.001, 10}, {-1e30, -10}};
     for (const auto& [sample, clamped] : cases) {
-      Kernel good = fresh, bad = fresh;
-      for (const double force : {4, 10, -10, 4}) {
-        good.step(static_cast<Value>(force));
-        bad.step(static_cast<Value>(force));
-      }
-      ASSERT_EQ(bad.fault(), Fault::none);
+      Kernel good = fresh;
+      for (const double force : {4, 10, -10, 4}) good.step(static_cast<Value>(force));
+      ASSERT_EQ(good.fault(), Fault::none);
+      Kernel bad = good;
       bad.step(static_cast<Value>(sample));
       good.step(static_cast<Value>(clamped));
       EXPECT_EQ(bad.fault(), Fault::sample) << sample;
@@ -609,8 +583,7 @@ TEST(Faults, AreNoImpacts) {
   scene.drive_amplitude = 0;
   scene.v2 = 0.8;
   scene.x2 = 0.0095;
-  auto absorber = accepted<Kernel>(scene, Bounds{}, 1e-4);
-  while (!absorber.is_touching()) absorber.step();
+  auto absorber = touching(accepted<Kernel>(scene, Bounds{}, 1e-4));
   for (int n = 0; n < 10; ++n) absorber.step();
   absorber.correct(0, 2.5);
   EXPECT_EQ(absorber.fault(), Fault::speed);
@@ -637,8 +610,7 @@ TYPED_TEST(Faults, ACorrectionToMoreEnergyThanTheBoundsAllow) {
   const Bounds bounds{0.05, 2};
   const double deepest = deepest_penetration(scene, bounds, false, 0.87 * 2 * bounds.speed, 0);
   for (const auto& [depth, fault] : {std::pair(0.99, Fault::none), {1.03, Fault::penetration}}) {
-    auto absorber = accepted<Weighted>(scene, bounds, 3e-4);
-    while (!absorber.is_touching()) absorber.step();
+    auto absorber = touching(accepted<Weighted>(scene, bounds, 3e-4));
     const double further = depth * deepest - depth_of(scene, absorber.reading());
     absorber.correct(TypeParam::sample(-further / absorber.displacement_unit()), {});
     EXPECT_EQ(absorber.fault(), fault) << depth;
@@ -646,16 +618,12 @@ TYPED_TEST(Faults, ACorrectionToMoreEnergyThanTheBoundsAllow) {
 }
 
 TEST(Exponents, EndForEveryNumber) {
-  EXPECT_EQ(constant::exponent_above(infinity), 1024);
-  EXPECT_EQ(constant::exponent_above(0x1p1023), 1023);
-  EXPECT_EQ(constant::exponent_above(std::nextafter(0x1p1023, infinity)), 1024);
-  EXPECT_EQ(constant::exponent_above(0), -1074);
-  EXPECT_EQ(constant::exponent_above(0x1p-1074), -1074);
-  EXPECT_EQ(constant::exponent_above(1), 0);
-  EXPECT_EQ(constant::exponent_above(0.75), 0);
-  EXPECT_EQ(constant::exponent_above(0.5), -1);
-  EXPECT_EQ(constant::exponent_above(1.5), 1);
-  EXPECT_EQ(constant::exponent_above(no_number), 0);
+  const std::pair<double, int> cases[] = {
+      {infinity, 1024}, {0x1p1023, 1023},   {std::nextafter(0x1p1023, infinity), 1024},
+      {0, -1074},       {0x1p-1074, -1074}, {1, 0},
+      {0.75, 0},        {0.5, -1},          {1.5, 1},
+      {no_number, 0}};
+  for (const auto& [x, exponent] : cases) EXPECT_EQ(constant::exponent_above(x), exponent) << x;
 }
 // The argument of an exponential is at most 745, with an error of 745 x 2^-53.
 TEST(Powers, OfEveryPositiveNumber) {

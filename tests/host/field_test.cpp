@@ -330,7 +330,7 @@ TYPED_TEST(FieldIn, BallSettlesOnAnImpulsiveStop) {
 // 2^-33 m. Both weights, spring and damper each round by the spring's force for an LSB, which does work over a step's
 // displacement.
 TYPED_TEST(FieldIn, BallOnAnImpulsiveStopMovesAlongWithoutGain) {
-  constexpr bool is_double = std::is_same_v<TypeParam, Float64>;
+  constexpr bool is_double = impact::is_double<TypeParam>;
   const double h = 1e-3;
   for (const double turn : {0.05, 0.2, 0.49})
     for (const double damping : {0.001, 0.01, 0.1, 0.9})
@@ -516,20 +516,16 @@ TEST(Field, ImpulsiveImpactThatStopsADampedMassGainsLittle) {
 }
 
 TYPED_TEST(FieldIn, BothMassesFallFreely) {
-  Scene scene;
-  scene.main_stiffness = scene.main_damping = 0;
-  scene.drive_amplitude = 0;
+  Scene scene = free_scene();
   scene.gravity = weight;
   scene.v1 = scene.v2 = -1;
-  const Bounds bounds{0.5};
   for (const double step : {1e-3, 1e-4}) {
     using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>;
-    auto absorber = accepted<Absorber>(scene, bounds, step);
+    auto absorber = accepted<Absorber>(scene, {0.5}, step);
     for (int n = 1; n * step <= 0.25; ++n) {
       absorber.step();
       const double t = n * step, x = -t + weight * t * t / 2, v = -1 + weight * t;
-      const auto now = absorber.reading();
-      expect_near(now, {x, v, x, v}, 2e-7, 2e-6);
+      expect_near(absorber.reading(), {x, v, x, v}, 2e-7, 2e-6);
     }
   }
 }
@@ -543,11 +539,7 @@ struct Fields {
 // every 2 ms.
 template <class Law, class Stepper, class Format> double error(const Fields& fields, double step) {
   constexpr double duration = 0.4, interval = 2e-3;
-  host::Case run;
-  run.law = Law::law;
-  run.scene.gravity = fields.gravity;
-  if (Law::is_linear) run.scene.contact_damping = 20.81;
-  run.scene.x1 = run.scene.x2 = fields.gravity / 1000;
+  host::Case run = hanging_case(Law::law, fields.gravity);
   Bounds bounds{0.2, 3};
   if (!fields.is_shaken)
     return differences<Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity>>(run, bounds, step, duration, interval)

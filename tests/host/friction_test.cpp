@@ -174,12 +174,8 @@ TEST(Friction, SticksAndSlipsOnAShakenBaseAsInClosedForm) {
 
 // The largest difference of a displacement from the reference over 0.4 s of the paper's scene, upright or level.
 template <class Law, class Stepper, class Format> double error(double gravity, double friction, double step) {
-  host::Case run;
-  run.law = Law::law;
-  run.scene.gravity = gravity;
+  host::Case run = hanging_case(Law::law, gravity);
   run.scene.ball_friction = friction;
-  if (Law::is_linear) run.scene.contact_damping = 20.81;
-  run.scene.x1 = run.scene.x2 = gravity / 1000;
   using Absorber = Absorber<AtRunTime, Law, Stepper, Sine, Format, Gravity, DryFriction>;
   return differences<Absorber>(run, {0.2, 3}, step, 0.4, 2e-3).largest();
 }
@@ -257,10 +253,8 @@ TEST(Friction, CreatesNoEnergy) {
 }
 
 template <class Stepper, class Format> void expect_own_line(double friction_off, double contact_off) {
-  host::Case run;
-  run.scene.gravity = -9.81;
+  host::Case run = hanging_case(Law::hunt_crossley, -9.81);
   run.scene.ball_friction = 2;
-  run.scene.x1 = run.scene.x2 = -0.00981;
   const Bounds bounds{0.2, 3};
   using Absorber = Absorber<AtRunTime, HuntCrossley, Stepper, Sine, Format, Gravity, DryFriction, EnergyLedger>;
   auto absorber = accepted<Absorber>(run.scene, bounds, 1e-4);
@@ -279,11 +273,9 @@ TYPED_TEST(FrictionIn, LedgerHasItsOwnLine) {
 // With average acceleration the balance is exact: the energy of drive and weight goes to the masses, to the spring, or
 // to the ledger. In a step with both a touch and a reversal the error is of second order.
 TEST(Friction, LedgerClosesByTheAverageAcceleration) {
-  Scene scene;
-  scene.gravity = -9.81;
+  Scene scene = hanging_case(Law::hunt_crossley, -9.81).scene;
   scene.ball_friction = 2;
   scene.main_damping = 0;
-  scene.x1 = scene.x2 = -0.00981;
   const Bounds bounds{0.2, 3};
   using Absorber =
       Absorber<AtRunTime, HuntCrossley, AverageAcceleration, Sine, Float64, Gravity, DryFriction, EnergyLedger>;
@@ -432,20 +424,12 @@ double largest_change(double clearance, double step, const Change& change) {
   scene.ball_friction = 1;
   scene.x1 = 0.02;
   scene.v2 = 0.3;
-  auto changed = accepted<Absorber<AtRunTime, Hertz, Stepper, NoDrive, Format, DryFriction>>(scene, {}, step);
-  auto other = changed;
-  double largest = 0;
-  for (int n = 0; n < 2 / step; ++n) {
-    changed.step();
-    other.step();
-    change(changed, other.plan);
-    largest = larger(largest, std::abs(changed.reading().x2 - other.reading().x2));
-  }
-  return largest;
+  using Rubbed = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Format, DryFriction>;
+  return changes(accepted<Rubbed>(scene, {}, step), 2 / step, change).largest();
 }
 TYPED_TEST(FrictionIn, NothingChangesNothing) {
-  const auto correct = [](auto& absorber, const auto&) { absorber.correct({}, {}); };
-  const auto retune = [](auto& absorber, const auto& plan) { EXPECT_TRUE(absorber.retune(plan)); };
+  const auto correct = [](auto& absorber) { absorber.correct({}, {}); };
+  const auto retune = [](auto& absorber) { EXPECT_TRUE(absorber.retune(absorber.plan)); };
   // Without a contact the bits are the same. A change of plan subtracts half an impulse and adds it again. A contact
   // recomputes its penetration, and impacts amplify the rounding. With sub-steps a contact then reads the rate of the
   // state, which differs by (w0 h)^2/24 of friction's change in a step.

@@ -188,10 +188,8 @@ template <class Stepper> void expect_double_with_wide_displacements(double step,
     scene.v2 = 0.3;
     scene.x2 = scene.clearance / 2 - 1e-5;
     const Bounds bounds{scene.clearance / 2 + 1e-4, 0.8, 2e-5, 0};
-    using Narrow = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Fixed32>;
-    using Wide = Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64>;
-    auto narrow = accepted<Narrow>(scene, bounds, step);
-    auto wide = accepted<Wide>(scene, bounds, step);
+    auto narrow = accepted<Absorber<AtRunTime, Hertz, Stepper, NoDrive, Fixed32>>(scene, bounds, step);
+    auto wide = accepted<Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64>>(scene, bounds, step);
     for (int n = 0; n < static_cast<int>(1.2e-4 / step); ++n) {
       narrow.step();
       wide.step();

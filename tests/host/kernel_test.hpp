@@ -44,6 +44,12 @@ constexpr Scene free_scene() {
   scene.main_stiffness = 0;
   return scene;
 }
+// The same with a contact that loses nothing.
+constexpr Scene elastic_scene() {
+  Scene scene = free_scene();
+  scene.contact_damping = 0;
+  return scene;
+}
 
 // The absorber of a scene whose plan must be accepted. A rejected plan ends the test, which then fails.
 template <class Kernel> Kernel accepted(const Scene& scene, const Bounds& bounds, double step) {
@@ -75,10 +81,42 @@ inline double stored_at(const Scene& scene, double depth, bool is_linear = false
   if (depth <= 0) return 0;
   return scene.contact_stiffness * (is_linear ? depth * depth / 2 : 0.4 * depth * depth * std::sqrt(depth));
 }
+// The energy of both masses, the main spring and the stop, J.
+template <class Motion> double energy_with_stop(const Scene& scene, const Motion& at, bool is_linear = false) {
+  return mechanical_energy(scene, at) + stored_at(scene, depth_of(scene, at), is_linear);
+}
 // What contacts have dissipated by the ledger, J.
 template <class Kernel> double dissipated_by(const Kernel& absorber) {
   const auto& plan = absorber.plan;
   return absorber.state().dissipated.total() * plan.force_scale * plan.units.si_penetration_unit();
+}
+
+// The absorber after the step in which its ball touches a stop.
+template <class Kernel> Kernel touching(Kernel absorber) {
+  while (!absorber.is_touching()) absorber.step();
+  return absorber;
+}
+
+struct Differences {
+  double x1 = 0, x2 = 0;  // m
+  double largest() const { return larger(x1, x2); }
+  template <class Motion, class Other> void see(const Motion& found, const Other& right) {
+    x1 = larger(x1, std::abs(found.x1 - right.x1));
+    x2 = larger(x2, std::abs(found.x2 - right.x2));
+  }
+};
+
+// The largest differences that `change` makes, if it acts after each step.
+template <class Kernel, class Change> Differences changes(const Kernel& start, double steps, const Change& change) {
+  Kernel other = start, changed = start;
+  Differences largest;
+  for (int n = 0; n < steps; ++n) {
+    other.step();
+    changed.step();
+    change(changed);
+    largest.see(changed.reading(), other.reading());
+  }
+  return largest;
 }
 
 // Each number of a motion is near that of another.

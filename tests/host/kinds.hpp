@@ -10,6 +10,9 @@ namespace impact::host {
 inline constexpr Law every_law[] = {Law::hooke_newton, Law::hertz, Law::hunt_crossley};
 inline constexpr Numeric every_format[] = {Numeric::float64, Numeric::float32, Numeric::float32_plain,
                                            Numeric::fixed32};
+// The rule, and the steppers that it chooses from.
+inline constexpr Stepper every_stepper[] = {Stepper::automatic, Stepper::moment, Stepper::moment_4, Stepper::moment_8,
+                                            Stepper::moment_n,  Stepper::energy, Stepper::impulsive};
 
 struct Kind {
   Law law;
@@ -29,7 +32,7 @@ inline void set_kind(Request& request, const Kind& kind) {
   request.damping = kind.damping;
 }
 
-inline std::vector<Kind> kinds(std::initializer_list<Stepper> varied, Damping per_impact,
+inline std::vector<Kind> kinds(const std::vector<Stepper>& varied, Damping per_impact,
                                const std::vector<Numeric>& formats = {std::begin(every_format),
                                                                       std::end(every_format)}) {
   std::vector<Kind> result;

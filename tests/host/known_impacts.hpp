@@ -1,6 +1,8 @@
 #pragma once
 // One impact of 1 kg and 0.3 kg at k1 = 32600 and 0.8 m/s under each law, computed with 30 digits and given to ten.
 
+#include <ostream>
+
 #include "host_ref/closed_form.hpp"
 
 namespace impact::host {
@@ -12,6 +14,7 @@ struct Known {
   double damping, speed;                                                 // c1, m/s
   double restitution, peak_penetration, peak_force, contact_time, lost;  // -, m, N, s, J
 };
+inline void PrintTo(const Known& known, std::ostream* out) { *out << known.name; }
 
 inline constexpr Known known_impacts[] = {
     {"HookeNewtonAllowed21", Law::hooke_newton, Tension::allow, 21.13670350, 0.8, 0.68, 1.781709339e-3, 59.85204308,

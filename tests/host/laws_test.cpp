@@ -112,8 +112,7 @@ template <class ContactLaw, class Stepper, class Format>
 using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, NoDrive, Format>;
 
 template <class ContactLaw, class Stepper, class Format> double rebound(const Scene& scene, double step) {
-  using Tested = Kernel<ContactLaw, Stepper, Format>;
-  auto absorber = accepted<Tested>(scene, bounds, step);
+  auto absorber = accepted<Kernel<ContactLaw, Stepper, Format>>(scene, bounds, step);
   bool has_touched = false;
   for (int n = 0; n < 100000; ++n) {
     const double v2_before = absorber.reading().v2;
@@ -166,8 +165,7 @@ template <class Stepper> void expect_light_impacts_damped(double tolerance) {
     scene.v2 = speed;
     scene.x2 = scene.clearance / 2 - 1.37e-3 * speed;
     const auto ratio = [&](double step) {
-      Kernel<Exact, Stepper, Float64> absorber(Kernel<Exact, Stepper, Float64>::PlanType::make(scene, Bounds{}, step));
-      while (!absorber.is_touching()) absorber.step();
+      auto absorber = touching(accepted<Kernel<Exact, Stepper, Float64>>(scene, Bounds{}, step));
       while (absorber.is_touching()) absorber.step();
       EXPECT_EQ(absorber.fault(), Fault::none);
       return -absorber.reading().v2 / speed;

@@ -199,8 +199,7 @@ TEST(EnergyLedger, RoundsNothingInFixed32) {
 // A ball starts inside its stop, and the law loses nothing. What the ledger then has, as a share of what is stored.
 template <class Stepper, class Format>
 Absorber<AtRunTime, Hertz, Stepper, NoDrive, Format, EnergyLedger> inside_stop() {
-  Scene scene = free_scene();
-  scene.contact_damping = 0;
+  Scene scene = elastic_scene();
   scene.x2 = scene.clearance / 2 + 0.005;
   return accepted<Absorber<AtRunTime, Hertz, Stepper, NoDrive, Format, EnergyLedger>>(scene, Bounds{}, 1e-4);
 }

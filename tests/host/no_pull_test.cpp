@@ -33,17 +33,14 @@ template <class Law, bool is_impulsive> PulledScene pulled_scene(unsigned seed, 
   scene.stops = Stops::right;
   scene.clearance = random.wide(1e-4, 0.02);
   bounds.speed = random.wide(0.1, 2);
-  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), v = 2 * bounds.speed,
+  const double mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass),
                contact_time = (is_impulsive ? random.wide(0.01, 1) : random.wide(6, 1000)) * step,
                damping = random.wide(0.03, 3) * mu / step;
-  double deepest = 0;
+  const double deepest = 1.05 * set_contact_time(scene, Law::is_linear, contact_time, 2 * bounds.speed);
   if (Law::is_linear) {
-    scene.contact_stiffness = mu * std::pow(3.1416 / contact_time, 2);
     scene.contact_damping = smaller(damping, 19 * std::sqrt(scene.contact_stiffness * mu));
-    deepest = v * contact_time / 3;
   } else {
-    scene.contact_stiffness = mu * std::pow(3.2 / contact_time, 2.5) / std::sqrt(v);
-    deepest = bounds.penetration = 1.05 * std::pow(1.25 * mu * v * v / scene.contact_stiffness, 0.4);
+    bounds.penetration = deepest;
     scene.contact_damping = damping / std::pow(deepest, 1.5);
     scene.restitution = random.between(0.02, 0.6);
   }
@@ -160,8 +157,7 @@ TYPED_TEST(NoPullAlone, InAnyStep) { TypeParam::expect_no_rise(); }
 template <class Stepper, class Format> double error_with_a_pulling_drive(double damping, double depth, double h) {
   Case run;
   run.drive = DriveKind::sampled;
-  run.scene.drive_amplitude = run.scene.drive_pulsation = 0;
-  run.scene.main_stiffness = run.scene.main_damping = 0;
+  run.scene = free_scene();
   run.scene.stops = Stops::right;
   run.scene.x2 = run.scene.clearance / 2 + depth;
   run.scene.contact_stiffness = 1e4;

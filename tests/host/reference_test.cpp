@@ -25,8 +25,7 @@ Case paper_case(const Variant& variant) { return host::paper_case(variant.law, v
 Case free_pair(const Variant& variant, int side) {
   Case run = paper_case(variant);
   run.drive = DriveKind::none;
-  run.scene.main_stiffness = 0;
-  run.scene.main_damping = 0;
+  run.scene.main_stiffness = run.scene.main_damping = 0;
   run.scene.v2 = 0.8 * side;
   run.scene.stops = side > 0 ? Stops::right : Stops::left;
   return run;
@@ -71,8 +70,7 @@ TEST(ReferenceFlight, ResonanceWithoutDamping) {
 
 TEST(ReferenceFlight, FreeMainMass) {
   Case run;
-  run.scene.main_stiffness = 0;
-  run.scene.main_damping = 0;
+  run.scene.main_stiffness = run.scene.main_damping = 0;
   EXPECT_NEAR(lone_x1(run, 2), 10.0 / 40 * (2 - std::sin(80.0) / 40), 1e-15);
 }
 
@@ -87,8 +85,7 @@ TEST(ReferenceFlight, SampledDriveIsLinearBetweenSamples) {
   run.drive = DriveKind::sampled;
   run.samples = {0, 6, 0};
   run.sample_step = 0.5;
-  run.scene.main_stiffness = 0;
-  run.scene.main_damping = 0;
+  run.scene.main_stiffness = run.scene.main_damping = 0;
   run.scene.main_mass = 2;
   EXPECT_NEAR(lone_x1(run, 0.5), 0.125, 1e-16);     // (1/M) 12 t^3 / 6
   EXPECT_NEAR(lone_x1(run, 1), 0.75, 1e-15);        // then 0.75 m/s, and a force that falls from 6 N

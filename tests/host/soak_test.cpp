@@ -181,14 +181,13 @@ TEST(IntegerOscillator, KeepsAmplitudeAndPhaseAtAnyPulsation) {
 // A weak damper changes the state by less than an LSB per step. A vibration of 1e-4 of the bounds still decays as
 // exp(-c t/2M). The tolerance is ten times the random sum of half an LSB of a position per step.
 TEST(Fixed32Damper, TakesItsShareOfASmallVibration) {
-  using Kernel = Absorber<AtRunTime, Hertz, Moment, NoDrive, Fixed32>;
   const double h = 1e-4;
   for (const double damping : {1e-4, 1e-3}) {
     Scene scene;
     scene.drive_amplitude = scene.contact_damping = 0;
     scene.main_damping = damping;
     scene.x1 = 1e-5;
-    auto absorber = accepted<Kernel>(scene, {0.1, 2, 0, 0}, h);
+    auto absorber = accepted<Absorber<AtRunTime, Hertz, Moment, NoDrive, Fixed32>>(scene, {0.1, 2, 0, 0}, h);
     const auto energy = [&] {
       const auto now = absorber.reading();
       return now.v1 * now.v1 + 1000 * now.x1 * now.x1 + damping * now.v1 * now.x1;

@@ -78,7 +78,7 @@ TEST(Touch, LogSaysTheRateThere) {
 template <class ContactLaw, class Stepper, class Format>
 double largest_error(double damping, double steps_per_contact) {
   host::Case run;
-  run.law = ContactLaw::is_linear ? Law::hooke_newton : ContactLaw::is_damped ? Law::hunt_crossley : Law::hertz;
+  run.law = ContactLaw::law;
   run.drive = host::DriveKind::none;
   Scene& scene = run.scene;
   scene.main_mass = 1;
@@ -86,12 +86,9 @@ double largest_error(double damping, double steps_per_contact) {
   scene.main_stiffness = 300;
   scene.clearance = scene.drive_amplitude = scene.drive_pulsation = 0;
   scene.stops = Stops::right;
-  const double mu = 0.3 / 1.3, v = 0.8, time = 4e-3, pi = 3.141592653589793;
-  scene.contact_stiffness =
-      ContactLaw::is_linear ? mu * std::pow(pi / time, 2) : 1.25 * mu * v * v / std::pow(time * v / 2.943, 2.5);
-  scene.contact_damping = ContactLaw::is_linear || ContactLaw::is_damped
-                              ? 0.1 * (ContactLaw::is_linear ? mu * pi / time : scene.contact_stiffness)
-                              : 0;
+  const double v = 0.8, time = 4e-3;
+  set_contact_time(scene, ContactLaw::is_linear, time, v);
+  scene.contact_damping = ContactLaw::is_linear ? 18 : ContactLaw::is_damped ? 0.1 * scene.contact_stiffness : 0;
   scene.main_damping = damping * scene.main_mass / (time / 8);
   scene.v2 = v;
   Bounds of_impact{0.1, 0.81};

@@ -53,18 +53,6 @@ TEST(Values, OfAPartAreRejectedWithoutIt) {
   }
 }
 
-TEST(Values, OfAPartAreRejectedOutOfTheirRange) {
-  for (const ParameterEntry& row : parameters) {
-    if (!is_of_part(row)) continue;
-    for (const double beyond : {row.range.least - 1, 1.1 * row.range.most}) {
-      Values values = machine();
-      *values.find(row.parameter) = beyond;
-      const auto plan = WithParts::make(values.scene, values.bounds, values.step);
-      EXPECT_EQ(explain(plan.status, values).parameter, row.parameter) << row.name << " " << beyond;
-    }
-  }
-}
-
 // If the tool or the kernel ignored a value, the motion would stay the same.
 TEST(Values, OfTheSceneChangeTheMotionInTheTool) {
   const auto end_of = [](const Request& request) {

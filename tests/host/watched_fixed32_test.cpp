@@ -152,7 +152,11 @@ TEST_P(WatchedFixed32, WrapsNowhereInWideStepsAndUnderALargeForce) {
   expect_nothing_found();
 }
 
-// Single scenes in which a number used to wrap, each with a large force.
+// Single scenes in which a number used to wrap.
+template <class Law, class Stepper, class... Parts>
+using Undriven = Absorber<AtRunTime, Law, Stepper, NoDrive, Fixed32, Parts...>;
+
+// The contact forces, N, in each step, in scenes with a large force.
 template <class Law, class Stepper, class Drive>
 std::vector<double> forces_in(const Scene& scene, const Bounds& bounds, double h, const std::vector<int32_t>& samples) {
   using Pressed = Absorber<AtRunTime, Law, Stepper, Drive, Fixed32, EnergyLedger, ImpactLog, ContactForce>;
@@ -246,7 +250,7 @@ TEST(WatchedScenes, ACorrectionOfADeepContact) {
   constexpr Scene scene{0.313255, 0.224357, 0, 0.00126229, 2.31166e-06,  103933330, 0,
                         0,        40,       0, -0.327348,  -6.77101e-07, -0.872083, Stops::left};
   const Bounds bounds{0.000122687, 1.63276, 7.22647e-06, 0};
-  auto absorber = accepted<Absorber<AtRunTime, Hertz, EnergyConsistent, NoDrive, Fixed32>>(scene, bounds, 6.39641e-07);
+  auto absorber = accepted<Undriven<Hertz, EnergyConsistent>>(scene, bounds, 6.39641e-07);
   for (int n = 0; n < 60; ++n) {
     absorber.step();
     for (const double dv : {0.3, 0.6, 0.9, 1.2}) fault_after(absorber, 0, dv);
@@ -257,32 +261,28 @@ TEST(WatchedScenes, ACorrectionOfADeepContact) {
 TEST(WatchedScenes, ACorrectionBeyondWhatTheBoundsAllow) {
   constexpr Scene scene{4487.77, 0, 0, 0.0139426, 0.635784, 4806.94, 899.601, 0, 40, 0, 0, 0.3175, 0.4};
   const Bounds bounds{6.57823, 0.817068, 3.72689, 0};
-  using Wide = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, Fixed32>;
-  auto absorber = accepted<Wide>(scene, bounds, 0.00027984);
-  while (!absorber.is_touching()) absorber.step();
+  const auto absorber = touching(accepted<Undriven<HuntCrossley, Moment>>(scene, bounds, 0.00027984));
   EXPECT_EQ(fault_after(absorber, -0.47, 0), Fault::penetration);
   EXPECT_EQ(fault_after(absorber, -1e-3, 0), Fault::none);
 
   constexpr Scene stiff{5.67027e-05, 0, 0, 0.00372174, 0, 27236079832.8, 5975.2, 0, 40, 0, 0, 0, 0.037, Stops::right};
-  using Stiff = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, NoDrive, Fixed32>;
-  auto touching = accepted<Stiff>(stiff, {0.00408054, 3.73654, 0.00114728, 15.3707}, 1.41095e-07);
-  while (!touching.is_touching()) touching.step();
-  EXPECT_EQ(fault_after(touching, -0.0036, 0), Fault::penetration);
+  const Bounds of_stiff{0.00408054, 3.73654, 0.00114728, 15.3707};
+  const auto in_stiff = touching(accepted<Undriven<HuntCrossley, EnergyConsistent>>(stiff, of_stiff, 1.41095e-07));
+  EXPECT_EQ(fault_after(in_stiff, -0.0036, 0), Fault::penetration);
 }
 // A correction may make a classical scheme's force pull. The pull is limited like a push, and the speed that it makes
 // is compared with its bound at once. It was 27 times that bound.
 TEST(WatchedScenes, ACorrectionThatMakesAForcePull) {
   constexpr Scene scene{0.0474726, 0,           0, 0.000498077, 4.68386e-05, 6369.6,      22.7745,       0,
                         40,        0.000478078, 0, 0.000501497, 0.445583,    Stops::both, Tension::allow};
-  using Pulling = Absorber<AtRunTime, HookeNewton, CentralDifference, NoDrive, Fixed32>;
-  auto absorber = accepted<Pulling>(scene, {0.00117396, 0.537284, 0, 0}, 0.00163923);
+  auto absorber = accepted<Undriven<HookeNewton, CentralDifference>>(scene, {0.00117396, 0.537284, 0, 0}, 0.00163923);
   int touching = 0;
   for (int n = 0; n < 200 && absorber.fault() == Fault::none; ++n) {
     absorber.step();
     if (!absorber.is_touching() || absorber.fault() != Fault::none) continue;
     ++touching;
     for (const double dv : {-0.5, -0.3, -0.1, 0.1, 0.3, 0.5}) {
-      const Pulling corrected = corrected_copy(absorber, 0, dv);
+      const auto corrected = corrected_copy(absorber, 0, dv);
       EXPECT_TRUE(broken.count == 0 || corrected.fault() != Fault::none) << broken.condition;
       EXPECT_LT(std::abs(corrected.reading().v2), 1.5 * 0.537284) << dv;
     }
@@ -297,8 +297,7 @@ TEST(WatchedScenes, ACorrectionBeyondTheReachOfAClassicalScheme) {
   scene.gravity = 0.37893;
   scene.ball_friction = 0.0015532;
   using Classical = Absorber<AtRunTime, HookeNewton, AverageAcceleration, Sine, Fixed32, Gravity, DryFriction>;
-  auto absorber = accepted<Classical>(scene, {0.177293, 1.10278, 0, 0}, 0.00464249);
-  while (!absorber.is_touching()) absorber.step();
+  const auto absorber = touching(accepted<Classical>(scene, {0.177293, 1.10278, 0, 0}, 0.00464249));
   EXPECT_EQ(fault_after(absorber, -1e-3, 0), Fault::none);
   for (int mm = -34; mm < 0; ++mm) fault_after(absorber, 1e-3 * mm, 0);
   EXPECT_EQ(fault_after(absorber, -0.034, 0), Fault::penetration);
@@ -329,46 +328,42 @@ TEST(WatchedScenes, ACorrectionOfARubbingBallBeyondItsFlight) {
   scene.gravity = -103.666725;
   scene.ball_friction = 31.152434;
   using Rubbing = Absorber<AtRunTime, HuntCrossley, EnergyConsistent, Sine, Fixed32, Gravity, DryFriction>;
-  auto absorber = accepted<Rubbing>(scene, {0.0143521, 8.489778, 0, 0}, 9.37979e-05);
-  while (!absorber.is_touching()) absorber.step();
+  const auto absorber = touching(accepted<Rubbing>(scene, {0.0143521, 8.489778, 0, 0}, 9.37979e-05));
   EXPECT_EQ(fault_after(absorber, -3.42538e-3, 0), Fault::penetration);
 }
 // To the deepest penetration that is no fault. Forces and impulses had no room there: their units were made for the
 // bound of penetration, not for its limit, for a main mass without spring and damper, and without what presses.
 template <class Law, class Stepper> void expect_room_at_the_deepest(Scene scene, const Bounds& bounds, double deepest) {
-  using Stored = Absorber<AtRunTime, Law, Stepper, NoDrive, Fixed32, EnergyLedger>;
   scene.stops = Stops::right;
-  auto absorber = accepted<Stored>(scene, bounds, 1e-3);
-  while (!absorber.is_touching()) absorber.step();
+  const auto absorber = touching(accepted<Undriven<Law, Stepper, EnergyLedger>>(scene, bounds, 1e-3));
   EXPECT_EQ(fault_after(absorber, -0.97 * deepest, 0), Fault::none);
   for (double share = 0.97; share < 1.02; share += 1e-4) fault_after(absorber, -share * deepest, 0);
   EXPECT_EQ(fault_after(absorber, -1.02 * deepest, 0), Fault::penetration);
 }
 TEST(WatchedScenes, ACorrectionToTheDeepestPenetration) {
   expect_room_at_the_deepest<HuntCrossley, EnergyConsistent>(
-      scene_of(0.17219005, 10142.075, 10.93905, 49.346705, 0.00091071746, 1.0636496e8, 1.2913492e8, 0, 0, 0, 0,
-               0.00044535873, 0.47480002),
+      {0.17219005, 10142.075, 10.93905, 49.346705, 0.00091071746, 1.0636496e8, 1.2913492e8, 0, 0, 0, 0, 0.00044535873,
+       0.47480002},
       {0.28536202, 1.5604819}, 0.0104);
   expect_room_at_the_deepest<HuntCrossley, EnergyConsistent>(
-      scene_of(0.13189771, 31864.59, 68.799705, 68.581538, 0.0043164085, 4.10412e9, 1.9708155e9, 0, 0, 0, 0,
-               0.0021482043, 0.090621727),
+      {0.13189771, 31864.59, 68.799705, 68.581538, 0.0043164085, 4.10412e9, 1.9708155e9, 0, 0, 0, 0, 0.0021482043,
+       0.090621727},
       {0.028143067, 2.4208156}, 0.00178);
   expect_room_at_the_deepest<HookeNewton, EnergyConsistent>(
-      scene_of(1.2698827, 2322.8104, 306.71291, 150.14672, 0.0012526877, 122717.26, 0, 0, 0, 0, 0, 0.00061634383,
-               0.096313972),
+      {1.2698827, 2322.8104, 306.71291, 150.14672, 0.0012526877, 122717.26, 0, 0, 0, 0, 0, 0.00061634383, 0.096313972},
       {0.99544, 10.302724}, 0.1259);
   expect_room_at_the_deepest<HookeNewton, SubsteppedMoment<>>(
-      scene_of(0.35974971, 19445.258, 10.442689, 148.06393, 0.0091539915, 3107055.6, 50.514253, 0, 0, 0, 0,
-               0.0045669958, 0.068628818),
+      {0.35974971, 19445.258, 10.442689, 148.06393, 0.0091539915, 3107055.6, 50.514253, 0, 0, 0, 0, 0.0045669958,
+       0.068628818},
       {0.95870383, 0.8582577}, 0.01213);
   expect_room_at_the_deepest<HookeNewton, SubsteppedMoment<>>(
-      scene_of(8.4083611, 277435.79, 1868.0449, 113.6164, 0.0021859997, 5613600.9, 412.51384, 0, 0, 0, 0, 0.0010829999,
-               0.12213366),
+      {8.4083611, 277435.79, 1868.0449, 113.6164, 0.0021859997, 5613600.9, 412.51384, 0, 0, 0, 0, 0.0010829999,
+       0.12213366},
       {0.15284531, 0.97517571}, 0.01247);
   // Between two states that are just no fault, a flight is deeper by h^2 a/8.
   expect_room_at_the_deepest<HuntCrossley, SubsteppedMoment<4>>(
-      scene_of(0.40704804, 1083.7626, 183.25206, 0.14165639, 0.0085176507, 10665.933, 4428.9774, 0, 0, 0, 0,
-               0.0042488253, 0.053830435),
+      {0.40704804, 1083.7626, 183.25206, 0.14165639, 0.0085176507, 10665.933, 4428.9774, 0, 0, 0, 0, 0.0042488253,
+       0.053830435},
       {0.059543884, 1.1208613}, 0.031188274);
 }
 // A base that shakes ten thousand times as hard as friction holds: a ball that turns was stopped by more than friction
@@ -394,14 +389,12 @@ TEST(WatchedScenes, FrictionOnABaseThatShakesFarHarder) {
 // A force that pulls, of a law that may, is compared with the largest that pushes.
 TEST(WatchedScenes, APullIsRestored) {
   constexpr Scene scene{1, 0, 0, 1, 1e-3, 1e6, 1500, 0, 40, 0, 0, 0, 1, Stops::both, Tension::allow};
-  using Pulling = Absorber<AtRunTime, HookeNewton, CentralDifference, NoDrive, Fixed32>;
-  auto absorber = accepted<Pulling>(scene, {0.1, 1, 0, 0}, 2e-4);
+  auto absorber = accepted<Undriven<HookeNewton, CentralDifference>>(scene, {0.1, 1, 0, 0}, 2e-4);
   bool pulls = false;
   for (int n = 0; n < 100 && absorber.fault() == Fault::none; ++n) {
     absorber.step();
     pulls = pulls || is_negative(absorber.state().contact.force);
-    Pulling twin(absorber.plan);
-    EXPECT_TRUE(twin.restore(absorber.save())) << n;
+    EXPECT_TRUE(absorber.restore(absorber.save())) << n;
     EXPECT_EQ(broken.count, 0) << broken.condition;
     broken.count = 0;
   }

@@ -163,32 +163,6 @@ TEST_F(ImpactSim, ARefusalSaysThatTheBallCrossesTheClearance) {
   EXPECT_THAT(run(fast + "--bound-speed 25").err, HasSubstr(said + "25 m/s)"));
 }
 
-// If a range depends on bounds that the tool has found, the message states them. The tool accepts both as printed.
-TEST_F(ImpactSim, ARangeIsAcceptedAsItIsPrinted) {
-  const std::string friction = "--ball-friction", step = "--step",
-                    heavy =
-                        "--main-mass 1.3748 --ball-mass 911.29 --main-stiffness 20814212 --main-damping 0 "
-                        "--clearance 0.00018452 --contact-stiffness 181028338 --contact-damping 2549600921 --drive "
-                        "none --duration 0.0493 --x2 -2.9475e-05 --v2 -0.192904 --newmark moment --numeric ";
-  const struct {
-    std::string scene, option, value;
-  } cases[] = {{"--duration 0.1", friction, "1e6"},
-               {"--duration 0.1 --step 1e-4", friction, "1e6"},
-               {"--duration 0.1 --numeric fixed32", friction, "1e6"},
-               {"--duration 0.1 --step 5e-4 --newmark energy", friction, "1e6"},
-               {heavy + "float64", step, "2.4671e-05"},
-               {heavy + "float32", step, "2.4671e-05"},
-               {heavy + "fixed32", step, "2.4671e-05"}};
-  for (const auto& [scene, option, value] : cases) {
-    const Result refused = run(scene + " " + option + " " + value);
-    ASSERT_EQ(refused.code, 2) << scene;
-    const std::string line = lines_of(refused.err).front();
-    const size_t most = line.find(" to ") + 4, with = line.find(" with "), end = line.find(" (");
-    ASSERT_NE(with, line.npos) << line;
-    succeed(scene + " " + option + " " + line.substr(most, with - most) + line.substr(with + 5, end - with - 5));
-  }
-}
-
 // Sub-steps limit a step by the stop's duration or by the ball's displacement from stop to stop.
 TEST_F(ImpactSim, ARefusalNamesTheLimitOfSubSteps) {
   const std::string crossing = "moment-4 allows steps of at most 2 times that", contact = "a contact lasts ";
@@ -248,8 +222,6 @@ TEST_F(ImpactSim, ARefusalIsOneLineForAnyQuotedBytes) {
   write(file("scenes.csv"), std::string("drive-file\nfor\000ces\n", 19));
   EXPECT_THAT(run("--sweep scenes.csv").err, HasSubstr("line 2: --drive-file for?ces: allowed: a file name"));
 }
-
-// A fault of the kernel: exit code 3, the reason, and the data up to the fault.
 
 // Each kind of fault has its reason on standard error and the data up to it in the file. The ball of the paper's scene
 // moves by 30 mm. With a bound of 12 mm there is room for less than 15.625 mm = 2^-6 m. Bounds below half the clearance

@@ -202,8 +202,6 @@ TEST_F(ImpactSim, TheRulesOwnNumberIsPrinted) {
               HasSubstr("because with friction w0 h is 0.8 and may be at most 0.5"));
 }
 
-// Weight, friction and a base that shakes.
-
 // A base moves by z. In absolute displacements it acts as the force k z + c z', in relative ones as its acceleration.
 TEST_F(ImpactSim, ABasesDisplacementAndItsAccelerationAreTheSameMotion) {
   constexpr double amplitude = 0.004, pulsation = 45, step = 1e-4;

@@ -88,7 +88,8 @@ double largest_error(double damping, double steps_per_contact) {
   scene.stops = Stops::right;
   const double v = 0.8, time = 4e-3;
   set_contact_time(scene, ContactLaw::is_linear, time, v);
-  scene.contact_damping = ContactLaw::is_linear ? 18 : ContactLaw::is_damped ? 0.1 * scene.contact_stiffness : 0;
+  const double unit = ContactLaw::is_linear ? time / 3.141592653589793 : ContactLaw::is_damped ? 1 : 0;
+  scene.contact_damping = 0.1 * unit * scene.contact_stiffness;
   scene.main_damping = damping * scene.main_mass / (time / 8);
   scene.v2 = v;
   Bounds of_impact{0.1, 0.81};

@@ -182,8 +182,7 @@ template <class Model> struct FrictionImpulse {
       Friction::act_at_once(m.plan, m.state, impulse, moved);
       count_change(m, flight, impulse, moved, before, rubbing_rate(m) - rubbed_ahead(m));
     } else {
-      if constexpr (Model::counts_sliding_distance)
-        for (int quarter = 0; quarter < 4; ++quarter) m.state.slid.add(rubbing.quarter);
+      count_quarter(m, rubbing.quarter);
       if (rubbing.has_turned) count_loss(m, m.state.impulse, -rubbing.displacement);
     }
     if (rubbing.slides != 0) {
@@ -224,9 +223,11 @@ template <class Model> struct FrictionImpulse {
   // has risen to 25 r within a step. The rest is not counted.
   [[gnu::noinline]] static constexpr void count_loss([[maybe_unused]] Model& m, [[maybe_unused]] Penetration impulse,
                                                      [[maybe_unused]] Penetration displacement) {
+    if constexpr (Model::counts_sliding_distance)
+      count_quarter(m, work(quarter_over<Format>(m.plan.friction.half_by_full, impulse), displacement));
+  }
+  static constexpr void count_quarter([[maybe_unused]] Model& m, [[maybe_unused]] typename Format::Energy quarter) {
     if constexpr (Model::counts_sliding_distance) {
-      const auto quarter =
-          work(bare(m.plan.friction.half_by_full * Penetration(Format::value(half(impulse)))), displacement);
       m.state.slid.add(quarter + quarter);
       m.state.slid.add(quarter + quarter);
     }

@@ -33,12 +33,14 @@ template <class Format> struct Rubbing {
   // penetration at the step's end. For the ledger of a ball that has turned before it comes to rest: half of what its
   // displacement differs from that of a flight with the last friction alone.
   Penetration prevented, taken, moved, half_late;
-
-  // Of an impulse of up to 4 r, over r.
-  constexpr auto quarter_of(Penetration impulse) const {
-    return bare(half_by_full * Penetration(Format::value(half(impulse))));
-  }
 };
+
+// A quarter of an impulse of up to 4 r, over r.
+template <class Format>
+constexpr auto quarter_over(GainOf<typename Format::ClampedGain, unit::Penetration, unit::Number> half_by_full,
+                            Penetration<typename Format::Value> impulse) {
+  return bare(half_by_full * Penetration<typename Format::Value>(Format::value(half(impulse))));
+}
 
 // The friction in a part of the step.
 template <class Format> struct PartRubbing {

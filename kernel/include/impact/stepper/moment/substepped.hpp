@@ -266,11 +266,8 @@ template <int named = 0> struct SubsteppedMoment {
           for (int stride = 0; stride < plan.sums.exponent; ++stride)
             if (((left >> stride) & 1) != 0) end.advance(plan.sums, stride);
           [[maybe_unused]] auto last = friction;
-          Penetration ended{};
-          if constexpr (Seen::is_rubbed)
-            ended = last.leave(plan, end, free, left, at);
-          else
-            ended = free.end - end.displacement(plan.sums);
+          if constexpr (Seen::is_rubbed) last.leave(plan, end, free, left, at);
+          const Penetration ended = free.end - end.displacement(plan.sums);
           if (is_positive(ended) || (plan.crosses && is_positive(across(plan, ended)))) continue;
           sums = end;
           friction = last;
@@ -356,11 +353,12 @@ template <int named = 0> struct SubsteppedMoment {
       constexpr void count_so_far(const Plan& plan, Penetration displacement) {
         if constexpr (is_counted)
           quarter = quarter + work(part.slides != 0 ? mirrored(Format::value(Format::constant(0.25)), part.slides < 0)
-                                                    : step->quarter_of(in_a_step(plan)),
+                                                    : quarter_over<Format>(step->half_by_full, in_a_step(plan)),
                                    displacement);
       }
       constexpr void count(Penetration impulse, Penetration displacement) {
-        if constexpr (is_counted) quarter = quarter + work(step->quarter_of(impulse), displacement);
+        if constexpr (is_counted)
+          quarter = quarter + work(quarter_over<Format>(step->half_by_full, impulse), displacement);
       }
       constexpr Penetration in_a_step(const Plan& plan) const {
         return Penetration(Format::times(part.force, 1 << plan.sums.exponent));
@@ -388,9 +386,9 @@ template <int named = 0> struct SubsteppedMoment {
                     rate_in_a_part(plan, part.force - force));
         at = at - moment;
       }
-      // The rest of a step after the ball has left at `at`, of k sub-steps. Returns the penetration at the step's end.
-      constexpr Penetration leave(const Plan& plan, Sums& sums, const Flight& free, int k, Penetration at) {
-        if (!acts) return free.end - sums.displacement(plan.sums);
+      // The rest of a step after the ball has left at `at`, of k sub-steps.
+      constexpr void leave(const Plan& plan, Sums& sums, const Flight& free, int k, Penetration at) {
+        if (!acts) return;
         const auto share = Format::parts(k, plan.sums.exponent, plan.part);
         PartRubbing<Format> rest{Penetration(Format::times(part.full, k)), Penetration(Format::times(part.force, k)),
                                  part.slides};
@@ -403,7 +401,6 @@ template <int named = 0> struct SubsteppedMoment {
         count(by.rate, by.lost_at);
         part.slides = rest.slides;
         rate = end - by.rate;
-        return free.end - sums.displacement(plan.sums);
       }
       constexpr void end(const Plan& plan) const {
         if (!acts) return;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "host_ref/names.hpp"
@@ -18,16 +19,16 @@ std::string bounds_text(const Settled& settled) {
   return text.empty() ? text : " with" + text;
 }
 
-// Sub-steps also limit the step by the time in which the ball crosses the clearance. From four on, only the number of
-// steps across limits it.
+// Sub-steps also limit the step by the time in which the ball crosses the clearance.
 std::string limit_of_crossing(const Request& request) {
   using SubSteps = SubsteppedMoment<>;
-  static_assert(4 >= SubSteps::fewest_parts_across / SubSteps::fewest_steps_across);
-  constexpr double most = 1 / SubSteps::fewest_steps_across;
-  const double crossing = resolution(request).crossing;
-  if (sub_steps(request) <= 1 || request.step <= most * crossing) return {};
-  return "the ball may cross the clearance in " + short_text(crossing) + " s, and " +
-         std::string(name_of(request.stepper)) + " allows steps of at most " + short_text(most) + " times that";
+  const int parts = sub_steps(request);
+  const Resolution contact = resolution(request);
+  const double longest =
+      std::min(SubSteps::longest_across(contact), parts * contact.crossing / SubSteps::fewest_parts_across);
+  if (parts <= 1 || request.step <= longest) return {};
+  return "the ball may cross the clearance in " + short_text(contact.crossing) + " s, and " +
+         std::string(name_of(request.stepper)) + " then allows steps of at most " + short_text(longest) + " s";
 }
 
 // The reason why a step is too long: status.hpp, law/resolution.hpp.

@@ -38,8 +38,8 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
                steps = n * contact.shortest_part / h,
                longest = is_divided ? SubsteppedMoment<>::longest_phase : Moment::longest_phase;
   if (turn > longest) return beyond("w0 h is ", turn, longest);
-  if (is_divided && h * SubsteppedMoment<>::fewest_steps_across > contact.crossing)
-    return "the ball can cross the clearance in half a step";
+  if (is_divided && h > SubsteppedMoment<>::longest_across(contact))
+    return "the ball can cross the clearance too often in a step";
   if (steps < Moment::precise_steps)
     return "a contact has " + rough_text(steps) + " steps and must have " + rough_text(Moment::precise_steps);
   if (phase > Moment::longest_contact_phase)

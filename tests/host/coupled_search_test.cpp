@@ -103,6 +103,17 @@ constexpr Kept kept_cases[] = {
      scene_of(100.00000000000013, 809999.99999999965, 0, 0.25098467954090792, 0.04825176745864055, 100.00000000000004,
               0, 0, 0, 0, 0, 0.023643366054733869, 0.012062740816634297),
      0.010000000000000004, 0.025106125006957972, 0.01218336822480064},
+    {"what the spring adds to the rate in a sub-step is below an LSB of the rate: 3 %", Law::hertz, Stepper::moment_n,
+     Numeric::float32,
+     scene_of(0.010424298468311947, 0.03414700515893711, 0, 0.24900891050336868, 2.4466843954492546e-05,
+              1234104532.6225047, 0, 0, 0, 0, 0.015475413100218015, 1.039401534387762e-05, -0.0008109773782071978),
+     0.0030369838084546747, 0.008980706662507113, 0.016134690685955976},
+    {"the unit of impulses has room for a contact as deep as a step's displacement, and an LSB is a hundred of a "
+     "penetration's: 36 %",
+     Law::hertz, Stepper::moment_n, Numeric::fixed32,
+     scene_of(0.12789304952759586, 5.150902596350699, 0, 127.89304952759584, 0.05016267823707871, 10000000000000.037, 0,
+              0, 0, 0, 0, 0.012718293111454827, 1.499625587365547),
+     0.010000000000000004, 8.051567490663672, 47.89654818478383},
     {"a bound of 0 m/s: the plan did not return", Law::hunt_crossley, Stepper::automatic, Numeric::float32,
      scene_of(2.6304335825379055, 347224068.27591276, 0, 2.9643129247414799, 0.00096882589049351116, 60650.960327264482,
               52739830659.842636, 0, 0, 0, 0, -0.00047472468634182044, 0),
@@ -205,24 +216,16 @@ TEST(FoundInAField, TheGainOfABallPlacedInItsStopIsRemovedToSecondOrder) {
 }
 
 // More sub-steps than are useful create energy by rounding. impact-sim warns of them. This search found both scenes.
-TEST(TooManySubSteps, CreateUpToThirtyPercentInTwoThousandSteps) {
-  const auto expect = [](Law law, Numeric numeric, const Everywhere& point) {
-    const CoupledScene scene = scene_at({law, Stepper::moment_n, numeric}, point);
-    EXPECT_FALSE(has_useful_sub_steps(scene.request));
-    const CoupledRun run = run_coupled(scene);
-    EXPECT_GT(run.gain, 0.1);
-    EXPECT_LT(run.gain, 0.3);
-  };
-  expect(Law::hooke_newton, Numeric::float32,
-         at(0.19959094616515669, 0.47344646172048704, 0.43722360607989313, 0.015409798762306699, 1, 0.37768184633625468,
-            0.88766479486153016, 0, 0.34921413080055663, 0.46149216470699361, 0.98707451323104123, 0.045506276821028549,
-            0.21010657661213039, 0.60167750479500437, 0.42103006279777661, 0.70439236055457122, 0, 0.44833642249385058,
-            0.16908243517854749, 0.2888290142603579, 0.12833364587654197));
-  expect(Law::hertz, Numeric::fixed32,
-         at(0, 0.99566029787597077, 1, 0.13863221220923966, 0.9951580950365434, 0.89874718292094047, 1,
-            0.70725770464344262, 0.43018465466081451, 0.0060648499793171896, 0.36262292808937791, 0, 0.2494168941957306,
-            0.64647330640235412, 0.46417629304509866, 0.82477620063916479, 0.042819356604028566, 0.8250671596962641,
-            0.636869257813797, 0, 0.30249507013810856));
+TEST(TooManySubSteps, CreateSevenPercentInFloatInTwoThousandSteps) {
+  const CoupledScene scene =
+      scene_at({Law::hertz, Stepper::moment_n, Numeric::float32},
+               at(0, 1, 1, 0, 1, 0, 0, 0, 0.54380525341187458, 1, 0.87828709838985131, 0.30944811480700818,
+                  0.14803019178691945, 1, 1, 0.16810452291477707, 0.80156207796003365, 0.3036428989978146, 1,
+                  0.11364030280748869, 0.26815164750697684));
+  EXPECT_FALSE(has_useful_sub_steps(scene.request));
+  const CoupledRun run = run_coupled(scene);
+  EXPECT_GT(run.gain, 0.07);
+  EXPECT_LT(run.gain, 0.075);
 }
 
 // A seeded search for the largest value of a function of coordinates from 0 to 1: the (1+1) evolution strategy

@@ -18,10 +18,10 @@
 //
 // The rule skips a stepper that the plan would reject. Moment and SubsteppedMoment are rejected if the step is too long
 // for the main mass's vibration, or for stiffness or damping of the deepest contact. SubsteppedMoment is also rejected
-// if the ball can cross the clearance within half a step, and Impulsive if weight or a shaken base is not small during
-// a contact, or with friction if w0 h is above 0.5. A Hooke-Newton contact may lose less energy than the step may
-// create. Then the rule skips SubsteppedMoment, and chooses EnergyConsistent in place of Moment. If the plan would
-// reject every stepper, the choice is EnergyConsistent, and the plan rejects it.
+// if the ball can cross the clearance too often in a step (longest_across), and Impulsive if weight or a shaken base is
+// not small during a contact, or with friction if w0 h is above 0.5. A Hooke-Newton contact may lose less energy than
+// the step may create. Then the rule skips SubsteppedMoment, and chooses EnergyConsistent in place of Moment. If the
+// plan would reject every stepper, the choice is EnergyConsistent, and the plan rejects it.
 //
 // A step with sub-steps costs n steps of Moment while the ball is pressed, and 20 to 60 in an impact. Chosen is also
 // for cores with a short period, so it allows no sub-steps in the second line. If there is time, name

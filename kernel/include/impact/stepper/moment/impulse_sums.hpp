@@ -3,7 +3,8 @@
 // What the contact's impulses in the sub-steps of a step have done so far, accumulated separately for each mass:
 //
 //     ball        displacement y += w/n                    w: rate, per step
-//     main mass   (x, u) by its own exact flow over a sub-step, linear_flow.hpp
+//     main mass   (x, u) by its own exact flow over a sub-step, linear_flow.hpp. The flow's part of u is a sum of its
+//                 own, because a sub-step's is below an LSB of u
 //
 // An impulse is in units of its effect in a sub-step, and the ball has its share of y and w. Both masses' displacements
 // reduce the penetration. Derivation: kernel/docs/moment.md.
@@ -31,7 +32,8 @@ template <class Format, int most> struct ImpulseSums {
   using Penetration = impact::Penetration<Value>;
   using Recoil = impact::Recoil<Value>;
 
-  // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), into x in k n-ths.
+  // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), in k n-ths. A part of it would be below an LSB of
+  // u.
   struct Stride {
     Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
   };
@@ -40,7 +42,7 @@ template <class Format, int most> struct ImpulseSums {
     Stride strides[static_cast<size_t>(detail::binary_exponent(most))];  // over 1, 2, 4, .. sub-steps
     int moment_bits;  // the impulses' own unit is 2^moment_bits as fine as a step's
     GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton, from forces
-    Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
+    Gain main_x, main_u, main_u_by_moment, ball, both;              // the masses' shares in these
     int travel_bits;                                                // from these to penetrations
 
     // `main` has no drive. `response` is that in a sub-step, and `own` has the units of a sub-step.
@@ -54,8 +56,8 @@ template <class Format, int most> struct ImpulseSums {
         const double k = constant::power_of_two(i);
         const LinearFlow over = exact_flow(main, k * part);
         plan.strides[i] = {Format::gain(k / n, 0, 0), Format::gain(over.e11 * n / k, 0, 0),
-                           Format::gain(over.e12 - 1, 0, 0), Format::gain(over.e21 / k * n, 0, 0),
-                           Format::gain(over.e22, 0, 0)};
+                           Format::gain(over.e12 - 1, 0, 0), Format::gain(over.e21 * (n / k) * (n / k), 0, 0),
+                           Format::gain(over.e22 * n / k, 0, 0)};
       }
       plan.moment_bits = unit.recoil - own.recoil;
       if (terms.is_linear) {
@@ -64,26 +66,28 @@ template <class Format, int most> struct ImpulseSums {
       }
       plan.main_x = Format::gain(response.gx / mobility, 0, 0);
       plan.main_u = Format::gain(response.g0 / mobility, 0, 0);
-      plan.main_u_by_moment = Format::gain(n * response.hg1 / mobility, own.recoil, unit.recoil);
+      plan.main_u_by_moment = Format::gain(n * response.hg1 / mobility, 0, 0);
       plan.ball = Format::gain(1 / (terms.ball_mass * mobility), 0, 0);
+      plan.both = Format::gain((response.g0 + 1 / terms.ball_mass) / mobility, 0, 0);
       plan.travel_bits = unit.penetration - unit.recoil;
       return plan;
     }
   };
 
-  typename Format::Sum x, y;
-  Recoil u, w;
+  typename Format::Sum x, y, by_flow;  // by_flow: what spring and damper have changed of the main mass's rate
+  Recoil w;
 
-  // Returns the change of the rate by spring and damper.
+  constexpr Recoil u(const Plan& plan) const { return plan.main_u * w + Recoil(by_flow.value()); }
+  // Returns the acceleration by spring and damper.
   [[gnu::always_inline]] constexpr Recoil advance(const Plan& plan, int stride) {
     const Stride& flow = plan.strides[stride];
-    const Recoil at(x.value());
+    const Recoil at(x.value()), rate = u(plan);
     const int bits = plan.exponent - stride;
-    x.add(u + flow.by_x_to_x * at + flow.by_u_to_x * u, bits, flow.part);
-    const Recoil by_flow = flow.by_x_to_u * at + flow.by_u_to_u * u;
-    u = u + by_flow;
+    x.add(rate + flow.by_x_to_x * at + flow.by_u_to_x * rate, bits, flow.part);
+    const Recoil acceleration = flow.by_x_to_u * at + flow.by_u_to_u * rate;
+    by_flow.add(acceleration, bits, flow.part);
     y.add(w, bits, flow.part);
-    return by_flow;
+    return acceleration;
   }
   [[gnu::always_inline]] constexpr void add(const Plan& plan, const Impulse<Force<Value>>& by) {
     add_changes(plan, plan.by_impulse * by.j0, plan.by_moment * by.j1);
@@ -95,7 +99,7 @@ template <class Format, int most> struct ImpulseSums {
   constexpr Recoil take(const Plan& plan, Penetration j0, Penetration j1) {
     const Recoil impulse(Format::moved(j0, -plan.travel_bits)), moment(Format::moved(j1, -plan.travel_bits));
     x.add(plan.main_x * moment, 0);
-    u = u + plan.main_u * impulse + Recoil(Format::moved(plan.main_u_by_moment * moment, -plan.moment_bits));
+    by_flow.add(plan.main_u_by_moment * moment, 0);
     y.add(moment, 0);
     w = w + impulse;
     return impulse;
@@ -103,7 +107,7 @@ template <class Format, int most> struct ImpulseSums {
   // To the coordinates of the other stop.
   constexpr void cross() {
     x.negate();
-    u = -u;
+    by_flow.negate();
     y.negate();
     w = -w;
   }
@@ -111,7 +115,9 @@ template <class Format, int most> struct ImpulseSums {
   [[gnu::always_inline]] constexpr Penetration displacement(const Plan& plan) const {
     return travel(plan, Recoil(x.value()) + plan.ball * Recoil(y.value()));
   }
-  [[gnu::always_inline]] constexpr Penetration rate(const Plan& plan) const { return travel(plan, u + plan.ball * w); }
+  [[gnu::always_inline]] constexpr Penetration rate(const Plan& plan) const {
+    return travel(plan, plan.both * w + Recoil(by_flow.value()));
+  }
   static constexpr Penetration travel(const Plan& plan, Recoil by) {
     return Penetration(Format::moved(by, plan.travel_bits));
   }
@@ -119,7 +125,7 @@ template <class Format, int most> struct ImpulseSums {
  private:
   [[gnu::always_inline]] constexpr void add_changes(const Plan& plan, Recoil j0, Recoil j1) {
     x.add(plan.main_x * j1, plan.moment_bits);
-    u = u + plan.main_u * j0 + plan.main_u_by_moment * j1;
+    by_flow.add(plan.main_u_by_moment * j1, plan.moment_bits);
     y.add(j1, plan.moment_bits);
     w = w + j0;
   }

@@ -35,13 +35,22 @@ template <int named = 0> struct SubsteppedMoment {
   // The quartic's error of the main mass's displacement is (w0 h)^5/13000 of its amplitude.
   static constexpr double longest_phase = 0.32;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
-  // After a contact that ends within a sub-step, none may follow at the other stop in that sub-step. Without damping a
-  // ball that crosses many times in a step gains energy.
+  // After a contact that ends within a sub-step, none may follow at the other stop in that sub-step. In a ball that
+  // crosses often in a step without damping two errors add up: that of the flight's course, (w0 h)^4 of the rate, and
+  // that of a linear contact with few sub-steps.
   static constexpr double fewest_parts_across = 1.5, fewest_steps_across = 0.5;
+  static constexpr double most_crossings = 32, longest_phase_of_crossings = 0.1;
+  static constexpr double longest_across(const Resolution& contact) {
+    using constant::smaller;
+    double longest =
+        smaller(most_crossings * contact.crossing, longest_phase_of_crossings / (contact.main_pulsation + 1e-300));
+    if (contact.is_linear) longest = smaller(longest, most * Moment::steps(contact).most / 2);
+    return constant::larger(contact.crossing / fewest_steps_across, longest);
+  }
   static constexpr Range steps(const Resolution& contact) {
     return {0, constant::smaller(
                    most * constant::smaller(Moment::steps(contact).most, contact.crossing / fewest_parts_across),
-                   contact.crossing / fewest_steps_across)};
+                   longest_across(contact))};
   }
   static constexpr double restitution_error(const Resolution& contact, double step) {
     return Moment::restitution_error(contact, step / parts_for(contact, step));
@@ -90,16 +99,16 @@ template <int named = 0> struct SubsteppedMoment {
       bool crosses;
       Penetration clearance;
     };
-    // An impulse is in units of its effect in a sub-step. The n impulses of a step change the rate by at most n^2 of
-    // these, or by twice the largest rate and twice what presses. A prediction may be off by as much again.
+    // An impulse is in units of its effect in a sub-step, with room for that of a contact in a sub-step's own units.
+    // The n impulses of a step change the rate by at most n^2 of these, or by twice the largest rate and twice what
+    // presses. A prediction may be off by as much again.
     static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
+      const double n = terms.parts,
+                   push = largest_in_a_part(terms, Format::exponent_of(largest.penetration), largest.increment).push;
       Inner::room(in_a_part(terms), largest);
-      // There is room for the sum of both masses' displacements.
-      if (terms.is_linear) largest.push *= both_masses(terms);
-      const double n = terms.parts;
       const double by_friction = 2 * terms.rubbing * terms.step * terms.step;
       const double turned = 2 * terms.step * (terms.largest_rate + terms.step * terms.pressing);
-      largest.push = constant::larger(largest.push, 2 * constant::smaller(turned, n * n * largest.push + by_friction));
+      largest.push = constant::larger(push, 2 * constant::smaller(turned, n * n * push + by_friction));
       largest.push = constant::larger(largest.push, bending_noise * largest.penetration);
     }
     // A flight's change of rate follows from penetrations and rates, and is known to some LSBs of their unit.
@@ -121,19 +130,25 @@ template <int named = 0> struct SubsteppedMoment {
     // impulses. They have finer units: with room for twice the largest penetration, and for what Inner asks. Spring and
     // drive change the rate in a sub-step by 1/n^2 of what they do in a step, which leaves n for the course of their
     // change.
-    static constexpr UnitExponents units(const ContactTerms& terms, UnitExponents unit) {
-      const ContactTerms sub = in_a_part(terms);
-      const double n = terms.parts;
-      const double unit_of_step = constant::power_of_two(unit.penetration);
-      const int depth = Format::exponent_of(2 * (limit_of(terms.largest_penetration) + terms.largest_rate * sub.step));
-      if (!is_linear && depth < unit.penetration) unit.penetration = depth;
+    static constexpr int finer_depth(const ContactTerms& terms, int of_step) {
+      const int depth =
+          Format::exponent_of(2 * (limit_of(terms.largest_penetration) + terms.largest_rate * in_a_part(terms).step));
+      return !is_linear && depth < of_step ? depth : of_step;
+    }
+    static constexpr UnitBounds largest_in_a_part(const ContactTerms& terms, int depth_of_step, double increment) {
       UnitBounds largest{};
-      largest.penetration = 0.999 * constant::power_of_two(unit.penetration);
-      largest.increment = constant::power_of_two(unit.increment) / n;
-      Inner::room(sub, largest);
-      const double noise = bending_noise * unit_of_step / (n * n);
-      const int impulse =
-                    Format::exponent_of(constant::larger(largest.push * (is_linear ? both_masses(sub) : 0.5), noise)),
+      largest.penetration = 0.999 * constant::power_of_two(finer_depth(terms, depth_of_step));
+      largest.increment = increment / terms.parts;
+      Inner::room(in_a_part(terms), largest);
+      // There is room for the sum of both masses' displacements.
+      if (is_linear) largest.push *= both_masses(terms);
+      return largest;
+    }
+    static constexpr UnitExponents units(const ContactTerms& terms, UnitExponents unit) {
+      const double n = terms.parts, noise = bending_noise * constant::power_of_two(unit.penetration) / (n * n),
+                   push = largest_in_a_part(terms, unit.penetration, constant::power_of_two(unit.increment)).push;
+      unit.penetration = finer_depth(terms, unit.penetration);
+      const int impulse = Format::exponent_of(constant::larger(push * (is_linear ? 1 : 0.5), noise)),
                 finest = unit.recoil - Format::exponent_of(0.5 * n);
       if (impulse < unit.recoil) unit.recoil = impulse > finest ? impulse : finest;
       return unit;
@@ -223,7 +238,7 @@ template <int named = 0> struct SubsteppedMoment {
       [[maybe_unused]] Work work{plan, start_rate};
       while (left > 0) {
         --left;
-        Recoil by_flow = sums.advance(plan.sums, 0);
+        Recoil acceleration = sums.advance(plan.sums, 0);
         if constexpr (Seen::is_rubbed) friction.act(plan, sums);
         const auto s = Format::parts(left, plan.sums.exponent, plan.part);
         Penetration part_trial = free.at(s) - sums.displacement(plan.sums);
@@ -234,7 +249,7 @@ template <int named = 0> struct SubsteppedMoment {
             at = across(plan, at);
             free_rate = -free_rate;
             rate_at_crossing = rate_now = -rate_now;
-            by_flow = -by_flow;
+            acceleration = -acceleration;
             cross();
             ++crossings;
           }
@@ -251,8 +266,7 @@ template <int named = 0> struct SubsteppedMoment {
         part.rate = rate_in_a_part(plan, rate_now);
         part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
         part.travel = part.penetration - part.before;
-        Penetration bending =
-            plan.square * free.acceleration_at(s) - rate_in_a_part(plan, Sums::travel(plan.sums, by_flow));
+        Penetration bending = plan.square * (free.acceleration_at(s) - Sums::travel(plan.sums, acceleration));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
         sums.add(plan.sums, Inner::impulse_of(plan.inner, units, part));
@@ -279,7 +293,7 @@ template <int named = 0> struct SubsteppedMoment {
         if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
       if ((crossings & 1) != 0) cross();
       if constexpr (Seen::is_rubbed) friction.end(plan);
-      auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u, Recoil(sums.x.value())});
+      auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u(plan.sums), Recoil(sums.x.value())});
       reaction.ball = {sums.w, Recoil(sums.y.value())};
       reaction.crossings = crossings;
       reaction.penetration = lowered(plan, this->penetration);

@@ -42,7 +42,7 @@ template <class Format, int most> struct ImpulseSums {
     Stride strides[static_cast<size_t>(detail::binary_exponent(most))];  // over 1, 2, 4, .. sub-steps
     int moment_bits;  // the impulses' own unit is 2^moment_bits as fine as a step's
     GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton, from forces
-    Gain main_x, main_u, main_u_by_moment, ball, both;              // the masses' shares in these
+    Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
     int travel_bits;                                                // from these to penetrations
 
     // `main` has no drive. `response` is that in a sub-step, and `own` has the units of a sub-step.
@@ -68,20 +68,19 @@ template <class Format, int most> struct ImpulseSums {
       plan.main_u = Format::gain(response.g0 / mobility, 0, 0);
       plan.main_u_by_moment = Format::gain(n * response.hg1 / mobility, 0, 0);
       plan.ball = Format::gain(1 / (terms.ball_mass * mobility), 0, 0);
-      plan.both = Format::gain((response.g0 + 1 / terms.ball_mass) / mobility, 0, 0);
       plan.travel_bits = unit.penetration - unit.recoil;
       return plan;
     }
   };
 
   typename Format::Sum x, y, by_flow;  // by_flow: what spring and damper have changed of the main mass's rate
-  Recoil w;
+  Recoil w, main_share;                // of w
 
-  constexpr Recoil u(const Plan& plan) const { return plan.main_u * w + Recoil(by_flow.value()); }
+  constexpr Recoil u() const { return main_share + Recoil(by_flow.value()); }
   // Returns the acceleration by spring and damper.
   [[gnu::always_inline]] constexpr Recoil advance(const Plan& plan, int stride) {
     const Stride& flow = plan.strides[stride];
-    const Recoil at(x.value()), rate = u(plan);
+    const Recoil at(x.value()), rate = u();
     const int bits = plan.exponent - stride;
     x.add(rate + flow.by_x_to_x * at + flow.by_u_to_x * rate, bits, flow.part);
     const Recoil acceleration = flow.by_x_to_u * at + flow.by_u_to_u * rate;
@@ -101,7 +100,7 @@ template <class Format, int most> struct ImpulseSums {
     x.add(plan.main_x * moment, 0);
     by_flow.add(plan.main_u_by_moment * moment, 0);
     y.add(moment, 0);
-    w = w + impulse;
+    change(plan, impulse);
     return impulse;
   }
   // To the coordinates of the other stop.
@@ -110,13 +109,14 @@ template <class Format, int most> struct ImpulseSums {
     by_flow.negate();
     y.negate();
     w = -w;
+    main_share = -main_share;
   }
   // The share of both in the penetration and in its rate.
   [[gnu::always_inline]] constexpr Penetration displacement(const Plan& plan) const {
     return travel(plan, Recoil(x.value()) + plan.ball * Recoil(y.value()));
   }
   [[gnu::always_inline]] constexpr Penetration rate(const Plan& plan) const {
-    return travel(plan, plan.both * w + Recoil(by_flow.value()));
+    return travel(plan, u() + plan.ball * w);
   }
   static constexpr Penetration travel(const Plan& plan, Recoil by) {
     return Penetration(Format::moved(by, plan.travel_bits));
@@ -127,7 +127,11 @@ template <class Format, int most> struct ImpulseSums {
     x.add(plan.main_x * j1, plan.moment_bits);
     by_flow.add(plan.main_u_by_moment * j1, plan.moment_bits);
     y.add(j1, plan.moment_bits);
+    change(plan, j0);
+  }
+  [[gnu::always_inline]] constexpr void change(const Plan& plan, Recoil j0) {
     w = w + j0;
+    main_share = plan.main_u * w;
   }
 };
 

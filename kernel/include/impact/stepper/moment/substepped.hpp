@@ -293,7 +293,7 @@ template <int named = 0> struct SubsteppedMoment {
         if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
       if ((crossings & 1) != 0) cross();
       if constexpr (Seen::is_rubbed) friction.end(plan);
-      auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u(plan.sums), Recoil(sums.x.value())});
+      auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u(), Recoil(sums.x.value())});
       reaction.ball = {sums.w, Recoil(sums.y.value())};
       reaction.crossings = crossings;
       reaction.penetration = lowered(plan, this->penetration);

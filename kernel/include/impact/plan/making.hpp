@@ -136,9 +136,12 @@ template <class Plan> class PlanMaking {
   static constexpr PlanStatus status_of_motion(const Scene& scene, const Bounds& bounds, const Basis& basis) {
     const double displacement = basis.terms.largest_rate * basis.terms.step;
     // If the ball can cross the cavity in one step, a contact may first see it up to two steps' displacement inside a
-    // stop. Putting it back would do work against a field, and friction would not act on that distance.
+    // stop. Putting it back would do work against a field, and friction would not act on that distance. Sub-steps follow
+    // the ball.
     const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
-    if (has_parts && scene.stops == Stops::both && 2 * displacement >= scene.clearance) return PlanStatus::clearance;
+    if (!Contact::traits.starts_from_rate && has_parts && scene.stops == Stops::both &&
+        2 * displacement >= scene.clearance)
+      return PlanStatus::clearance;
     if constexpr (Friction::is_friction) {
       // An impulse of friction must act forward, and a part of it in the coming step.
       const LinearFlow& flow = basis.flow;

@@ -233,6 +233,7 @@ template <int named = 0> struct SubsteppedMoment {
       const auto cross = [&] {  // to the coordinates of the other stop
         free.cross(plan.clearance);
         sums.cross();
+        if constexpr (Seen::is_rubbed) friction.cross();
       };
       [[maybe_unused]] Penetration rate_at_crossing{};
       [[maybe_unused]] Work work{plan, start_rate};
@@ -320,7 +321,7 @@ template <int named = 0> struct SubsteppedMoment {
     static constexpr Penetration rate_in_a_part(const Plan& plan, Penetration rate) {
       return Penetration(plan.rate * bare(rate));
     }
-    // A penetration of one stop as one of the other. With weight, a base or friction no plan allows a crossing.
+    // A penetration of one stop as one of the other.
     static constexpr Penetration across(const Plan& plan, Penetration penetration) {
       return -penetration - plan.clearance;
     }
@@ -359,6 +360,14 @@ template <int named = 0> struct SubsteppedMoment {
         part.force = assumed = mirrored(plan.part * mirrored(step->force, back), back);
         part.slides = step->slides;
         fly(plan, at_rate, displacement);
+      }
+      // To the coordinates of the other stop.
+      constexpr void cross() {
+        part.force = -part.force;
+        part.slides = -part.slides;
+        assumed = -assumed;
+        rate = -rate;
+        taken = -taken;
       }
       constexpr void fly(const Plan& plan, Penetration at_rate, Penetration displacement) {
         rate = at_rate;

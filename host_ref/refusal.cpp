@@ -39,7 +39,7 @@ std::string limit_of_step(const Settled& settled, double longest) {
     case PlanStatus::clearance:
       return "with weight, a shaken base or friction the ball may cross at most a quarter of the clearance in a step, "
              "at " +
-             short_text(request.bounds->speed) + " m/s";
+             short_text(request.bounds->speed) + " m/s, except with " + std::string(name_of(Stepper::moment_n));
     case PlanStatus::steps_per_contact:
       if (const std::string limit = limit_of_crossing(request); !limit.empty()) return limit;
       if (request.stepper == Stepper::impulsive &&

@@ -216,16 +216,31 @@ TEST(FoundInAField, TheGainOfABallPlacedInItsStopIsRemovedToSecondOrder) {
 }
 
 // More sub-steps than are useful create energy by rounding. impact-sim warns of them. This search found both scenes.
-TEST(TooManySubSteps, CreateSevenPercentInFloatInTwoThousandSteps) {
-  const CoupledScene scene =
-      scene_at({Law::hertz, Stepper::moment_n, Numeric::float32},
-               at(0, 1, 1, 0, 1, 0, 0, 0, 0.54380525341187458, 1, 0.87828709838985131, 0.30944811480700818,
-                  0.14803019178691945, 1, 1, 0.16810452291477707, 0.80156207796003365, 0.3036428989978146, 1,
-                  0.11364030280748869, 0.26815164750697684));
+CoupledRun run_with_too_many(const Everywhere& point, Damping damping) {
+  const CoupledScene scene = scene_at({Law::hunt_crossley, Stepper::moment_n, Numeric::float32, damping}, point);
   EXPECT_FALSE(has_useful_sub_steps(scene.request));
-  const CoupledRun run = run_coupled(scene);
-  EXPECT_GT(run.gain, 0.07);
-  EXPECT_LT(run.gain, 0.075);
+  return run_coupled(scene);
+}
+TEST(TooManySubSteps, CreateFourPercentInFloatInTwoThousandSteps) {
+  const CoupledRun run = run_with_too_many(
+      at(0.034665382444264835, 0.58806599970687568, 0.70667948626494714, 0.66549966892644818, 1, 0.93293817898203513,
+         0.49754616526639928, 0.27648846960547341, 0.7539577498212594, 0.39638730738714245, 0.93729502700247724,
+         0.12575753919137889, 0.57583887368208564, 0.14507294450304398, 0.52704855189776667, 0.91087509107128484,
+         0.025702430423120714, 0.21803732442922844, 0.30354075154972365, 0, 0.401724916922644),
+      Damping::hunt_crossley);
+  EXPECT_GT(run.gain, 0.03);
+  EXPECT_LT(run.gain, 0.05);
+}
+TEST(TooManySubSteps, SpoilTheLedgerOfFrictionInFloat) {
+  const CoupledRun run = run_with_too_many(
+      at(0.56024153156720613, 0.59760884772268263, 0.98240940599261761, 0.003615414724688073, 0.96596797503948029,
+         0.52472938460768992, 0.45444700428543222, 0.64609666287761292, 0.12681296780012788, 0.95336125899908553,
+         0.99043088233734633, 0.59277866949495661, 0.81652993099084326, 0.5343516902523443, 0.20995424687842321,
+         0.68534524805004404, 0.37157618834463757, 0.41376341899470659, 0.36857333741546905, 0.0461420454869697,
+         0.99609196725397187),
+      Damping::constant);
+  EXPECT_GT(run.rubbed, 1);
+  EXPECT_LT(run.rubbed, 2);
 }
 
 // A seeded search for the largest value of a function of coordinates from 0 to 1: the (1+1) evolution strategy

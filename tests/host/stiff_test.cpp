@@ -58,14 +58,16 @@ double error(const host::Case& run, double h, double duration) {
 }
 // With Hooke-Newton Fixed32 has at most 1024 sub-steps. A contact that requires more is so short that Impulsive is as
 // exact.
-template <class Format, class ContactLaw> double error_by_rule(const host::Case& run, double h, double duration) {
+template <class Format, class ContactLaw, class... Parts>
+double error_by_rule(const host::Case& run, double h, double duration) {
   const Resolution contact = resolution_of<ContactLaw>(run.scene, bounds_of(run.scene));
   constexpr bool is_fixed_linear = std::is_same_v<Format, Fixed32> && ContactLaw::is_linear;
   const Choice choice = choice_for(contact, h, is_fixed_linear ? 1024 : SubsteppedMoment<>::most);
-  if (choice == Choice::moment) return error<Format, ContactLaw, Moment>(run, h, duration);
-  if (is_fixed_linear && choice == Choice::impulsive) return error<Format, ContactLaw, Impulsive>(run, h, duration);
+  if (choice == Choice::moment) return error<Format, ContactLaw, Moment, Parts...>(run, h, duration);
+  if (is_fixed_linear && choice == Choice::impulsive)
+    return error<Format, ContactLaw, Impulsive, Parts...>(run, h, duration);
   EXPECT_EQ(choice, Choice::sub_steps) << run.scene.contact_stiffness << " at " << h;
-  return error<Format, ContactLaw, SubsteppedMoment<>>(run, h, duration);
+  return error<Format, ContactLaw, SubsteppedMoment<>, Parts...>(run, h, duration);
 }
 
 constexpr double stiffnesses[] = {3e4, 3e5, 3e6, 1e8, 3e9, 1e11, 1e12}, of_springs[] = {1e3, 1e5, 3e6, 1e8, 3e10, 1e12};
@@ -99,6 +101,14 @@ TEST(StiffStop, IsAsExactInACavityThatTheBallCrossesSixTimesInAStep) {
     EXPECT_LT((error_by_rule<Float64, HuntCrossley>(run, 1e-3, 0.4)), 1e-7) << stiffness;
     EXPECT_LT((error_by_rule<Fixed32, HuntCrossley>(run, 1e-3, 0.4)), 1e-6) << stiffness;
     EXPECT_LT((error_by_rule<Float64, HookeNewton>(linear, 1e-3, 0.4)), 1e-9) << stiffness;
+    Scene heavier = very_narrow(), rubbing = very_narrow();
+    heavier.gravity = 9.81;
+    rubbing.ball_friction = 0.3;
+    for (const Scene& scene : {heavier, rubbing}) {
+      const host::Case part = with_stop<HuntCrossley>(scene, stiffness);
+      EXPECT_LT((error_by_rule<Float64, HuntCrossley, DryFriction>(part, 1e-3, 0.4)), 1e-6) << stiffness;
+      EXPECT_LT((error_by_rule<Fixed32, HuntCrossley, DryFriction>(part, 1e-3, 0.4)), 5e-6) << stiffness;
+    }
   }
 }
 // Hertz loses nothing. In these scenes its impacts amplify errors by at most ten.

@@ -20,12 +20,13 @@
 // for the main mass's vibration, or for stiffness or damping of the deepest contact. SubsteppedMoment is also rejected
 // if the ball can cross the clearance too often in a step (longest_across), and Impulsive if weight or a shaken base is
 // not small during a contact, or with friction if w0 h is above 0.5. A Hooke-Newton contact may lose less energy than
-// the step may create. Then the rule skips SubsteppedMoment, and chooses EnergyConsistent in place of Moment. If the
-// plan would reject every stepper, the choice is EnergyConsistent, and the plan rejects it.
+// the step may create. Then the rule skips SubsteppedMoment, and chooses EnergyConsistent in place of Moment. With
+// weight, a shaken base or friction, SubsteppedMoment alone is accepted if the ball can cross half of the clearance in
+// a step. If the plan would reject every stepper, the choice is EnergyConsistent, and the plan rejects it.
 //
 // A step with sub-steps costs n steps of Moment while the ball is pressed, and 20 to 60 in an impact. Chosen is also
-// for cores with a short period, so it allows no sub-steps in the second line. If there is time, name
-// SubsteppedMoment<>. impact-sim allows as many sub-steps as the format does.
+// for cores with a short period, so it allows no sub-steps in the second line, or 512 where no other stepper is
+// accepted. If there is time, name SubsteppedMoment<>. impact-sim allows as many sub-steps as the format does.
 
 #include <impact/law/resolution.hpp>
 #include <impact/plan/source.hpp>
@@ -79,14 +80,18 @@ constexpr Choice choice_for(const Resolution& contact, double step, int most_sub
   };
   using SubSteps = SubsteppedMoment<>;
   const int parts = SubSteps::parts_for(contact, step);
-  const bool is_instant =
-      part(1) > 1 && Impulsive::is_instant(contact, longest_instant) && Impulsive::steps(contact).holds(step);
+  // The plan rejects the other steppers. A 32-bit float resolves 512 sub-steps.
+  const bool needs_sub_steps = (contact.has_friction || contact.field_share > 0) && contact.crossing <= 2 * step;
+  if (needs_sub_steps && most_sub_steps < 512) most_sub_steps = 512;
+  const bool is_instant = !needs_sub_steps && part(1) > 1 && Impulsive::is_instant(contact, longest_instant) &&
+                          Impulsive::steps(contact).holds(step);
   const bool has_sub_steps = is_right(SubSteps::steps(contact), SubSteps::longest_phase, parts) && is_passive_in(parts),
              takes_sub_steps = has_sub_steps && parts <= most_sub_steps &&
                                !(is_instant && expected_error(Choice::impulsive, contact, step) <=
                                                    expected_error(Choice::sub_steps, contact, step)),
              is_precise = SubSteps::precise_parts * step <= contact.shortest_part;
-  if (is_right(Moment::steps(contact), Moment::longest_phase, 1) && (is_precise || !takes_sub_steps))
+  if (!needs_sub_steps && is_right(Moment::steps(contact), Moment::longest_phase, 1) &&
+      (is_precise || !takes_sub_steps))
     return is_passive_in(1) ? Choice::moment : Choice::energy;
   if (takes_sub_steps) return Choice::sub_steps;
   if (is_instant) return Choice::impulsive;

@@ -55,7 +55,7 @@ template <class Rig, class PlanType, PlanStatus status> constexpr void require_a
   static_assert(
       together != PlanStatus::clearance,
       "Rig::scene.clearance: 0 to 1e12 m, and more than 4 * Bounds::speed * step with weight, a shaken base or "
-      "friction");
+      "friction, except with SubsteppedMoment<>");
   static_assert(
       together != PlanStatus::contact_stiffness,
       "Rig::scene.contact_stiffness: Fixed32 cannot resolve such a stop with this step and these Bounds. Take tighter "
@@ -130,7 +130,8 @@ template <class Rig, class PlanType, PlanStatus status> constexpr void require_a
     (void)sizeof(StopInReach<static_cast<int64_t>(largest_clearance(Rig::bounds) * 1e6), false>);
   if constexpr (status == PlanStatus::step || status == PlanStatus::steps_per_contact) {
     constexpr Resolution contact = resolution_of<ContactLaw>(Rig::scene, Rig::bounds);
-    constexpr bool has_parts = PlanType::FieldType::is_field || PlanType::FrictionType::is_friction;
+    constexpr bool has_parts = (PlanType::FieldType::is_field || PlanType::FrictionType::is_friction) &&
+                               !PlanType::ContactType::traits.starts_from_rate;
     constexpr double most = constant::smaller(Stepper::steps(contact).most,
                                               longest_step(Rig::scene, Stepper::longest_phase)),
                      longest = has_parts ? constant::smaller(most, contact.crossing / 2) : most;

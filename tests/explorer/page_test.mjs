@@ -223,7 +223,7 @@ async function parts(page) {
   await page.until('explorer.due.size === 0 && explorer.runs.a.isReady');
   await checkAgainstTool(page, 'a', 'as long as the file');
   await page.click('[data-preset="upright"]');
-  await typeInto(page, 'value-ball-friction-number', '1e6');
+  await typeInto(page, 'value-ball-friction-number', '1e9');
   await refused('ball-friction', 'Allowed: 0 to');
   await page.click('#value-ball-friction-refusal button');
   await choose('newmark', 'average');

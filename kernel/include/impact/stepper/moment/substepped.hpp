@@ -36,8 +36,8 @@ template <int named = 0> struct SubsteppedMoment {
   static constexpr double longest_phase = 0.32;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
   // After a contact that ends within a sub-step, none may follow at the other stop in that sub-step. If a ball without
-  // damping crosses often in a step, two errors add up: that of the flight's course, (w0 h)^4 of the rate, and that of a
-  // linear contact with few sub-steps.
+  // damping crosses often in a step, two errors add up: that of the flight's course, (w0 h)^4 of the rate, and that of
+  // a linear contact with few sub-steps.
   static constexpr double fewest_parts_across = 1.5, fewest_steps_across = 0.5;
   static constexpr double most_crossings = 32, longest_phase_of_crossings = 0.1;
   static constexpr double longest_across(const Resolution& contact) {

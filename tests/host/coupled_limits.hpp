@@ -6,8 +6,15 @@
 
 #include "host_ref/coupled_scenes.hpp"
 #include "host_ref/extremes.hpp"
+#include "host_ref/settled.hpp"
 
 namespace impact::host {
+
+// A named stepper may have more sub-steps than are useful (TooManySubSteps in coupled_search_test.cpp). The scenes and
+// the search leave it out.
+inline bool has_useful_sub_steps(const Request& request) {
+  return sub_steps(request) <= most_sub_steps_in(request.numeric, request.law);
+}
 
 // The share of a scene's energy that the rounding of Fixed32 may add. In each step the displacements per step, and so
 // the kinetic energy, have an error of some LSBs.

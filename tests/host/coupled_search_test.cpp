@@ -48,9 +48,6 @@ double energy_rounded_in_one_float(const CoupledScene& found) {
   return lsb * (steps * lasting / (2 * energy) + 5 * std::sqrt(steps / 12) * 2.5 / depth);
 }
 
-bool has_useful_sub_steps(const Request& request) {
-  return sub_steps(request) <= most_sub_steps_in(request.numeric, request.law);
-}
 // The energy gain, or what friction supplies in a step, beyond rounding. A fault counts more than any gain. A stepper
 // with more sub-steps than are useful is left out.
 double badness(const CoupledScene& scene) {

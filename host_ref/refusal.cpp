@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "host_ref/names.hpp"
@@ -21,12 +20,11 @@ std::string bounds_text(const Settled& settled) {
 
 // Sub-steps also limit the step by the time in which the ball crosses the clearance.
 std::string limit_of_crossing(const Request& request) {
-  using SubSteps = SubsteppedMoment<>;
   const int parts = sub_steps(request);
+  if (parts <= 1) return {};
   const Resolution contact = resolution(request);
-  const double longest =
-      std::min(SubSteps::longest_across(contact), parts * contact.crossing / SubSteps::fewest_parts_across);
-  if (parts <= 1 || request.step <= longest) return {};
+  const double longest = SubsteppedMoment<>::longest_across(contact, parts);
+  if (request.step <= longest) return {};
   return "the ball may cross the clearance in " + short_text(contact.crossing) + " s, and " +
          std::string(name_of(request.stepper)) + " then allows steps of at most " + short_text(longest) + " s";
 }

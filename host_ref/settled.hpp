@@ -30,7 +30,7 @@ double restitution_error(const Request& request);
 double expected_error_of(const Request& request);
 // The largest useful number of sub-steps. With more, rounding adds more error than the sub-steps remove.
 constexpr int most_sub_steps_in(Numeric numeric, Law law) {
-  if (numeric == Numeric::float32 || numeric == Numeric::float32_plain) return 512;
+  if (numeric == Numeric::float32 || numeric == Numeric::float32_plain) return SubsteppedMoment<>::most_in_a_float;
   return numeric == Numeric::fixed32 && law == Law::hooke_newton ? 1024 : SubsteppedMoment<>::most;
 }
 // The rule's candidates, the cheaper first.

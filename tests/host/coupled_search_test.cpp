@@ -7,7 +7,6 @@
 
 #include "coupled_limits.hpp"
 #include "host_ref/coupled_scenes.hpp"
-#include "host_ref/settled.hpp"
 #include "kinds.hpp"
 
 namespace impact::host {
@@ -51,8 +50,9 @@ double energy_rounded_in_one_float(const CoupledScene& found) {
 // The energy gain, or what friction supplies in a step, beyond rounding. A fault counts more than any gain. A stepper
 // with more sub-steps than are useful is left out.
 double badness(const CoupledScene& scene) {
+  if (!has_useful_sub_steps(scene.request)) return -1e300;
   const CoupledRun run = run_coupled(scene);
-  if (!run.is_accepted || !has_useful_sub_steps(scene.request)) return -1e300;
+  if (!run.is_accepted) return -1e300;
   if (run.has_fault || !(run.gain < 1e9) || !(run.rubbed < 1e9) || !(run.rubbed_back < 1e9)) return 1e9;
   const bool has_one_float = scene.request.numeric == Numeric::float32_plain;
   const double rounded = has_one_float ? energy_rounded_in_one_float(scene) : 0;

@@ -23,6 +23,10 @@ Scene hanging() { return driven(&Scene::gravity, 9.81); }
 Scene narrow() { return driven(&Scene::clearance, 2e-3); }
 // It may cross this one 6 times in a step of 1 ms.
 Scene very_narrow() { return driven(&Scene::clearance, 5e-4); }
+Scene rubbing(Scene scene, double friction) {
+  scene.ball_friction = friction;
+  return scene;
+}
 // At a step of 1 ms this drive is fast, so its second derivative matters in free flight.
 Scene fast() {
   Scene scene = driven(&Scene::main_stiffness, 4000);
@@ -101,10 +105,9 @@ TEST(StiffStop, IsAsExactInACavityThatTheBallCrossesSixTimesInAStep) {
     EXPECT_LT((error_by_rule<Float64, HuntCrossley>(run, 1e-3, 0.4)), 1e-7) << stiffness;
     EXPECT_LT((error_by_rule<Fixed32, HuntCrossley>(run, 1e-3, 0.4)), 1e-6) << stiffness;
     EXPECT_LT((error_by_rule<Float64, HookeNewton>(linear, 1e-3, 0.4)), 1e-9) << stiffness;
-    Scene heavier = very_narrow(), rubbing = very_narrow();
-    heavier.gravity = 9.81;
-    rubbing.ball_friction = 0.3;
-    for (const Scene& scene : {heavier, rubbing}) {
+    Scene in_field = very_narrow();
+    in_field.gravity = 9.81;
+    for (const Scene& scene : {in_field, rubbing(very_narrow(), 0.3)}) {
       const host::Case part = with_stop<HuntCrossley>(scene, stiffness);
       EXPECT_LT((error_by_rule<Float64, HuntCrossley, DryFriction>(part, 1e-3, 0.4)), 1e-6) << stiffness;
       EXPECT_LT((error_by_rule<Fixed32, HuntCrossley, DryFriction>(part, 1e-3, 0.4)), 5e-6) << stiffness;
@@ -127,10 +130,6 @@ TEST(StiffStop, IsAsExactInFloat) { expect_one_bound<Float32, HuntCrossley>(driv
 
 // Dry friction reverses at the instant of the impact, or in flight at that of the ball's reversal. The limits are those
 // without friction.
-Scene rubbing(Scene scene, double friction) {
-  scene.ball_friction = friction;
-  return scene;
-}
 template <class Format, class ContactLaw> double error_with_friction(const Scene& scene, double stiffness, double h) {
   return error<Format, ContactLaw, SubsteppedMoment<>, DryFriction>(with_stop<ContactLaw>(scene, stiffness), h, 0.4);
 }

@@ -80,9 +80,9 @@ constexpr Choice choice_for(const Resolution& contact, double step, int most_sub
   };
   using SubSteps = SubsteppedMoment<>;
   const int parts = SubSteps::parts_for(contact, step);
-  // The plan rejects the other steppers. A 32-bit float resolves 512 sub-steps.
+  // The plan rejects the other steppers.
   const bool needs_sub_steps = (contact.has_friction || contact.field_share > 0) && contact.crossing <= 2 * step;
-  if (needs_sub_steps && most_sub_steps < 512) most_sub_steps = 512;
+  if (needs_sub_steps && most_sub_steps < SubSteps::most_in_a_float) most_sub_steps = SubSteps::most_in_a_float;
   const bool is_instant = !needs_sub_steps && part(1) > 1 && Impulsive::is_instant(contact, longest_instant) &&
                           Impulsive::steps(contact).holds(step);
   const bool has_sub_steps = is_right(SubSteps::steps(contact), SubSteps::longest_phase, parts) && is_passive_in(parts),

@@ -134,20 +134,19 @@ template <class Plan> class PlanMaking {
 
   // Checks the step for the parts of the scene, and the initial state.
   static constexpr PlanStatus status_of_motion(const Scene& scene, const Bounds& bounds, const Basis& basis) {
-    const double displacement = basis.terms.largest_rate * basis.terms.step;
     // If the ball can cross the cavity in one step, a contact may first see it up to two steps' displacement inside a
-    // stop. Putting it back would do work against a field, and friction would not act on that distance. Sub-steps follow
-    // the ball.
+    // stop. Putting it back would do work against a field, and friction would not act on that distance. Sub-steps
+    // follow the ball.
     const bool has_parts = Field::largest(scene, bounds) > 0 || scene.ball_friction > 0;
-    if (!Contact::traits.starts_from_rate && has_parts && scene.stops == Stops::both &&
-        2 * displacement >= scene.clearance)
+    if (!Contact::traits.starts_from_rate && has_parts && basis.terms.crossing <= 2 * basis.terms.step)
       return PlanStatus::clearance;
     if constexpr (Friction::is_friction) {
       // An impulse of friction must act forward, and a part of it in the coming step.
       const LinearFlow& flow = basis.flow;
       if (!(flow.e12 > 0 && flow.constant_start() > 0 && flow.constant_increment() > flow.constant_start()))
         return PlanStatus::step;
-      if (!(basis.friction_displacement <= displacement)) return PlanStatus::ball_friction;
+      if (!(basis.friction_displacement <= basis.terms.largest_rate * basis.terms.step))
+        return PlanStatus::ball_friction;
     }
     // The state is a position minus the share of the field, h^2 a/6. The check of its bound is wider by up to twice
     // that, which is at most 2 %.

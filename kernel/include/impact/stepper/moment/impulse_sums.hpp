@@ -32,8 +32,7 @@ template <class Format, int most> struct ImpulseSums {
   using Penetration = impact::Penetration<Value>;
   using Recoil = impact::Recoil<Value>;
 
-  // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), in k n-ths. A part of it would be below an LSB of
-  // u.
+  // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), divided by k/n.
   struct Stride {
     Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
   };

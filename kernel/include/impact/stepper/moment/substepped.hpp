@@ -21,6 +21,7 @@ template <int named = 0> struct SubsteppedMoment {
   static constexpr int most = named == 0 ? 16384 : named;
   static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0,
                 "SubsteppedMoment<most>: the largest number of sub-steps must be a power of two from 2 to 16384");
+  static constexpr int most_in_a_float = 512;                // more round too often in 32 bits: kernel/docs/moment.md
   static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
   // The number that gives the shortest contact precise_parts sub-steps, and every contact Moment's range.
   static constexpr int precise_parts = 20;
@@ -40,17 +41,16 @@ template <int named = 0> struct SubsteppedMoment {
   // a linear contact with few sub-steps.
   static constexpr double fewest_parts_across = 1.5, fewest_steps_across = 0.5;
   static constexpr double most_crossings = 32, longest_phase_of_crossings = 0.1;
-  static constexpr double longest_across(const Resolution& contact) {
+  static constexpr double longest_across(const Resolution& contact, int parts = most) {
     using constant::smaller;
-    double longest =
+    double often =
         smaller(most_crossings * contact.crossing, longest_phase_of_crossings / (contact.main_pulsation + 1e-300));
-    if (contact.is_linear) longest = smaller(longest, most * Moment::steps(contact).most / 2);
-    return constant::larger(contact.crossing / fewest_steps_across, longest);
+    if (contact.is_linear) often = smaller(often, parts * Moment::steps(contact).most / 2);
+    return smaller(parts * contact.crossing / fewest_parts_across,
+                   constant::larger(contact.crossing / fewest_steps_across, often));
   }
   static constexpr Range steps(const Resolution& contact) {
-    return {0, constant::smaller(
-                   most * constant::smaller(Moment::steps(contact).most, contact.crossing / fewest_parts_across),
-                   longest_across(contact))};
+    return {0, constant::smaller(most * Moment::steps(contact).most, longest_across(contact))};
   }
   static constexpr double restitution_error(const Resolution& contact, double step) {
     return Moment::restitution_error(contact, step / parts_for(contact, step));

@@ -120,18 +120,20 @@ struct DryFriction : ScenePart {
                 rate);
   }
   // By how much the last impulse exceeds that of a first step, from rest or from sliding. The half of a first impulse
-  // leaves no displacement, if it can. `displacement` is y, with the last impulse.
-  template <class Plan, class State, class Value>
+  // leaves no displacement, if it can. `displacement` is y, with the last impulse. For a contact that feels friction
+  // the ball may break loose in the step: is_located.
+  template <bool is_located, class Plan, class State, class Value>
   static constexpr Value excess(const Plan& plan, const State& state, Value displacement) {
     const Value free =
         displacement + plan.friction.main_ahead * state.impulse + plan.friction.ball_ahead * state.impulse;
-    return state.impulse - within_full(plan, free + free);
+    return state.impulse - (is_located ? holding(plan, free + free) : within_full(plan, free + free));
   }
-  // Changes the last impulse to that of a first step plus `excess`, up to `most`.
-  template <class Plan, class State, class Value>
-  static constexpr void begin(const Plan& plan, State& state, Value displacement, Value excess, Value most) {
-    const Value next =
-        clamped(Passive<Value>{-most, most}, excess - DryFriction::excess(plan, state, displacement) + state.impulse);
+  // Changes the last impulse to that of a first step plus `excess`.
+  template <bool is_located, class Plan, class State, class Value>
+  static constexpr void begin(const Plan& plan, State& state, Value displacement, Value excess) {
+    const Value full = plan.friction.full, most = is_located ? full + full : full;
+    const Value next = clamped(Passive<Value>{-most, most},
+                               excess - DryFriction::excess<is_located>(plan, state, displacement) + state.impulse);
     move_masses(plan, state, next - state.impulse);
     state.impulse = next;
     state.lasting = never<Plan>();
@@ -259,7 +261,7 @@ struct DryFriction : ScenePart {
   template <class Plan, class State, class Value>
   static constexpr Value holding_in_flight(const Plan& plan, const State& state, Value displacement) {
     const Value left = displacement - Value(Plan::FormatType::value(half(Value(state.impulse))));
-    return holding(plan, within_full(plan, left + left));
+    return holding(plan, left + left);
   }
   // Removes the impulse at the step's end, which is to be made anew, and makes it again.
   template <class Plan, class State> static constexpr void take_back(const Plan& plan, State& state) {
@@ -279,12 +281,17 @@ struct DryFriction : ScenePart {
     // What friction works against at the step's end, and a sixth of its change in the step.
     const Value load = coming - displacement, bend = displacement - rate + Format::value(half(load - impulse));
     const int before = slides(plan, impulse);
-    const bool back = before < 0;
-    if (before == 0 ? is_positive(size(rate) - full) : !is_negative(mirrored(rate, back))) {
+    const bool back = before < 0, loaded_back = is_negative(load);
+    const Value beyond = size(load) - full, rise = mirrored(bend + bend, loaded_back);
+    // A ball that was held is fast if the load rises far above r. Else something has pushed it.
+    const bool is_fast = before == 0 && is_positive(size(rate) - full),
+               bursts = is_fast && is_negative(rate) == loaded_back && is_positive(beyond) &&
+                        is_positive(rise + rise + rise - beyond);
+    if (is_fast ? !bursts : before != 0 && !is_negative(mirrored(rate, back))) {
       slide_on(plan, state, before == 0 ? is_negative(rate) : back);
       return {};
     }
-    Value moved{}, taken = rate;
+    Value moved = bursts ? -displacement : Value{}, taken = rate;
     bool turns_back = false;
     if (before != 0) {
       const Value end = mirrored(rate, back), slope = mirrored(load - impulse, back), own_bend = mirrored(bend, back);
@@ -302,14 +309,13 @@ struct DryFriction : ScenePart {
       }
       moved = mirrored(ahead_of_it, back);
     }
-    const bool loaded_back = is_negative(load);
-    const Value beyond = size(load) - full;
     Value next = mirrored(full, before > 0);
     if (!turns_back) {
       next = holding(plan, load + bend + bend);
       if (is_positive(beyond)) {
-        const Value third = before == 0 ? Value(Format::value(half(mirrored(load - impulse, loaded_back))))
-                                        : mirrored(bend + bend, loaded_back);  // of the change of the load in the step
+        // of the change of the load in the step
+        const Value third =
+            before != 0 || bursts ? rise : Value(Format::value(half(mirrored(load - impulse, loaded_back))));
         const auto since = Format::quotient(positive_part(beyond), positive_part(third + third + third));
         const Value reached = Format::value(half(Format::value(since * beyond))),
                     gone = Format::value(since * reached) * Format::short_constant(1.0 / 3);

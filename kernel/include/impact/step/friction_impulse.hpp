@@ -57,15 +57,14 @@ template <class Model> struct FrictionImpulse {
   static constexpr void start([[maybe_unused]] Model& m, [[maybe_unused]] const Stopped& before = {}) {
     if constexpr (Friction::is_friction) {
       if (!acts(m)) return;
-      const Penetration displacement = m.plan.units.relative(m.displacement_ahead()), full = m.plan.friction.full;
-      if constexpr (Contact::traits.feels_friction) {
-        Friction::begin(m.plan, m.state, displacement, before.excess, full + full);
+      constexpr bool is_located = Contact::traits.feels_friction;
+      Friction::template begin<is_located>(m.plan, m.state, m.plan.units.relative(m.displacement_ahead()),
+                                           before.excess);
+      if constexpr (is_located) {
         const Penetration rate = first_rate(m);
         if (!before.lacks_sliding && Friction::lacks_sliding(m.plan, m.state, rate))
           Friction::begin_sliding(m.plan, m.state, rate);
         if (before.lasts) Friction::let_last(m.plan, m.state);
-      } else {
-        Friction::begin(m.plan, m.state, displacement, before.excess, full);
       }
       if constexpr (Model::counts_sliding_distance) m.state.slid.add(still_to_work(m));
     }
@@ -79,7 +78,8 @@ template <class Model> struct FrictionImpulse {
         const auto work = still_to_work(m);
         m.state.slid.add(decltype(work){} - work);
       }
-      Stopped found{Friction::excess(m.plan, m.state, m.plan.units.relative(m.displacement_ahead()))};
+      Stopped found{Friction::template excess<Contact::traits.feels_friction>(
+          m.plan, m.state, m.plan.units.relative(m.displacement_ahead()))};
       if constexpr (Contact::traits.feels_friction) {
         found.lacks_sliding = Friction::lacks_sliding(m.plan, m.state, first_rate(m));
         found.lasts = Friction::lasts(m.plan, m.state);

@@ -46,7 +46,7 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
     return beyond("in a step the oscillation of the deepest contact, rad, is ", phase, Moment::longest_contact_phase);
   if (damping > Moment::largest_damping)
     return beyond("in the deepest contact h c/mu is ", damping, Moment::largest_damping);
-  if (const int most = most_sub_steps_in(request.numeric, request.law); n > most)
+  if (const int most = most_useful_sub_steps(request); n > most)
     return std::to_string(n) + " sub-steps round too often, and at most " + std::to_string(most) + " are allowed";
   if (is_divided && contact.shortest_part >= SubsteppedMoment<>::precise_parts * h)
     return "it costs more and is not required from " + std::to_string(SubsteppedMoment<>::precise_parts) +
@@ -78,7 +78,7 @@ std::string description(const Request& request, bool is_automatic) {
   const double steps = contact.shortest_part / request.step;  // the rule's N
   const bool is_coarse = is_classical(request.stepper) && steps < 10;
   const int parts = sub_steps(request);
-  const bool rounds = parts > most_sub_steps_in(request.numeric, request.law);
+  const bool rounds = parts > most_sub_steps_in(request.numeric);
   const std::string resolved =
       rough_text(steps) + (contact.shortest_part < contact.contact_time ? " steps in the shortest part of a contact"
                                                                         : " steps per contact");

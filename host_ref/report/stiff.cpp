@@ -61,8 +61,7 @@ Measured by_kernel(const Scene& scene, double h, const std::vector<host::Sample>
 }
 template <class Format> Measured by_rule(const Scene& scene, double h, const std::vector<host::Sample>& reference) {
   constexpr auto numeric = detail::is_one_of<Format, Fixed32> ? host::Numeric::fixed32 : host::Numeric::float64;
-  switch (
-      choice_for(resolution_of<HuntCrossley>(scene, bounds), h, host::most_sub_steps_in(numeric, Law::hunt_crossley))) {
+  switch (choice_for(resolution_of<HuntCrossley>(scene, bounds), h, host::most_sub_steps_in(numeric))) {
     case Choice::moment:
       return by_kernel<Moment, Format>(scene, h, reference);
     case Choice::sub_steps:

@@ -60,13 +60,13 @@ double error(const host::Case& run, double h, double duration) {
   using Driven = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format, Gravity, Parts...>;
   return differences<Driven>(run, bounds_of(run.scene), h, duration, h).x1;
 }
-// With Hooke-Newton Fixed32 has at most 1024 sub-steps. A contact that requires more is so short that Impulsive is as
-// exact.
+// With Hooke-Newton Fixed32 has at most 512 sub-steps, as in the tool. A contact that requires more is so short that
+// Impulsive is as exact.
 template <class Format, class ContactLaw, class... Parts>
 double error_by_rule(const host::Case& run, double h, double duration) {
   const Resolution contact = resolution_of<ContactLaw>(run.scene, bounds_of(run.scene));
   constexpr bool is_fixed_linear = std::is_same_v<Format, Fixed32> && ContactLaw::is_linear;
-  const Choice choice = choice_for(contact, h, is_fixed_linear ? 1024 : SubsteppedMoment<>::most);
+  const Choice choice = choice_for(contact, h, is_fixed_linear ? 512 : SubsteppedMoment<>::most);
   if (choice == Choice::moment) return error<Format, ContactLaw, Moment, Parts...>(run, h, duration);
   if (is_fixed_linear && choice == Choice::impulsive)
     return error<Format, ContactLaw, Impulsive, Parts...>(run, h, duration);

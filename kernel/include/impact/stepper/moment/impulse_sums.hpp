@@ -44,10 +44,10 @@ template <class Format, int most> struct ImpulseSums {
     Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
     int travel_bits;                                                // from these to penetrations
 
-    // `main` has no drive. `response` is that in a sub-step, and `own` has the units of a sub-step.
+    // `terms`, `response` and the units `own` are those of a sub-step. `main` has no drive.
     static constexpr Plan make(const ContactTerms& terms, const Scene& main, const MomentResponse& response,
                                const UnitExponents& unit, const UnitExponents& own) {
-      const double n = terms.parts, part = terms.step / n, mobility = response.mobility(terms),
+      const double n = terms.parts, part = terms.step, mobility = response.mobility(terms),
                    of_force = terms.force_unit * part * part * mobility;
       Plan plan{};
       plan.exponent = detail::binary_exponent(terms.parts);

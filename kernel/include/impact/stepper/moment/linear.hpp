@@ -29,6 +29,7 @@ template <class Format> struct MomentLinear : ContactDefaults {
       GainOf<Gain, unit::Penetration, unit::Force> penetration, change, rate_change,
           curving;  // d0, trial - d0, trial rate - v0, trial - d0 - v0
     } j0, j1;
+    int force_bits;  // the unit of forces over k1 is 2^force_bits times that of penetrations
     bool clamped;
   };
   static constexpr Plan make_plan(const ContactTerms& terms, const LinearFlow& flow, const UnitExponents& unit) {
@@ -61,6 +62,7 @@ template <class Format> struct MomentLinear : ContactDefaults {
             gain(k1 * damping),
             {gain(k1 * by_penetration.j0), gain(k1 * by_change.j0), gain(k1 * by_rate.j0), gain(k1 * by_curving.j0)},
             {gain(k1 * by_penetration.j1), gain(k1 * by_change.j1), gain(k1 * by_rate.j1), gain(k1 * by_curving.j1)},
+            terms.damping_exponent - unit.penetration,
             terms.clamped};
   }
 
@@ -69,10 +71,10 @@ template <class Format> struct MomentLinear : ContactDefaults {
   Penetration penetration, rate;  // at the start of the step, while touching or let go inside
   Phase phase;
 
-  constexpr void start(const Plan& plan, const Units& units, const Standing<Value>& at) {
+  constexpr void start(const Plan& plan, const Units&, const Standing<Value>& at) {
     penetration = at.penetration;
     rate = at.rate;
-    const bool is_tension = !is_positive(units.elastic(penetration) + plan.damping * rate);
+    const bool is_tension = !is_positive(force_at(plan, penetration, rate));
     phase = plan.clamped && is_tension ? Phase::released : Phase::touching;
   }
   // A released ball moves out. Deeper in, the stop would return the energy that a correction has put in.
@@ -100,11 +102,11 @@ template <class Format> struct MomentLinear : ContactDefaults {
     }
     return reaction;
   }
-  [[gnu::always_inline]] constexpr Impulse<Force> impulse_of(const Plan& plan, const Units& units,
+  [[gnu::always_inline]] constexpr Impulse<Force> impulse_of(const Plan& plan, const Units&,
                                                              const Approach<Value>& step) {
     const Penetration trial = step.penetration, trial_rate = step.rate, before = step.before;
-    if (phase == Phase::released) return pressed_again(plan, units, trial, trial_rate);
-    if (phase == Phase::apart) return enter(plan, units, trial, trial_rate, before);
+    if (phase == Phase::released) return pressed_again(plan, trial, trial_rate);
+    if (phase == Phase::apart) return enter(plan, trial, trial_rate, before);
     const Penetration change = trial - penetration, rate_change = trial_rate - rate, curving = change - rate;
     const Impulse<Force> impulse = felt(plan, {plan.j0.penetration * penetration + plan.j0.change * change +
                                                    plan.j0.rate_change * rate_change + plan.j0.curving * curving,
@@ -113,10 +115,10 @@ template <class Format> struct MomentLinear : ContactDefaults {
     const Penetration d = penetration_after(plan.response, trial, impulse),
                       v = rate_after(plan.response, trial_rate, impulse);
     if (plan.clamped) {
-      const Force force = units.elastic(d) + plan.damping * v;
-      if (!is_positive(force)) return leave(plan, units, trial, trial_rate, force);
+      const Force force = force_at(plan, d, v);
+      if (!is_positive(force)) return leave(plan, trial, trial_rate, force);
     } else if (!is_positive(d)) {
-      return leave(plan, units, trial, trial_rate, d);
+      return leave(plan, trial, trial_rate, d);
     }
     penetration = d;
     rate = v;
@@ -124,6 +126,9 @@ template <class Format> struct MomentLinear : ContactDefaults {
   }
 
  private:
+  [[gnu::always_inline]] static constexpr Force force_at(const Plan& plan, Penetration d, Penetration v) {
+    return Force(Format::moved(d, plan.force_bits)) + plan.damping * v;
+  }
   [[gnu::always_inline]] static constexpr Impulse<Force> felt(const Plan& plan, const Impulse<Force>& found) {
     return plan.clamped ? without_pull<Format>(found) : found;
   }
@@ -145,13 +150,13 @@ template <class Format> struct MomentLinear : ContactDefaults {
     constexpr const Force* like(Force) const { return f; }
     constexpr const Penetration* like(Penetration) const { return d; }
   };
-  [[gnu::always_inline]] static constexpr Series series(const Plan& plan, const Units& units, Penetration d,
-                                                        Penetration v, Penetration a, Penetration jerk) {
+  [[gnu::always_inline]] static constexpr Series series(const Plan& plan, Penetration d, Penetration v, Penetration a,
+                                                        Penetration jerk) {
     Series result{};
     result.d[0] = d;
     result.d[1] = v;
     for (int n = 0; n < series_terms; ++n) {
-      result.f[n] = units.elastic(result.d[n]) + plan.damping * result.d[n + 1];
+      result.f[n] = force_at(plan, result.d[n], result.d[n + 1]);
       if (n + 2 <= series_terms)
         result.d[n + 2] = (n == 0 ? a : n == 1 ? jerk : Penetration{}) - plan.response.rate * result.f[n];
     }
@@ -183,26 +188,26 @@ template <class Format> struct MomentLinear : ContactDefaults {
     return {j0, lever};
   }
 
-  [[gnu::always_inline]] constexpr Impulse<Force> enter(const Plan& plan, const Units& units, Penetration trial,
-                                                        Penetration trial_rate, Penetration before) {
+  [[gnu::always_inline]] constexpr Impulse<Force> enter(const Plan& plan, Penetration trial, Penetration trial_rate,
+                                                        Penetration before) {
     const Penetration a = twice_value(trial_rate - (trial - before));
     auto t = Format::quotient(without_sign(trial), without_sign(trial - before));
     for (int pass = 0; pass < 2; ++pass) {
       const Penetration still = trial - Format::value((trial_rate - Format::value(half(a * t))) * t);
       t = Format::corrected(t, still, positive_part(trial_rate - Format::value(a * t)));
     }
-    const Series from = series(plan, units, Penetration{}, trial_rate - Format::value(a * t), a, Penetration{});
+    const Series from = series(plan, Penetration{}, trial_rate - Format::value(a * t), a, Penetration{});
     return settle(plan, trial, trial_rate, impulse_until(from, t));
   }
 
   // `end` is the value of the vanishing quantity at the step's end, if the contact had lasted. The chord gives a first
   // guess of the instant.
   template <class Vanishing>
-  [[gnu::always_inline]] constexpr Impulse<Force> leave(const Plan& plan, const Units& units, Penetration trial,
-                                                        Penetration trial_rate, Vanishing end) {
+  [[gnu::always_inline]] constexpr Impulse<Force> leave(const Plan& plan, Penetration trial, Penetration trial_rate,
+                                                        Vanishing end) {
     const Penetration change = trial_rate - rate, curving = twice_value(trial - penetration - rate);
     const Penetration half_jerk = change + twice_value(change - curving) - curving;
-    const Series from = series(plan, units, penetration, rate, change - half_jerk, twice_value(half_jerk));
+    const Series from = series(plan, penetration, rate, change - half_jerk, twice_value(half_jerk));
     const Vanishing* const vanishing = from.like(end);
     auto t = Format::quotient(positive_part(vanishing[0]), positive_part(vanishing[0] - end));
     for (int pass = 0; pass < 2; ++pass)
@@ -219,10 +224,10 @@ template <class Format> struct MomentLinear : ContactDefaults {
   static constexpr Penetration twice_value(Penetration x) { return x + x; }
 
   // The ball is pushed in again before it was out: the force grows from zero, to first order in time.
-  [[gnu::always_inline]] constexpr Impulse<Force> pressed_again(const Plan& plan, const Units& units, Penetration trial,
+  [[gnu::always_inline]] constexpr Impulse<Force> pressed_again(const Plan& plan, Penetration trial,
                                                                 Penetration trial_rate) {
-    const Force start = units.elastic(penetration) + plan.damping * rate;
-    const Force end = units.elastic(trial) + plan.damping * trial_rate;
+    const Force start = force_at(plan, penetration, rate);
+    const Force end = force_at(plan, trial, trial_rate);
     Impulse<Force> impulse{};
     const bool is_pressed = is_positive(trial) && is_positive(end);
     if (is_pressed) {

@@ -37,14 +37,15 @@ template <int named = 0> struct SubsteppedMoment {
   static constexpr double longest_phase = 0.32;
   static constexpr LinearFlow flow(const Scene& scene, double h) { return exact_flow(scene, h); }
   // After a contact that ends within a sub-step, none may follow at the other stop in that sub-step. If a ball without
-  // damping crosses often in a step, two errors add up: that of the flight's course, (w0 h)^4 of the rate, and that of
-  // a linear contact with few sub-steps.
-  static constexpr double fewest_parts_across = 1.5, fewest_steps_across = 0.5;
-  static constexpr double most_crossings = 32, longest_phase_of_crossings = 0.1;
+  // damping crosses c times in a step, two errors add up: that of the flight's course, so that c (w0 h)^3 is limited to
+  // its value for two crossings in the longest step, and that of a linear contact with few sub-steps.
+  static constexpr double fewest_parts_across = 1.5, fewest_steps_across = 0.5, most_crossings = 32;
   static constexpr double longest_across(const Resolution& contact, int parts = most) {
     using constant::smaller;
-    double often =
-        smaller(most_crossings * contact.crossing, longest_phase_of_crossings / (contact.main_pulsation + 1e-300));
+    using constant::square_root;
+    const double slowest = longest_phase / constant::larger(contact.main_pulsation, 1e-6),
+                 by_phase = square_root(slowest * square_root(2 * slowest * contact.crossing));
+    double often = smaller(most_crossings * contact.crossing, by_phase);
     if (contact.is_linear) often = smaller(often, parts * Moment::steps(contact).most / 2);
     return smaller(parts * contact.crossing / fewest_parts_across,
                    constant::larger(contact.crossing / fewest_steps_across, often));
@@ -133,7 +134,7 @@ template <int named = 0> struct SubsteppedMoment {
     static constexpr int finer_depth(const ContactTerms& terms, int of_step) {
       const int depth =
           Format::exponent_of(2 * (limit_of(terms.largest_penetration) + terms.largest_rate * in_a_part(terms).step));
-      return !is_linear && depth < of_step ? depth : of_step;
+      return depth < of_step ? depth : of_step;
     }
     static constexpr UnitBounds largest_in_a_part(const ContactTerms& terms, int depth_of_step, double increment) {
       UnitBounds largest{};
@@ -145,10 +146,12 @@ template <int named = 0> struct SubsteppedMoment {
       return largest;
     }
     static constexpr UnitExponents units(const ContactTerms& terms, UnitExponents unit) {
-      const double n = terms.parts, noise = bending_noise * constant::power_of_two(unit.penetration) / (n * n),
-                   push = largest_in_a_part(terms, unit.penetration, constant::power_of_two(unit.increment)).push;
+      const double n = terms.parts, noise = bending_noise * constant::power_of_two(unit.penetration) / (n * n);
+      const UnitBounds largest = largest_in_a_part(terms, unit.penetration, constant::power_of_two(unit.increment));
       unit.penetration = finer_depth(terms, unit.penetration);
-      const int impulse = Format::exponent_of(constant::larger(push * (is_linear ? 1 : 0.5), noise)),
+      // Room for the force at any penetration that the unit holds.
+      if (is_linear) unit.force = Format::exponent_of(1 + largest.force_factor);
+      const int impulse = Format::exponent_of(constant::larger(largest.push * (is_linear ? 1 : 0.5), noise)),
                 finest = unit.recoil - Format::exponent_of(0.5 * n);
       if (impulse < unit.recoil) unit.recoil = impulse > finest ? impulse : finest;
       return unit;
@@ -170,10 +173,11 @@ template <int named = 0> struct SubsteppedMoment {
       plan.start_rate = StartRate<Format>::make(flow, unit);
       plan.quartic = Format::gain(terms.main_stiffness * terms.step * terms.step / (24 * terms.main_mass), 0, 0);
       plan.drive_quartic = gain(terms.step * terms.step / (12 * terms.main_mass * flow.constant_increment()));
-      if constexpr (!is_linear) sub.force_unit = force_unit_of(traits, sub, own);
+      sub.force_unit = force_unit_of(traits, sub, own);
+      if (is_linear) sub.damping_exponent = own.force + own.penetration;
       plan.inner = Inner::make_plan(sub, part, own);
       if constexpr (!is_linear) plan.inner.change_bits = own.recoil - own.penetration;
-      plan.sums = Sums::Plan::make(terms, main, response, unit, own);
+      plan.sums = Sums::Plan::make(sub, main, response, unit, own);
       plan.part = Format::gain(1.0 / n, 0, 0);
       plan.rate = {Format::gain(1.0 / n, unit.penetration, own.penetration)};
       plan.square = Format::gain(1.0 / (n * n), unit.penetration, own.penetration);

@@ -54,8 +54,8 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     ContactDefaults::room(terms, largest);
     // A slow impact's damping is large if the ball is then pressed in faster. Such a force gets the bits that an
-    // impulse does not need beside a penetration.
-    if (ContactLaw::is_damped_per_impact)
+    // impulse does not need beside a penetration. Sub-steps have none to spare.
+    if (ContactLaw::is_damped_per_impact && terms.parts == 1)
       largest.push =
           constant::larger(largest.push, constant::smaller(faster_press * largest.push, largest.penetration / 8));
     const double turning =

@@ -3,7 +3,7 @@
 // The damping of a power law as a gain of the rate of penetration: c1/(k1 h) from the plan, or set at each impact from
 // its speed. In Fixed32 1 + c1/k1 v has a range up to the first power of two above 2 a and 1 + a. A contact that begins
 // slowly and is then driven in faster would leave it. There c1/k1 v is clamped, between half of that range and all of
-// it.
+// it. Moment has four times that range, where an impulse has bits to spare.
 
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>

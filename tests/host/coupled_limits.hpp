@@ -10,9 +10,9 @@
 
 namespace impact::host {
 
-// A named stepper may have more sub-steps than are useful (TooManySubSteps in coupled_search_test.cpp). The scenes and
-// the search leave it out.
-inline bool has_useful_sub_steps(const Request& request) {
+// A named stepper may have more sub-steps than its format resolves (TooManySubSteps in coupled_search_test.cpp). The
+// scenes and the search leave it out.
+inline bool has_resolved_sub_steps(const Request& request) {
   return sub_steps(request) <= most_sub_steps_in(request.numeric);
 }
 

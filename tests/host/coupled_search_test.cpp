@@ -48,9 +48,9 @@ double energy_rounded_in_one_float(const CoupledScene& found) {
 }
 
 // The energy gain, or what friction supplies in a step, beyond rounding. A fault counts more than any gain. A stepper
-// with more sub-steps than are useful is left out.
+// with more sub-steps than its format resolves is left out.
 double badness(const CoupledScene& scene) {
-  if (!has_useful_sub_steps(scene.request)) return -1e300;
+  if (!has_resolved_sub_steps(scene.request)) return -1e300;
   const CoupledRun run = run_coupled(scene);
   if (!run.is_accepted) return -1e300;
   if (run.has_fault || !(run.gain < 1e9) || !(run.rubbed < 1e9) || !(run.rubbed_back < 1e9)) return 1e9;
@@ -215,7 +215,7 @@ TEST(FoundInAField, TheGainOfABallPlacedInItsStopIsRemovedToSecondOrder) {
 // More sub-steps than are useful create energy by rounding. impact-sim warns of them. This search found both scenes.
 CoupledRun run_with_too_many(const Everywhere& point, Damping damping) {
   const CoupledScene scene = scene_at({Law::hunt_crossley, Stepper::moment_n, Numeric::float32, damping}, point);
-  EXPECT_FALSE(has_useful_sub_steps(scene.request));
+  EXPECT_FALSE(has_resolved_sub_steps(scene.request));
   return run_coupled(scene);
 }
 TEST(TooManySubSteps, CreateFourPercentInFloatInTwoThousandSteps) {

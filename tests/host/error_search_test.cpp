@@ -57,25 +57,25 @@ Driven driven_scene(unsigned long seed) {
   return found;
 }
 
-struct Exact {
+struct ReferenceRun {
   std::vector<Sample> at;  // at multiples of `interval`
   double interval = 0, amplified = 1;
   Reached reached;
 };
-Exact exact_run(const Driven& driven) {
+ReferenceRun reference_run(const Driven& driven) {
   Case run = case_of(driven.request);
-  Exact exact;
-  exact.interval = larger(driven.request.step, 1e-4);
-  exact.at = reference_trajectory(run, exact.interval, driven.duration).samples;
+  ReferenceRun found;
+  found.interval = larger(driven.request.step, 1e-4);
+  found.at = reference_trajectory(run, found.interval, driven.duration).samples;
   run.scene.x1 += disturbance;
   run.scene.x2 += 2 * disturbance;
-  const auto disturbed = reference_trajectory(run, exact.interval, driven.duration).samples;
-  for (size_t i = 0; i < exact.at.size(); ++i) {
-    const Sample& at = exact.at[i];
-    exact.amplified = larger(exact.amplified, std::abs(at.x1 - disturbed[i].x1) / disturbance);
-    exact.reached.see(at.x1, at.v1, at.x2, at.v2, at.penetration);
+  const auto disturbed = reference_trajectory(run, found.interval, driven.duration).samples;
+  for (size_t i = 0; i < found.at.size(); ++i) {
+    const Sample& at = found.at[i];
+    found.amplified = larger(found.amplified, std::abs(at.x1 - disturbed[i].x1) / disturbance);
+    found.reached.see(at.x1, at.v1, at.x2, at.v2, at.penetration);
   }
-  return exact;
+  return found;
 }
 
 struct Compared {
@@ -83,23 +83,24 @@ struct Compared {
   double share = 0;  // the error over its limit
   std::string text;
 };
-Compared compared(const Driven& driven, const Exact& exact, Numeric numeric) {
+Compared compared(const Driven& driven, const ReferenceRun& reference, Numeric numeric) {
   Request run = driven.request;
   run.numeric = numeric;
-  run.bounds = Bounds{1.5 * exact.reached.displacement, 1.5 * exact.reached.speed, 0, run.scene.drive_amplitude};
+  run.bounds =
+      Bounds{1.5 * reference.reached.displacement, 1.5 * reference.reached.speed, 0, run.scene.drive_amplitude};
   const Outcome outcome = make_simulation(run);
   if (!outcome.simulation) return {};
   double error = 0;
-  for (size_t i = 1; i < exact.at.size(); ++i) {
-    for (long step = 0; step < std::lround(exact.interval / run.step); ++step) outcome.simulation->step(0);
-    error = larger(error, std::abs(outcome.simulation->sample().x1 - exact.at[i].x1));
+  for (size_t i = 1; i < reference.at.size(); ++i) {
+    for (long step = 0; step < std::lround(reference.interval / run.step); ++step) outcome.simulation->step(0);
+    error = larger(error, std::abs(outcome.simulation->sample().x1 - reference.at[i].x1));
   }
   const double limit = (run.step > 5e-4   ? 1e-6
                         : run.step > 5e-5 ? 1e-7
                                           : 2e-8) *
                        (run.law == Law::hertz ? 10 : 1),
-               impacts = static_cast<double>(exact.at.back().impacts);
-  const double share = error / (limit * exact.amplified * larger(1.0, exact.reached.displacement / 0.05) *
+               impacts = static_cast<double>(reference.at.back().impacts);
+  const double share = error / (limit * reference.amplified * larger(1.0, reference.reached.displacement / 0.05) *
                                 larger(1.0, std::sqrt(impacts / 20)));
   return {true, outcome.simulation->fault() ? HUGE_VAL : share,
           std::to_string(1e6 * error) + "e-6 m: " + outcome.description};
@@ -139,9 +140,9 @@ TEST(ErrorSearch, EarlierFindsAreWithinTheLimit) {
     run.scene.ball_friction = find.friction;
     run.step = find.step;
     if (run.law == Law::hunt_crossley) run.damping = Damping::exact;
-    const Exact exact = exact_run(driven);
+    const ReferenceRun reference = reference_run(driven);
     for (const Numeric numeric : {Numeric::float64, Numeric::fixed32}) {
-      const Compared found = compared(driven, exact, numeric);
+      const Compared found = compared(driven, reference, numeric);
       ASSERT_TRUE(found.is_accepted) << find.what;
       EXPECT_LT(found.share, 1.5) << find.what << ", " << name_of(numeric) << ", " << found.text;
     }
@@ -154,10 +155,10 @@ TEST(ErrorSearch, FindsNoSceneThatTheRuleMisses) {
   double worst[2] = {};
   for (long seed = 1; seed <= scenes; ++seed) {
     const Driven driven = driven_scene(static_cast<unsigned long>(seed));
-    const Exact exact = exact_run(driven);
-    if (exact.at.back().impacts == 0) continue;
+    const ReferenceRun reference = reference_run(driven);
+    if (reference.at.back().impacts == 0) continue;
     for (const Numeric numeric : {Numeric::float64, Numeric::fixed32}) {
-      const Compared found = compared(driven, exact, numeric);
+      const Compared found = compared(driven, reference, numeric);
       if (!found.is_accepted) continue;
       ++accepted;
       double& of_format = worst[numeric == Numeric::fixed32];

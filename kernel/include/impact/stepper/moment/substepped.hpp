@@ -43,8 +43,8 @@ template <int named = 0> struct SubsteppedMoment {
   static constexpr double longest_across(const Resolution& contact, int parts = most) {
     using constant::smaller;
     using constant::square_root;
-    const double slowest = longest_phase / constant::larger(contact.main_pulsation, 1e-6),
-                 by_phase = square_root(slowest * square_root(2 * slowest * contact.crossing));
+    const double longest = longest_phase / constant::larger(contact.main_pulsation, 1e-6),  // finite without a spring
+        by_phase = square_root(longest * square_root(2 * longest * contact.crossing));
     double often = smaller(most_crossings * contact.crossing, by_phase);
     if (contact.is_linear) often = smaller(often, parts * Moment::steps(contact).most / 2);
     return smaller(parts * contact.crossing / fewest_parts_across,

@@ -228,17 +228,6 @@ TEST(TooManySubSteps, CreateFourPercentInFloatInTwoThousandSteps) {
   EXPECT_GT(run.gain, 0.03);
   EXPECT_LT(run.gain, 0.05);
 }
-TEST(TooManySubSteps, SpoilTheLedgerOfFrictionInFloat) {
-  const CoupledRun run = run_with_too_many(
-      at(0.56024153156720613, 0.59760884772268263, 0.98240940599261761, 0.003615414724688073, 0.96596797503948029,
-         0.52472938460768992, 0.45444700428543222, 0.64609666287761292, 0.12681296780012788, 0.95336125899908553,
-         0.99043088233734633, 0.59277866949495661, 0.81652993099084326, 0.5343516902523443, 0.20995424687842321,
-         0.68534524805004404, 0.37157618834463757, 0.41376341899470659, 0.36857333741546905, 0.0461420454869697,
-         0.99609196725397187),
-      Damping::constant);
-  EXPECT_GT(run.rubbed, 1);
-  EXPECT_LT(run.rubbed, 2);
-}
 
 // A seeded search for the largest value of a function of coordinates from 0 to 1: the (1+1) evolution strategy
 // (Rechenberg 1973). When its steps are small, it restarts from the best of 12 random points.

@@ -93,14 +93,15 @@ template <class Format, int most> struct ImpulseSums {
   [[gnu::always_inline]] constexpr void add(const Plan& plan, const Impulse<Recoil>& by) {
     add_changes(plan, Recoil(Format::times(by.j0, 1 << (plan.exponent - plan.moment_bits))), by.j1);
   }
-  // Of dry friction: what it takes of the rate, and of the penetration.
+  // Of dry friction: what it takes of the rate, and of the penetration. Returns the change of w, which rounds.
   constexpr Recoil take(const Plan& plan, Penetration j0, Penetration j1) {
     const Recoil impulse(Format::moved(j0, -plan.travel_bits)), moment(Format::moved(j1, -plan.travel_bits));
     x.add(plan.main_x * moment, 0);
     by_flow.add(plan.main_u_by_moment * moment, 0);
     y.add(moment, 0);
+    const Recoil before = w;
     change(plan, impulse);
-    return impulse;
+    return w - before;
   }
   // To the coordinates of the other stop.
   constexpr void cross() {

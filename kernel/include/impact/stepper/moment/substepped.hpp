@@ -259,7 +259,7 @@ template <int named = 0> struct SubsteppedMoment {
             ++crossings;
           }
           if (!is_positive(part_trial)) {
-            if constexpr (Seen::is_rubbed) friction.fly(plan, rate_now, part_trial - at);
+            if constexpr (Seen::is_rubbed) friction.fly(rate_now, part_trial - at);
             at = part_trial;
             continue;
           }
@@ -297,7 +297,7 @@ template <int named = 0> struct SubsteppedMoment {
       if constexpr (Seen::is_recorded)
         if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
       if ((crossings & 1) != 0) cross();
-      if constexpr (Seen::is_rubbed) friction.end(plan);
+      if constexpr (Seen::is_rubbed) friction.end();
       auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u(), Recoil(sums.x.value())});
       reaction.ball = {sums.w, Recoil(sums.y.value())};
       reaction.crossings = crossings;
@@ -347,9 +347,11 @@ template <int named = 0> struct SubsteppedMoment {
     };
     // Friction in the sub-steps. The flight contains the one that the step began with; the rest acts here.
     template <bool is_counted> struct Friction {
-      PartRubbing<Format> part;   // of a sub-step
-      Penetration assumed, rate;  // the flight's part.force; the rate at the last sub-step's end
-      Recoil taken;               // of the rate so far
+      PartRubbing<Format> part;    // of a sub-step
+      Penetration assumed, force;  // over a step: the flight's, and that of `part` with all its bits
+      Penetration due;             // n times what of their difference is below an LSB and has yet to act
+      Penetration rate;            // at the last sub-step's end
+      Recoil taken;                // of the rate so far
       Rubbing<Format>* step;
       typename Format::Energy quarter;  // as step->quarter
       bool acts;
@@ -360,80 +362,84 @@ template <int named = 0> struct SubsteppedMoment {
         acts = is_positive(step->full);
         if (!acts) return;
         const bool back = is_negative(step->force);
+        force = assumed = step->force;
         part.full = plan.part * step->full;
-        part.force = assumed = mirrored(plan.part * mirrored(step->force, back), back);
+        part.force = mirrored(plan.part * mirrored(force, back), back);
         part.slides = step->slides;
-        fly(plan, at_rate, displacement);
+        fly(at_rate, displacement);
       }
       // To the coordinates of the other stop.
       constexpr void cross() {
         part.force = -part.force;
         part.slides = -part.slides;
         assumed = -assumed;
+        force = -force;
+        due = -due;
         rate = -rate;
         taken = -taken;
       }
-      constexpr void fly(const Plan& plan, Penetration at_rate, Penetration displacement) {
+      constexpr void fly(Penetration at_rate, Penetration displacement) {
         rate = at_rate;
-        count_so_far(plan, displacement);
+        count_so_far(displacement);
       }
-      constexpr void count_so_far(const Plan& plan, Penetration displacement) {
+      constexpr void count_so_far(Penetration displacement) {
         if constexpr (is_counted)
           quarter = quarter + work(part.slides != 0 ? mirrored(Format::value(Format::constant(0.25)), part.slides < 0)
-                                                    : quarter_over<Format>(step->half_by_full, in_a_step(plan)),
+                                                    : quarter_over<Format>(step->half_by_full, force),
                                    displacement);
       }
       constexpr void count(Penetration impulse, Penetration displacement) {
         if constexpr (is_counted)
           quarter = quarter + work(quarter_over<Format>(step->half_by_full, impulse), displacement);
       }
-      constexpr Penetration in_a_step(const Plan& plan) const {
-        return Penetration(Format::times(part.force, 1 << plan.sums.exponent));
-      }
       // What it takes of the rate's change in a sub-step.
-      constexpr Penetration bending(const Plan& plan) const { return rate_in_a_part(plan, part.force - assumed); }
+      constexpr Penetration bending(const Plan& plan) const { return Penetration(plan.square * bare(force - assumed)); }
       constexpr void act(const Plan& plan, Sums& sums) {
         if (!acts) return;
-        const Penetration more = part.force - assumed;
-        taken = taken + sums.take(plan.sums, more, Format::value(half(plan.part * more)));
+        due = due + (force - assumed);
+        const Penetration more = plan.part * due;
+        const Recoil by = sums.take(plan.sums, more, Format::value(half(plan.part * more)));
+        taken = taken + by;
+        due = due - Penetration(Format::times(Sums::travel(plan.sums, by), 1 << plan.sums.exponent));
       }
       // At a sub-step's end, at the rate that contact has left. The ball was at `before` and is now at `at`.
       constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration at_rate, Penetration before,
                           Penetration& at) {
         if (!acts) return;
-        count_so_far(plan, at - before);
-        const Penetration force = part.force;
+        count_so_far(at - before);
+        const Penetration before_turn = force;
         const auto by = part.follow(rate, at_rate);
         rate = at_rate - by.rate;
+        force = part.slides == 0 ? Penetration(Format::times(part.force, 1 << plan.sums.exponent))
+                                 : mirrored(step->full, part.slides < 0);
         if (!is_positive(by.rate) && !is_negative(by.rate)) return;
         const Penetration moment = plan.part * by.moment;
         taken = taken + sums.take(plan.sums, by.rate, moment);
         count(by.rate, by.lost_at);
         contact.rub(plan.inner, raised(plan, moment), rate_in_a_part(plan, by.rate),
-                    rate_in_a_part(plan, part.force - force));
+                    Penetration(plan.square * bare(force - before_turn)));
         at = at - moment;
       }
       // The rest of a step after the ball has left at `at`, of k sub-steps.
       constexpr void leave(const Plan& plan, Sums& sums, const Flight& free, int k, Penetration at) {
         if (!acts) return;
         const auto share = Format::parts(k, plan.sums.exponent, plan.part);
-        PartRubbing<Format> rest{Penetration(Format::times(part.full, k)), Penetration(Format::times(part.force, k)),
-                                 part.slides};
-        const Penetration change(Format::times(part.force - assumed, k));
+        PartRubbing<Format> rest{Format::value(share * step->full), Format::value(share * force), part.slides};
+        const Penetration change = Format::value(share * (force - assumed));
         taken = taken + sums.take(plan.sums, change, Format::value(half(Format::value(share * change))));
         const Penetration end = free.rate - sums.rate(plan.sums);
-        count_so_far(plan, free.end - sums.displacement(plan.sums) - at);
+        count_so_far(free.end - sums.displacement(plan.sums) - at);
         const auto by = rest.follow(rate, end);
         taken = taken + sums.take(plan.sums, by.rate, Format::value(share * by.moment));
         count(by.rate, by.lost_at);
         part.slides = rest.slides;
         rate = end - by.rate;
       }
-      constexpr void end(const Plan& plan) const {
+      constexpr void end() const {
         if (!acts) return;
         step->meets_stop = true;
         step->slides = part.slides;
-        step->force = in_a_step(plan);
+        step->force = force;
         step->quarter = quarter;
       }
     };

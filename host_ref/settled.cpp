@@ -32,14 +32,7 @@ double restitution_error(const Request& request) {
   return parts > 0 ? Moment::restitution_error(resolution(request), request.step / parts) : std::nan("");
 }
 
-int most_useful_sub_steps(const Request& request) {
-  const bool is_shallow = request.numeric == Numeric::fixed32 && request.law == Law::hooke_newton &&
-                          resolution(request).crossing > request.step;
-  constexpr int most_if_shallow = 512;  // kernel/docs/moment.md
-  return is_shallow ? most_if_shallow : most_sub_steps_in(request.numeric);
-}
 Stepper chosen(const Request& request, int most_sub_steps) {
-  most_sub_steps = std::min(most_sub_steps, most_useful_sub_steps(request));
   const Choice choice = choice_for(resolution(request), request.step, most_sub_steps);
   for (const Candidate& candidate : candidates)
     if (candidate.choice == choice) return candidate.stepper;

@@ -28,14 +28,6 @@ int sub_steps(const Request& request);
 double restitution_error(const Request& request);
 // The expected error of x1 in m, by the formula of the kernel's rule. NaN for a stepper that the rule never takes.
 double expected_error_of(const Request& request);
-// The largest number of sub-steps that a format resolves. With more, rounding may add energy.
-constexpr int most_sub_steps_in(Numeric numeric) {
-  const bool is_float = numeric == Numeric::float32 || numeric == Numeric::float32_plain;
-  return is_float ? SubsteppedMoment<>::most_in_a_float : SubsteppedMoment<>::most;
-}
-// The largest useful number of sub-steps. A stiff linear contact is so shallow that Fixed32 rounds more than so many
-// sub-steps gain over Impulsive, unless the ball may cross its clearance in a step and Impulsive miss impacts.
-int most_useful_sub_steps(const Request& request);
 // The rule's candidates, the cheaper first.
 struct Candidate {
   Stepper stepper;

@@ -46,8 +46,6 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
     return beyond("in a step the oscillation of the deepest contact, rad, is ", phase, Moment::longest_contact_phase);
   if (damping > Moment::largest_damping)
     return beyond("in the deepest contact h c/mu is ", damping, Moment::largest_damping);
-  if (const int most = most_useful_sub_steps(request); n > most)
-    return std::to_string(n) + " sub-steps round too often, and at most " + std::to_string(most) + " are allowed";
   if (is_divided && contact.shortest_part >= SubsteppedMoment<>::precise_parts * h)
     return "it costs more and is not required from " + std::to_string(SubsteppedMoment<>::precise_parts) +
            " steps per contact on";
@@ -71,22 +69,19 @@ std::string expected_text(const Request& request, const Resolution& contact) {
 }
 
 // The automatic choice and its reasons. For a stepper that was named, a warning only. It warns of a classical scheme
-// with fewer than 10 steps per contact, where average acceleration has an error of 2e-3 to 4e-2 of the restitution. It
-// also warns of more sub-steps than the rule allows.
+// with fewer than 10 steps per contact, where average acceleration has an error of 2e-3 to 4e-2 of the restitution.
 std::string description(const Request& request, bool is_automatic) {
   const Resolution contact = resolution(request);
   const double steps = contact.shortest_part / request.step;  // the rule's N
   const bool is_coarse = is_classical(request.stepper) && steps < 10;
   const int parts = sub_steps(request);
-  const bool rounds = parts > most_sub_steps_in(request.numeric);
   const std::string resolved =
       rough_text(steps) + (contact.shortest_part < contact.contact_time ? " steps in the shortest part of a contact"
                                                                         : " steps per contact");
-  if (!is_automatic && !is_coarse && !rounds) return {};
+  if (!is_automatic && !is_coarse) return {};
   if (!is_automatic)
-    return std::string(name_of(request.stepper)) + " may gain energy with " +
-           (is_coarse ? "only " + resolved : std::to_string(parts) + " sub-steps, which round too often") +
-           "; auto would take " + std::string(name_of(chosen(request)));
+    return std::string(name_of(request.stepper)) + " may gain energy with only " + resolved + "; auto would take " +
+           std::string(name_of(chosen(request)));
   std::string line = std::string(name_of(request.stepper)) + ", " + resolved + " at " +
                      rough_text(2 * request.bounds->speed) + " m/s, " + rough_text(contact.main_phase) +
                      " rad of the main mass's vibration during it";

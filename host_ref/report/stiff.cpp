@@ -11,7 +11,6 @@
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/stiff_scene.hpp>
 #include <host_ref/report/textbook_methods.hpp>
-#include <host_ref/settled.hpp>
 #include <host_ref/text.hpp>
 #include <impact/absorber.hpp>
 #include <impact/choice.hpp>
@@ -60,8 +59,7 @@ Measured by_kernel(const Scene& scene, double h, const std::vector<host::Sample>
   return measured(Driven(plan), h, reference);
 }
 template <class Format> Measured by_rule(const Scene& scene, double h, const std::vector<host::Sample>& reference) {
-  constexpr auto numeric = detail::is_one_of<Format, Fixed32> ? host::Numeric::fixed32 : host::Numeric::float64;
-  switch (choice_for(resolution_of<HuntCrossley>(scene, bounds), h, host::most_sub_steps_in(numeric))) {
+  switch (choice_for(resolution_of<HuntCrossley>(scene, bounds), h, SubsteppedMoment<>::most)) {
     case Choice::moment:
       return by_kernel<Moment, Format>(scene, h, reference);
     case Choice::sub_steps:

@@ -10,12 +10,6 @@
 
 namespace impact::host {
 
-// A named stepper may have more sub-steps than its format resolves (TooManySubSteps in coupled_search_test.cpp). The
-// scenes and the search leave it out.
-inline bool has_resolved_sub_steps(const Request& request) {
-  return sub_steps(request) <= most_sub_steps_in(request.numeric);
-}
-
 // The share of a scene's energy that the rounding of Fixed32 may add. In each step the displacements per step, and so
 // the kinetic energy, have an error of some LSBs.
 //

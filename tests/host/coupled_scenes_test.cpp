@@ -39,7 +39,6 @@ class CoupledScenes : public testing::TestWithParam<Kind> {
       for (unsigned index = 0; index < of_each; ++index, ++tally.made) {
         CoupledScene found = scene(edge, index, parts);
         found.request.stepper = stepper;
-        if (!has_resolved_sub_steps(found.request)) continue;
         const CoupledRun run = run_coupled(found);
         if (!run.is_accepted) continue;
         ++tally.accepted;

@@ -50,7 +50,6 @@ double energy_rounded_in_one_float(const CoupledScene& found) {
 // The energy gain, or what friction supplies in a step, beyond rounding. A fault counts more than any gain. A stepper
 // with more sub-steps than its format resolves is left out.
 double badness(const CoupledScene& scene) {
-  if (!has_resolved_sub_steps(scene.request)) return -1e300;
   const CoupledRun run = run_coupled(scene);
   if (!run.is_accepted) return -1e300;
   if (run.has_fault || !(run.gain < 1e9) || !(run.rubbed < 1e9) || !(run.rubbed_back < 1e9)) return 1e9;
@@ -210,23 +209,6 @@ TEST(FoundInAField, TheGainOfABallPlacedInItsStopIsRemovedToSecondOrder) {
   const CoupledRun run = run_coupled(scene_at({Law::hunt_crossley, Stepper::energy, Numeric::float64}, point));
   EXPECT_TRUE(run.is_accepted);
   EXPECT_LE(run.gain, 4 * 0.05 * 0.05 * 0.05 * 0.05);
-}
-
-// More sub-steps than are useful create energy by rounding. impact-sim warns of them. This search found both scenes.
-CoupledRun run_with_too_many(const Everywhere& point, Damping damping) {
-  const CoupledScene scene = scene_at({Law::hunt_crossley, Stepper::moment_n, Numeric::float32, damping}, point);
-  EXPECT_FALSE(has_resolved_sub_steps(scene.request));
-  return run_coupled(scene);
-}
-TEST(TooManySubSteps, CreateFourPercentInFloatInTwoThousandSteps) {
-  const CoupledRun run = run_with_too_many(
-      at(0.034665382444264835, 0.58806599970687568, 0.70667948626494714, 0.66549966892644818, 1, 0.93293817898203513,
-         0.49754616526639928, 0.27648846960547341, 0.7539577498212594, 0.39638730738714245, 0.93729502700247724,
-         0.12575753919137889, 0.57583887368208564, 0.14507294450304398, 0.52704855189776667, 0.91087509107128484,
-         0.025702430423120714, 0.21803732442922844, 0.30354075154972365, 0, 0.401724916922644),
-      Damping::hunt_crossley);
-  EXPECT_GT(run.gain, 0.03);
-  EXPECT_LT(run.gain, 0.05);
 }
 
 // A seeded search for the largest value of a function of coordinates from 0 to 1: the (1+1) evolution strategy

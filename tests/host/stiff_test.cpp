@@ -60,16 +60,11 @@ double error(const host::Case& run, double h, double duration) {
   using Driven = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Format, Gravity, Parts...>;
   return differences<Driven>(run, bounds_of(run.scene), h, duration, h).x1;
 }
-// With Hooke-Newton Fixed32 has at most 512 sub-steps, as in the tool. A contact that requires more is so short that
-// Impulsive is as exact.
 template <class Format, class ContactLaw, class... Parts>
 double error_by_rule(const host::Case& run, double h, double duration) {
   const Resolution contact = resolution_of<ContactLaw>(run.scene, bounds_of(run.scene));
-  constexpr bool is_fixed_linear = std::is_same_v<Format, Fixed32> && ContactLaw::is_linear;
-  const Choice choice = choice_for(contact, h, is_fixed_linear ? 512 : SubsteppedMoment<>::most);
+  const Choice choice = choice_for(contact, h, SubsteppedMoment<>::most);
   if (choice == Choice::moment) return error<Format, ContactLaw, Moment, Parts...>(run, h, duration);
-  if (is_fixed_linear && choice == Choice::impulsive)
-    return error<Format, ContactLaw, Impulsive, Parts...>(run, h, duration);
   EXPECT_EQ(choice, Choice::sub_steps) << run.scene.contact_stiffness << " at " << h;
   return error<Format, ContactLaw, SubsteppedMoment<>, Parts...>(run, h, duration);
 }
@@ -149,7 +144,7 @@ TEST(StiffStop, IsAsExactWithFriction) {
   for (const double stiffness : {3e4, 3e7, 1e9, 1e12})
     EXPECT_LT((error_with_friction<Float64, HuntCrossley>(rubbing(driven(), 0.5), stiffness, 1e-5)), 2e-8) << stiffness;
 }
-// Floats round each state. In these formats the tool's rule allows up to 512 sub-steps.
+// Floats round each state.
 TEST(StiffStop, IsAsExactWithFrictionInFloat) { expect_one_bound_with_friction<Float32, HuntCrossley>(1e-8); }
 // Impulsive neglects the duration of an impact. That error does not depend on the step.
 TEST(StiffStop, ImpulsiveWithFrictionDoesNotDependOnTheStep) {

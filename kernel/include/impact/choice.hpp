@@ -25,8 +25,8 @@
 // a step. If the plan would reject every stepper, the choice is EnergyConsistent, and the plan rejects it.
 //
 // A step with sub-steps costs n steps of Moment while the ball is pressed, and 20 to 60 in an impact. Chosen is also
-// for cores with a short period, so it allows no sub-steps in the second line, or 512 where no other stepper is
-// accepted. If there is time, name SubsteppedMoment<>. impact-sim allows as many sub-steps as the format does.
+// for cores with a short period, so it allows no sub-steps in the second line, except where no other stepper is
+// accepted. If there is time, name SubsteppedMoment<>. impact-sim allows them.
 
 #include <impact/law/resolution.hpp>
 #include <impact/plan/source.hpp>
@@ -82,7 +82,7 @@ constexpr Choice choice_for(const Resolution& contact, double step, int most_sub
   const int parts = SubSteps::parts_for(contact, step);
   // The plan rejects the other steppers.
   const bool needs_sub_steps = (contact.has_friction || contact.field_share > 0) && contact.crossing <= 2 * step;
-  if (needs_sub_steps && most_sub_steps < SubSteps::most_in_a_float) most_sub_steps = SubSteps::most_in_a_float;
+  if (needs_sub_steps) most_sub_steps = SubSteps::most;
   const bool is_instant = !needs_sub_steps && part(1) > 1 && Impulsive::is_instant(contact, longest_instant) &&
                           Impulsive::steps(contact).holds(step);
   const bool has_sub_steps = is_right(SubSteps::steps(contact), SubSteps::longest_phase, parts) && is_passive_in(parts),

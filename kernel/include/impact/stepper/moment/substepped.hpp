@@ -21,8 +21,10 @@ template <int named = 0> struct SubsteppedMoment {
   static constexpr int most = named == 0 ? 16384 : named;
   static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0,
                 "SubsteppedMoment<most>: the largest number of sub-steps must be a power of two from 2 to 16384");
-  static constexpr int most_in_a_float = 512;                // more round too often in 32 bits: kernel/docs/moment.md
   static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
+  // From so many on, a sub-step in contact has its displacement from rates. As a difference of two penetrations of the
+  // flight it would have few bits: kernel/docs/moment.md.
+  static constexpr int fewest_by_rate = 512;
   // The number that gives the shortest contact precise_parts sub-steps, and every contact Moment's range.
   static constexpr int precise_parts = 20;
   static constexpr int parts_for(const Resolution& contact, double step) {
@@ -267,13 +269,20 @@ template <int named = 0> struct SubsteppedMoment {
           if constexpr (Seen::is_recorded) work.begin(rate_now, sums.w - friction.taken);
         }
         Approach<Value> part{};
-        part.penetration = raised(plan, part_trial);
         part.rate = rate_in_a_part(plan, rate_now);
-        part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
-        part.travel = part.penetration - part.before;
         Penetration bending = plan.square * (free.acceleration_at(s) - Sums::travel(plan.sums, acceleration));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
+        if (this->phase == Phase::apart) {
+          part.before = raised(plan, at);
+          part.penetration = raised(plan, part_trial);
+        } else {
+          part.before = this->penetration;
+          part.penetration = plan.sums.exponent < detail::binary_exponent(fewest_by_rate)
+                                 ? raised(plan, part_trial)
+                                 : part.before + (part.rate - Format::value(half(bending)));
+        }
+        part.travel = part.penetration - part.before;
         sums.add(plan.sums, Inner::impulse_of(plan.inner, units, part));
         const Penetration before = at;
         at = lowered(plan, this->penetration);

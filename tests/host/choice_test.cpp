@@ -64,7 +64,7 @@ Rebounds rebounds(Request request) {
 // Multiply a limit to get a value just inside and just outside a range.
 constexpr double just_below = 1 - 1e-9, just_above = 1 + 1e-9;
 
-// If sub-steps are allowed, the rule chooses Moment from twenty steps on.
+// If sub-steps are allowed, the rule chooses Moment from twenty steps on, and with friction not at all.
 TEST(Choice, IsMomentFromEightStepsOn) {
   for (const Contact& contact : contacts) {
     const Resolution r = resolution(pair_of(contact.law, contact.e, contact.tension));
@@ -74,6 +74,10 @@ TEST(Choice, IsMomentFromEightStepsOn) {
         << name_of(contact);
     EXPECT_NE(choice_for(r, just_above * r.shortest_part / 20, SubsteppedMoment<>::most), Choice::moment)
         << name_of(contact);
+    Resolution rubbed = r;
+    rubbed.has_friction = true;
+    EXPECT_NE(choice_for(rubbed, r.shortest_part / 40, SubsteppedMoment<>::most), Choice::moment) << name_of(contact);
+    EXPECT_EQ(choice_for(rubbed, r.shortest_part / 40, 1), Choice::moment) << name_of(contact);
   }
 }
 

@@ -2,9 +2,12 @@
 // clearance, the stiffness from soft to rigid, the damping, the drive, weight, friction and the step are random.
 // IMPACT_ERROR_SEARCH=20000 sets the number of scenes. Earlier finds are test cases.
 //
-// The limit is 1e-6 m at 1 ms, 1e-7 m at 0.1 ms and 2e-8 m at 0.01 ms, and ten times that with Hertz. It is for a
-// motion of 0.05 m with 20 impacts that does not amplify a disturbance. Errors grow with the motion, with the root of
-// the number of impacts, and with what the reference makes of masses that start 1e-10 m elsewhere.
+// The limit is 1e-6 m at 1 ms, 1e-7 m at 0.1 ms and 2e-8 m at 0.01 ms, and ten times that with Hertz. Float32 has 1e-8
+// m more. It is for a motion of 0.05 m with 20 impacts that does not amplify a disturbance. Errors grow with the
+// motion, with the root of the number of impacts, and with what the reference makes of masses that start 1e-10 m
+// elsewhere.
+
+#include <map>
 
 #include "host_ref/reference.hpp"
 #include "host_ref/simulation.hpp"
@@ -14,6 +17,7 @@ namespace impact::host {
 namespace {
 
 constexpr double disturbance = 1e-10;
+constexpr Numeric formats[] = {Numeric::float64, Numeric::float32, Numeric::fixed32};
 
 struct Driven {
   Request request;
@@ -98,7 +102,8 @@ Compared compared(const Driven& driven, const ReferenceRun& reference, Numeric n
   const double limit = (run.step > 5e-4   ? 1e-6
                         : run.step > 5e-5 ? 1e-7
                                           : 2e-8) *
-                       (run.law == Law::hertz ? 10 : 1),
+                           (run.law == Law::hertz ? 10 : 1) +
+                       (numeric == Numeric::float32 ? 1e-8 : 0),
                impacts = static_cast<double>(reference.at.back().impacts);
   const double share = error / (limit * reference.amplified * larger(1.0, reference.reached.displacement / 0.05) *
                                 larger(1.0, std::sqrt(impacts / 20)));
@@ -129,6 +134,8 @@ const Find finds[] = {
      scene_of(0.754637, 342.567, 3.35495, 2.21999, 0.00536288, 4.63449e9, 8219.08, 38.2139, 11.3912), 1, 0, 2e-3},
     {"the ball broke loose in the first step", Law::hunt_crossley,
      scene_of(0.447149, 429.71, 0.295725, 0.0577895, 0.0542864, 533644, 0, 76.0149, 47.9144), 0.455389, 0.105755, 1e-3},
+    {"Moment is of second order with friction", Law::hunt_crossley,
+     scene_of(5.67364, 5452.36, 6.43789, 9.62372, 0.0328892, 135246, 0, 270.774, 34.7832), 0.479454, 6.81993, 1e-3},
 };
 TEST(ErrorSearch, EarlierFindsAreWithinTheLimit) {
   for (const Find& find : finds) {
@@ -141,7 +148,7 @@ TEST(ErrorSearch, EarlierFindsAreWithinTheLimit) {
     run.step = find.step;
     if (run.law == Law::hunt_crossley) run.damping = Damping::exact;
     const ReferenceRun reference = reference_run(driven);
-    for (const Numeric numeric : {Numeric::float64, Numeric::fixed32}) {
+    for (const Numeric numeric : formats) {
       const Compared found = compared(driven, reference, numeric);
       ASSERT_TRUE(found.is_accepted) << find.what;
       EXPECT_LT(found.share, 1.5) << find.what << ", " << name_of(numeric) << ", " << found.text;
@@ -152,22 +159,22 @@ TEST(ErrorSearch, EarlierFindsAreWithinTheLimit) {
 TEST(ErrorSearch, FindsNoSceneThatTheRuleMisses) {
   long accepted = 0;
   const long scenes = number_of_runs("IMPACT_ERROR_SEARCH", 60);
-  double worst[2] = {};
+  std::map<Numeric, double> worst;
   for (long seed = 1; seed <= scenes; ++seed) {
     const Driven driven = driven_scene(static_cast<unsigned long>(seed));
     const ReferenceRun reference = reference_run(driven);
     if (reference.at.back().impacts == 0) continue;
-    for (const Numeric numeric : {Numeric::float64, Numeric::fixed32}) {
+    for (const Numeric numeric : formats) {
       const Compared found = compared(driven, reference, numeric);
       if (!found.is_accepted) continue;
       ++accepted;
-      double& of_format = worst[numeric == Numeric::fixed32];
-      of_format = larger(of_format, found.share);
+      worst[numeric] = larger(worst[numeric], found.share);
       EXPECT_LT(found.share, most) << "scene " << seed << ", " << name_of(numeric) << ", " << found.text;
     }
   }
-  std::printf("  worst of %ld runs: %.3g of the limit in double, %.3g in fixed point\n", accepted, worst[0], worst[1]);
-  EXPECT_GT(accepted, scenes);
+  std::printf("  worst of %ld runs, over its limit: %.3g in double, %.3g in Float32, %.3g in Fixed32\n", accepted,
+              worst[Numeric::float64], worst[Numeric::float32], worst[Numeric::fixed32]);
+  EXPECT_GT(accepted, 2 * scenes);
 }
 
 }  // namespace

@@ -180,6 +180,32 @@ TEST(StiffStop, TakesTheMomentumOfALightPressedBallFromTheMainMass) {
   EXPECT_NEAR(at.v2, expected, 1e-3 * expected);
 }
 
+// The sliding turns in a damped contact, at any phase of a sub-step. The rate is not linear there, and friction changes
+// it from the turn on, and with it the damping's push. Otherwise the error of the speed would be of second order.
+template <class Stepper> double error_after_a_turn(double h) {
+  double worst = 0;
+  for (int phase = 0; phase < 16; ++phase) {
+    Scene scene = rubbing(driven(&Scene::drive_amplitude, 0), 20);
+    scene.x2 = 0.499 * scene.clearance;
+    scene.v2 = 0.5 + 0.02 * phase;
+    host::Case run = with_stop<HuntCrossley>(scene, 1e6);
+    run.scene.contact_damping *= 2;
+    auto absorber = accepted<Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Float64, DryFriction>>(
+        run.scene, Bounds{0.05, 1.6}, h);
+    host::Reference reference(run);
+    for (int n = 0; n < 8; ++n) absorber.step();
+    reference.advance(8 * h);
+    worst = host::larger(worst, std::abs(absorber.reading().v2 - reference.sample().v2));
+  }
+  return worst;
+}
+TEST(StiffStop, ATurnInADampedContactIsOfThirdOrder) {
+  const double coarse = error_after_a_turn<SubsteppedMoment<4>>(1e-3),
+               fine = error_after_a_turn<SubsteppedMoment<8>>(1e-3);
+  EXPECT_LT(fine, coarse / 6) << coarse;
+  EXPECT_LT(fine, 1e-4 * 20 * 1e-3 / 0.3);  // of what friction takes of the ball's speed in a step
+}
+
 TEST(StiffStop, ConvergesToFourthOrder) {
   for (const double stiffness : {1e8, 1e10}) {
     const host::Case run = with_stop<HuntCrossley>(driven(), stiffness);

@@ -5,7 +5,7 @@
 // its shortest part, Resolution::shortest_part. w0 tc is how far, in rad, the main oscillator advances during it. The
 // first line whose condition is true decides:
 //
-//     N >= 20                    Moment             fourth order
+//     N >= 20, no friction       Moment             fourth order
 //     n N >= 8                   SubsteppedMoment<> with n sub-steps, a power of two: fourth order. It requires that
 //                                                   the caller allows n, that w0 h <= 0.32, and that Impulsive is not
 //                                                   expected to have a smaller error
@@ -89,7 +89,7 @@ constexpr Choice choice_for(const Resolution& contact, double step, int most_sub
              takes_sub_steps = has_sub_steps && parts <= most_sub_steps &&
                                !(is_instant && expected_error(Choice::impulsive, contact, step) <=
                                                    expected_error(Choice::sub_steps, contact, step)),
-             is_precise = SubSteps::precise_parts * step <= contact.shortest_part;
+             is_precise = SubSteps::precise_parts * step <= contact.shortest_part && !contact.has_friction;
   if (!needs_sub_steps && is_right(Moment::steps(contact), Moment::longest_phase, 1) &&
       (is_precise || !takes_sub_steps))
     return is_passive_in(1) ? Choice::moment : Choice::energy;

@@ -2,9 +2,10 @@
 #pragma once
 // Dry friction within a step, for a contact that feels it (motion/friction.hpp has that of whole steps). A flight
 // contains the friction that the step began with. Where the sliding turns or ends, the rest of the step needs another
-// one. With a rate of sliding that is linear in a part of the step, v0 to v1, z of the part is left after the turn:
+// one. The rate of sliding goes from v0 to v1 in a part of the step, with the bow 6 (D - (v0 + v1)/2) over the
+// displacement D. z of the part is left after the turn, with a correction of its first value for the bow:
 //
-//     z = v1/(v1 - v0)
+//     z = v1/(v1 - v0)           z = v1/(v1 - v0 - (1 - z) bow)
 //
 //     abs(f + v1 - v0) <= r      it sticks           friction takes v1
 //     otherwise                  it slides back      friction takes z (r - f), at most v1
@@ -57,11 +58,17 @@ template <class Format> struct PartRubbing {
     Penetration rate, moment, lost_at;
   };
   // At the part's end, with `rate` as if the friction had not changed.
-  constexpr Taken follow(Penetration before, Penetration rate) {
+  template <bool has_bow = false>
+  constexpr Taken follow(Penetration before, Penetration rate, [[maybe_unused]] Penetration bow = {}) {
     if (slides > 0 ? is_positive(rate) : slides < 0 && is_negative(rate)) return {};
     const bool back = is_negative(rate), turns = !is_positive(mirrored(before, back));
     const Penetration end = mirrored(rate, back), start = mirrored(before, back), needed = force + (rate - before);
-    const auto left = Format::quotient(positive_part(end), turns ? positive_part(end - start) : positive_part(end));
+    auto left = Format::quotient(positive_part(end), turns ? positive_part(end - start) : positive_part(end));
+    if constexpr (has_bow)
+      if (turns && is_positive(end - start - mirrored(bow, is_negative(bow)))) {
+        const Penetration bent = mirrored(bow, back), chord = end - start - bent + Format::value(left * bent);
+        if (is_positive(chord - end)) left = Format::quotient(positive_part(end), positive_part(chord));
+      }
     const Penetration before_turn = Format::value(left * mirrored(force, back));
     Penetration taken = end;
     if (turns && !is_positive(mirrored(needed, is_negative(needed)) - full)) {

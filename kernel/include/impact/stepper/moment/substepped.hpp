@@ -286,7 +286,7 @@ template <int named = 0> struct SubsteppedMoment {
         sums.add(plan.sums, Inner::impulse_of(plan.inner, units, part));
         const Penetration before = at;
         at = lowered(plan, this->penetration);
-        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free_rate - sums.rate(plan.sums), before, at);
+        if constexpr (Seen::is_rubbed) friction.turn(plan, *this, sums, free_rate, part.before, before, at);
         if constexpr (Seen::is_recorded)
           if (this->phase == Phase::apart) work.end(free_rate - sums.rate(plan.sums), sums.w - friction.taken);
         if (this->phase == Phase::apart) {
@@ -411,13 +411,17 @@ template <int named = 0> struct SubsteppedMoment {
         taken = taken + by;
         due = due - Penetration(Format::times(Sums::travel(plan.sums, by), 1 << plan.sums.exponent));
       }
-      // At a sub-step's end, at the rate that contact has left. The ball was at `before` and is now at `at`.
-      constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration at_rate, Penetration before,
-                          Penetration& at) {
+      // At a sub-step's end, after the contact. The ball was at `before`, in a sub-step's unit at `begun`, and is now
+      // at `at`.
+      constexpr void turn(const Plan& plan, Contact& contact, Sums& sums, Penetration free_rate, Penetration begun,
+                          Penetration before, Penetration& at) {
         if (!acts) return;
         count_so_far(at - before);
-        const Penetration before_turn = force;
-        const auto by = part.follow(rate, at_rate);
+        const Penetration at_rate = free_rate - sums.rate(plan.sums);
+        const Penetration before_turn = force, mean = Format::value(half(rate + at_rate));
+        const Penetration more = lowered(plan, contact.penetration - begun - rate_in_a_part(plan, mean));
+        const Penetration bow(Format::times(more, 6 << plan.sums.exponent));
+        const auto by = part.template follow<true>(rate, at_rate, bow);
         rate = at_rate - by.rate;
         force = part.slides == 0 ? Penetration(Format::times(part.force, 1 << plan.sums.exponent))
                                  : mirrored(step->full, part.slides < 0);
@@ -425,9 +429,12 @@ template <int named = 0> struct SubsteppedMoment {
         const Penetration moment = plan.part * by.moment;
         taken = taken + sums.take(plan.sums, by.rate, moment);
         count(by.rate, by.lost_at);
-        contact.rub(plan.inner, raised(plan, moment), rate_in_a_part(plan, by.rate),
-                    Penetration(plan.square * bare(force - before_turn)));
+        const auto response = contact.rub(plan.inner, rate_in_a_part(plan, by.moment), rate_in_a_part(plan, by.rate),
+                                          Penetration(plan.square * bare(force - before_turn)));
         at = at - moment;
+        if (part.slides == 0) return;
+        sums.add(plan.sums, response);
+        rate = free_rate - sums.rate(plan.sums);
       }
       // The rest of a step after the ball has left at `at`, of k sub-steps.
       constexpr void leave(const Plan& plan, Sums& sums, const Flight& free, int k, Penetration at) {

@@ -269,20 +269,18 @@ template <int named = 0> struct SubsteppedMoment {
           if constexpr (Seen::is_recorded) work.begin(rate_now, sums.w - friction.taken);
         }
         Approach<Value> part{};
+        part.penetration = raised(plan, part_trial);
         part.rate = rate_in_a_part(plan, rate_now);
+        part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
+        part.travel = part.penetration - part.before;
         Penetration bending = plan.square * (free.acceleration_at(s) - Sums::travel(plan.sums, acceleration));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
-        if (this->phase == Phase::apart) {
-          part.before = raised(plan, at);
-          part.penetration = raised(plan, part_trial);
-        } else {
-          part.before = this->penetration;
-          part.penetration = plan.sums.exponent < detail::binary_exponent(fewest_by_rate)
-                                 ? raised(plan, part_trial)
-                                 : part.before + (part.rate - Format::value(half(bending)));
-        }
-        part.travel = part.penetration - part.before;
+        if constexpr (most >= fewest_by_rate)
+          if (plan.sums.exponent >= detail::binary_exponent(fewest_by_rate) && this->phase != Phase::apart) {
+            part.travel = part.rate - Format::value(half(bending));
+            part.penetration = part.before + part.travel;
+          }
         sums.add(plan.sums, Inner::impulse_of(plan.inner, units, part));
         const Penetration before = at;
         at = lowered(plan, this->penetration);

@@ -84,15 +84,17 @@ template <class Format> struct MomentLinear : ContactDefaults {
     return penetration;
   }
   constexpr void change_rate(const Plan&, Penetration by) { rate = rate + by; }
-  // Friction takes this of the penetration, of its rate, and of the change of the rate in a step. Returns the impulse
-  // that the damping adds because of it, the damping coefficient times the displacement.
-  constexpr Impulse<Force> rub(const Plan& plan, Penetration displacement, Penetration by, Penetration) {
+  // Friction takes this of the penetration, of its rate, and of the change of the rate in a step.
+  constexpr void rub(const Plan&, Penetration displacement, Penetration by, Penetration) {
     penetration = penetration - displacement;
     rate = rate - by;
+  }
+  // What the damping pushes because of that: the damping coefficient times the displacement.
+  constexpr Impulse<Force> damp(const Plan& plan, Penetration displacement) {
     if (phase != Phase::touching) return {};
-    const Impulse<Force> response{-(plan.damping * displacement), {}};
-    rate = rate_after(plan.response, rate, response);
-    return response;
+    const Impulse<Force> impulse{-(plan.damping * displacement), {}};
+    rate = rate_after(plan.response, rate, impulse);
+    return impulse;
   }
 
   template <class Seen>

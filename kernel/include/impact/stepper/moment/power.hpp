@@ -132,13 +132,15 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return respond(plan, trial, before, step.rate, g);
   }
 
-  // Friction takes this of the penetration, of its rate, and of the change of the rate in a step. Returns the impulse
-  // that the damping adds because of it, the damping coefficient times the displacement.
-  constexpr Impulse<Recoil> rub(const Plan& plan, Penetration displacement, Penetration, Penetration acceleration) {
-    if (phase != Phase::touching || !is_positive(penetration - displacement)) return {};
+  // Friction takes this of the penetration, of its rate, and of the change of the rate in a step.
+  constexpr void rub(const Plan& plan, Penetration displacement, Penetration, Penetration acceleration) {
+    if (phase != Phase::touching || !is_positive(penetration - displacement)) return;
     stand_at(penetration - displacement);
     change = change - Recoil(Format::moved(acceleration, plan.change_bits));
-    if constexpr (!ContactLaw::is_damped) return {};
+  }
+  // What the damping pushes because of that: the damping coefficient times the displacement.
+  constexpr Impulse<Recoil> damp(const Plan& plan, Penetration displacement) const {
+    if (!ContactLaw::is_damped || phase != Phase::touching) return {};
     const Recoil by(Format::moved(-displacement, -plan.travel_bits));
     return {Recoil(Format::times(damped_sixth(plan, by, root * without_sign(penetration)), 6)), {}};
   }

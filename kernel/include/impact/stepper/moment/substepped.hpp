@@ -424,14 +424,14 @@ template <int named = 0> struct SubsteppedMoment {
         force = part.slides == 0 ? Penetration(Format::times(part.force, 1 << plan.sums.exponent))
                                  : mirrored(step->full, part.slides < 0);
         if (!is_positive(by.rate) && !is_negative(by.rate)) return;
-        const Penetration moment = plan.part * by.moment;
+        const Penetration moment = plan.part * by.moment, moved = rate_in_a_part(plan, by.moment);
         taken = taken + sums.take(plan.sums, by.rate, moment);
         count(by.rate, by.lost_at);
-        const auto response = contact.rub(plan.inner, rate_in_a_part(plan, by.moment), rate_in_a_part(plan, by.rate),
-                                          Penetration(plan.square * bare(force - before_turn)));
+        contact.rub(plan.inner, moved, rate_in_a_part(plan, by.rate),
+                    Penetration(plan.square * bare(force - before_turn)));
         at = at - moment;
-        if (part.slides == 0) return;
-        sums.add(plan.sums, response);
+        if (part.slides == 0) return;  // a ball that sticks keeps its rate of 0
+        sums.add(plan.sums, contact.damp(plan.inner, moved));
         rate = free_rate - sums.rate(plan.sums);
       }
       // The rest of a step after the ball has left at `at`, of k sub-steps.

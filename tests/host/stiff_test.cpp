@@ -105,7 +105,7 @@ TEST(StiffStop, IsAsExactInACavityThatTheBallCrossesSixTimesInAStep) {
     for (const Scene& scene : {in_field, rubbing(very_narrow(), 0.3)}) {
       const host::Case part = with_stop<HuntCrossley>(scene, stiffness);
       EXPECT_LT((error_by_rule<Float64, HuntCrossley, DryFriction>(part, 1e-3, 0.4)), 1e-6) << stiffness;
-      EXPECT_LT((error_by_rule<Fixed32, HuntCrossley, DryFriction>(part, 1e-3, 0.4)), 5e-6) << stiffness;
+      EXPECT_LT((error_by_rule<Fixed32, HuntCrossley, DryFriction>(part, 1e-3, 0.4)), 2e-6) << stiffness;
     }
   }
 }
@@ -116,12 +116,16 @@ TEST(StiffStop, IsAsExactWithHertz) {
 TEST(StiffStop, IsAsExactInFixedPoint) {
   for (const Scene& scene : {driven(), heavy(), hanging()}) {
     expect_one_bound<Fixed32, HuntCrossley>(scene, 1, 2e-9);
-    expect_one_bound<Fixed32, Exact>(scene, 1, 5e-8);
+    expect_one_bound<Fixed32, Exact>(scene, 1, 2e-9);
     expect_one_bound<Fixed32, Hertz>(scene, 10, 2e-9);
     expect_one_bound<Fixed32, HookeNewton>(scene, 1, 2e-9);
   }
 }
-TEST(StiffStop, IsAsExactInFloat) { expect_one_bound<Float32, HuntCrossley>(driven(), 1, 1e-8); }
+TEST(StiffStop, IsAsExactInFloat) {
+  expect_one_bound<Float32, HuntCrossley>(driven(), 1, 1e-8);
+  expect_one_bound<Float32, Exact>(driven(), 1, 1e-8);
+  expect_one_bound<Float32, HookeNewton>(driven(), 1, 1e-8);
+}
 
 // Dry friction reverses at the instant of the impact, or in flight at that of the ball's reversal. The limits are those
 // without friction.

@@ -22,9 +22,9 @@ template <int named = 0> struct SubsteppedMoment {
   static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0,
                 "SubsteppedMoment<most>: the largest number of sub-steps must be a power of two from 2 to 16384");
   static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
-  // From so many on, a sub-step in contact has its displacement from rates. As a difference of two penetrations of the
-  // flight it would have few bits: kernel/docs/moment.md.
-  static constexpr int fewest_by_rate = 512;
+  // From so many on, a sub-step with contact has its displacement from rates. As a difference of two penetrations of
+  // the flight it would have few bits: kernel/docs/moment.md.
+  static constexpr int fewest_by_rate = 64;
   // The number that gives the shortest contact precise_parts sub-steps, and every contact Moment's range.
   static constexpr int precise_parts = 20;
   static constexpr int parts_for(const Resolution& contact, double step) {
@@ -277,9 +277,12 @@ template <int named = 0> struct SubsteppedMoment {
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
         if constexpr (most >= fewest_by_rate)
-          if (plan.sums.exponent >= detail::binary_exponent(fewest_by_rate) && this->phase != Phase::apart) {
+          if (plan.sums.exponent >= detail::binary_exponent(fewest_by_rate)) {
             part.travel = part.rate - Format::value(half(bending));
-            part.penetration = part.before + part.travel;
+            if (this->phase == Phase::apart)
+              part.before = part.penetration - part.travel;
+            else
+              part.penetration = part.before + part.travel;
           }
         sums.add(plan.sums, Inner::impulse_of(plan.inner, units, part));
         const Penetration before = at;

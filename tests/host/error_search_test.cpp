@@ -111,8 +111,7 @@ Compared compared(const Driven& driven, const ReferenceRun& reference, Numeric n
           std::to_string(1e6 * error) + "e-6 m: " + outcome.description};
 }
 
-// What some thousand scenes reach is 11 in both formats, in a scene that amplifies by a hundred. The next ones are 6,
-// with strong friction and Moment, and in fixed point 9, with a ball that is pressed in by less than an LSB.
+// What some thousand scenes reach is 11 in each format, in a scene that amplifies by a hundred.
 constexpr double most = 12;
 
 struct Find {

@@ -135,6 +135,8 @@ const Find finds[] = {
      scene_of(0.447149, 429.71, 0.295725, 0.0577895, 0.0542864, 533644, 0, 76.0149, 47.9144), 0.455389, 0.105755, 1e-3},
     {"Moment is of second order with friction", Law::hunt_crossley,
      scene_of(5.67364, 5452.36, 6.43789, 9.62372, 0.0328892, 135246, 0, 270.774, 34.7832), 0.479454, 6.81993, 1e-3},
+    {"Fixed32 pressed a ball and the main mass with unequal forces", Law::hooke_newton,
+     scene_of(0.230643, 221.648, 0.116197, 0.00261598, 0.0197251, 2.19302e11, 31520.9, 95.6272, 61.6867), 1, 0, 1e-5},
 };
 TEST(ErrorSearch, EarlierFindsAreWithinTheLimit) {
   for (const Find& find : finds) {

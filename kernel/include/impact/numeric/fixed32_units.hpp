@@ -181,6 +181,14 @@ struct Fixed32Units {
     IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + displacement.raw));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(displacement.raw));
   }
+  template <class Unit>
+  [[gnu::always_inline]] constexpr void displace(
+      Long& x, const GainOf<Fixed32Numbers::Gain, Unit, unit::Penetration> (&gains)[3],
+      const In<Value, Unit> (&by)[3]) const {
+    displace(x, gains[0], by[0]);
+    displace(x, gains[1], by[1]);
+    displace(x, gains[2], by[2]);
+  }
   // gain * x for an x in 2^-spare_bits of the penetrations' unit.
   constexpr Long part(GainOf<Fixed32Numbers::Gain, unit::Penetration, unit::Penetration> gain, Long x,
                       int spare_bits) const {

@@ -170,6 +170,12 @@ template <class RealType, template <class> class State, class OscillatorType> st
     static constexpr void displace(Long& x, GainOf<Gain, Unit, unit::Penetration> gain, In<Value, Unit> by) {
       x.add(gain * by);
     }
+    // By the sum of three.
+    template <class Unit>
+    static constexpr void displace(Long& x, const GainOf<Gain, Unit, unit::Penetration> (&gains)[3],
+                                   const In<Value, Unit> (&by)[3]) {
+      x.add(gains[0] * by[0] + (gains[1] * by[1] + gains[2] * by[2]));
+    }
     static constexpr Long part(GainOf<Gain, unit::Penetration, unit::Penetration> gain, Long x, int) {
       Long result{};
       result.add(gain.own * x.value());

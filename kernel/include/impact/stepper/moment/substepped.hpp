@@ -67,16 +67,19 @@ template <int named = 0> struct SubsteppedMoment {
     using Penetration = impact::Penetration<Value>;
     using Recoil = impact::Recoil<Value>;
 
-    // Like Answer, but the ball's share of an impulse keeps all its bits: a heavy ball's share may be below an LSB of a
-    // push.
-    struct StepAnswer : MainAnswer<Gain, unit::Recoil> {
-      GainOf<Gain, unit::Recoil, unit::Penetration> ball;
+    // Like Answer, but with all bits of a state: a mass's share of an impulse may be less than an LSB of a push. The
+    // reaction's impulses are the sum w of all, of which both masses have their shares, and what spring and damper have
+    // changed of the main mass's rate.
+    struct StepAnswer {
+      static constexpr bool is_sudden = false;
+      GainOf<Gain, unit::Recoil, unit::Penetration> dx1[3], ball;
 
       template <class State>
       [[gnu::always_inline]] constexpr void apply(const Units& units, State& state,
                                                   const Reaction<Format, Recoil>& reaction, bool left) const {
-        const auto by = mirrored(reaction.ball, left);
-        this->move_main(units, state, mirrored(reaction.main, left));
+        const auto main = mirrored(reaction.main, left), by = mirrored(reaction.ball, left);
+        units.recoil(state.x1, main.j1);
+        units.displace(state.dx1, dx1, {by.j0, main.j0, main.j1});
         units.displace(state.x2, ball, -by.j1);
         units.displace(state.dx2, ball, -by.j0);
       }
@@ -171,7 +174,8 @@ template <int named = 0> struct SubsteppedMoment {
       const UnitExponents own = units(terms, unit);
       const Scaled<Format> gain{unit};
       Plan plan{};
-      plan.response = {{gain(1), gain(flow.e12), gain(flow.e11)}, gain(1 / (terms.ball_mass * mobility))};
+      plan.response = {{gain(flow.e12 * response.g0 / mobility), gain(flow.e12), gain(flow.e11)},
+                       gain(1 / (terms.ball_mass * mobility))};
       plan.start_rate = StartRate<Format>::make(flow, unit);
       plan.quartic = Format::gain(terms.main_stiffness * terms.step * terms.step / (24 * terms.main_mass), 0, 0);
       plan.drive_quartic = gain(terms.step * terms.step / (12 * terms.main_mass * flow.constant_increment()));
@@ -308,7 +312,7 @@ template <int named = 0> struct SubsteppedMoment {
         if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
       if ((crossings & 1) != 0) cross();
       if constexpr (Seen::is_rubbed) friction.end();
-      auto reaction = reaction_of<Format>(Impulse<Recoil>{sums.u(), Recoil(sums.x.value())});
+      auto reaction = reaction_of<Format>(Impulse<Recoil>{Recoil(sums.by_flow.value()), Recoil(sums.x.value())});
       reaction.ball = {sums.w, Recoil(sums.y.value())};
       reaction.crossings = crossings;
       reaction.penetration = lowered(plan, this->penetration);

@@ -293,9 +293,10 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   [[gnu::always_inline]] constexpr Recoil by_missed(const Plan& plan, Steepness steepness, Shape shape,
                                                     Value missed) const {
     if constexpr (!ContactLaw::is_damped)
-      return Recoil(Format::value(steepness * missed));
+      return Recoil(Format::value(Format::factor(steepness) * missed));
     else if constexpr (ContactLaw::is_damped_per_impact)
-      return Recoil(Format::value(steepness * missed) + Format::value(this->own_damping * missed * shape));
+      return Recoil(Format::value(Format::factor(steepness) * missed) +
+                    Format::value(this->own_damping * missed * Format::factor(shape)));
     else
       return Recoil(Format::product_of_sum(steepness, plan.damping, shape, missed));
   }
@@ -303,7 +304,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   template <class Shape> constexpr Recoil damped_sixth(const Plan& plan, Recoil dv, Shape shape) const {
     if constexpr (ContactLaw::is_damped_per_impact)
       return Recoil(
-          Format::value(this->own_damping * bare(travel(plan, dv)) * Format::short_constant(1.0 / 6) * shape));
+          Format::value(this->own_damping * bare(travel(plan, dv)) * Format::constant(1.0 / 6) * shape));
     else
       return Recoil(Format::product(plan.sixth_damping, dv, shape));
   }

@@ -137,6 +137,8 @@ const Find finds[] = {
      scene_of(5.67364, 5452.36, 6.43789, 9.62372, 0.0328892, 135246, 0, 270.774, 34.7832), 0.479454, 6.81993, 1e-3},
     {"Fixed32 pressed a ball and the main mass with unequal forces", Law::hooke_newton,
      scene_of(0.230643, 221.648, 0.116197, 0.00261598, 0.0197251, 2.19302e11, 31520.9, 95.6272, 61.6867), 1, 0, 1e-5},
+    {"the ball was drawn off within a step of Moment", Law::hunt_crossley,
+     scene_of(1.30384, 4536.66, 0.960644, 2.10604, 0.00622979, 75958.8, 276785, 52.3186, 144.332), 1, 0, 1e-3},
 };
 TEST(ErrorSearch, EarlierFindsAreWithinTheLimit) {
   for (const Find& find : finds) {
@@ -147,7 +149,7 @@ TEST(ErrorSearch, EarlierFindsAreWithinTheLimit) {
     run.scene.restitution = find.restitution;
     run.scene.ball_friction = find.friction;
     run.step = find.step;
-    if (run.law == Law::hunt_crossley) run.damping = Damping::exact;
+    if (run.law == Law::hunt_crossley && run.scene.contact_damping <= 0) run.damping = Damping::exact;
     const ReferenceRun reference = reference_run(driven);
     for (const Numeric numeric : formats) {
       const Compared found = compared(driven, reference, numeric);

@@ -233,8 +233,8 @@ TEST(DrawnOff, AsTheReferenceSays) {
   expect_within<Moment, Float64>(1e-6);
   expect_within<Moment, Fixed32>(1e-6);
   expect_within<Moment, Float32>(1e-6);
-  expect_within<FourParts, Float64>(2e-7);
-  expect_within<FourParts, Fixed32>(2e-6);  // the rounding of 9000 sub-steps per contact
+  expect_within<FourParts, Float64>(1e-8);
+  expect_within<FourParts, Fixed32>(4e-7);  // the rounding of 9000 sub-steps per contact
 }
 
 // If a force with the slope f' ends within the step, its impulse has an error of at most f' h^2/8, of second order.
@@ -251,6 +251,17 @@ TEST(DrawnOff, TheKinkIsOfSecondOrder) {
     }
     std::printf("  %g s: %.3g m\n", h, worst);
   }
+}
+TEST(DrawnOff, InSubStepsTheKinkIsOfThirdOrder) {
+  const auto worst_at = [](double h) {
+    double worst = 0;
+    for (int phase = 0; phase < 20; ++phase)
+      worst = larger(worst, error_with_a_pulling_drive<FourParts, Float64>(1e6 * (1 + 0.05 * phase), 1.5e-3, h));
+    return worst;
+  };
+  const double coarse = worst_at(8e-4);
+  EXPECT_LT(worst_at(2e-4), coarse / 40);
+  EXPECT_LT(coarse, 1e-8);
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 // its shortest part, Resolution::shortest_part. w0 tc is how far, in rad, the main oscillator advances during it. The
 // first line whose condition is true decides:
 //
-//     N >= 20, no friction       Moment             fourth order
+//     N >= 20, no friction,      Moment             fourth order
+//     e >= 1/3 or Hooke-Newton
 //     n N >= 8                   SubsteppedMoment<> with n sub-steps, a power of two: fourth order. It requires that
 //                                                   the caller allows n, that w0 h <= 0.32, and that Impulsive is not
 //                                                   expected to have a smaller error
@@ -23,6 +24,9 @@
 // the step may create. Then the rule skips SubsteppedMoment, and chooses EnergyConsistent in place of Moment. With
 // weight, a shaken base or friction, SubsteppedMoment alone is accepted if the ball can cross half of the clearance in
 // a step. If the plan would reject every stepper, the choice is EnergyConsistent, and the plan rejects it.
+//
+// A ball in a stop with e < 1/3, at twice the bound of speed, leaves it so slowly that other forces may draw it off
+// within a step. Moment is of second order then, and so it is with friction.
 //
 // A step with sub-steps costs n steps of Moment while the ball is pressed, and 20 to 60 in an impact. Chosen is also
 // for cores with a short period, so it allows no sub-steps in the second line, except where no other stepper is
@@ -89,7 +93,9 @@ constexpr Choice choice_for(const Resolution& contact, double step, int most_sub
              takes_sub_steps = has_sub_steps && parts <= most_sub_steps &&
                                !(is_instant && expected_error(Choice::impulsive, contact, step) <=
                                                    expected_error(Choice::sub_steps, contact, step)),
-             is_precise = SubSteps::precise_parts * step <= contact.shortest_part && !contact.has_friction;
+             may_be_drawn_off = !contact.is_linear && 3 * e < 1,
+             is_precise =
+                 SubSteps::precise_parts * step <= contact.shortest_part && !contact.has_friction && !may_be_drawn_off;
   if (!needs_sub_steps && is_right(Moment::steps(contact), Moment::longest_phase, 1) &&
       (is_precise || !takes_sub_steps))
     return is_passive_in(1) ? Choice::moment : Choice::energy;

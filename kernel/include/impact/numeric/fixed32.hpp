@@ -227,21 +227,6 @@ struct Fixed32 : Fixed32Numbers {
     const int32_t most = INT32_MAX >> bits;
     return {to_left(x.raw > most ? most : x.raw < -most ? -most : x.raw, bits)};
   }
-  // A sum of terms x / 2^bits, with 32 bits below an LSB. It starts at half an LSB, so that its upper word is rounded
-  // to nearest.
-  struct Sum {
-    int64_t raw = INT64_C(1) << 31;
-
-    constexpr void add(Value x, int bits) {
-      const uint32_t below = static_cast<uint32_t>(x.raw) << 1 << (31 - bits);
-      const uint64_t part = uint64_t{static_cast<uint32_t>(x.raw >> bits)} << 32 | below;
-      IMPACT_EXPECT(is_in_64_bits(Wide{raw} + static_cast<int64_t>(part)));
-      raw = static_cast<int64_t>(static_cast<uint64_t>(raw) + part);
-    }
-    constexpr void add(Value x, int bits, Gain) { add(x, bits); }
-    constexpr void negate() { raw = static_cast<int64_t>((UINT64_C(1) << 32) - static_cast<uint64_t>(raw)); }
-    constexpr Value value() const { return {upper_word(raw)}; }
-  };
   // The number of bits by which all x can be shifted left and stay within +-1/4.
   template <class... Values> static constexpr int spare_bits(Values... x) {
     const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };

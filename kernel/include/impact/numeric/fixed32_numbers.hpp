@@ -176,6 +176,23 @@ struct Fixed32Numbers {
     const int shift = gain.shift + bits;
     return {gain.mantissa, shift < 31 ? shift : 31};
   }
+
+  // A sum of terms x / 2^bits, with 32 bits below an LSB. It starts at half an LSB, so that its upper word is rounded
+  // to nearest.
+  struct Sum {
+    static constexpr int64_t half_lsb = INT64_C(1) << 31;
+    int64_t raw = half_lsb;
+
+    constexpr void add(Value x, int bits) {
+      const uint32_t below = static_cast<uint32_t>(x.raw) << 1 << (31 - bits);
+      const uint64_t part = uint64_t{static_cast<uint32_t>(x.raw >> bits)} << 32 | below;
+      IMPACT_EXPECT(is_in_64_bits(Wide{raw} + static_cast<int64_t>(part)));
+      raw = static_cast<int64_t>(static_cast<uint64_t>(raw) + part);
+    }
+    constexpr void add(Value x, int bits, Gain) { add(x, bits); }
+    constexpr void negate() { raw = static_cast<int64_t>((UINT64_C(1) << 32) - static_cast<uint64_t>(raw)); }
+    constexpr Value value() const { return {upper_word(raw)}; }
+  };
 };
 
 }  // namespace impact

@@ -181,13 +181,15 @@ struct Fixed32Units {
     IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + displacement.raw));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(displacement.raw));
   }
+  // By the sum of three.
   template <class Unit>
   [[gnu::always_inline]] constexpr void displace(
-      Long& x, const GainOf<Fixed32Numbers::Gain, Unit, unit::Penetration> (&gains)[3],
-      const In<Value, Unit> (&by)[3]) const {
-    displace(x, gains[0], by[0]);
-    displace(x, gains[1], by[1]);
-    displace(x, gains[2], by[2]);
+      Long& x, const GainOf<Fixed32Numbers::Gain, Unit, unit::Penetration> (&gains)[3], In<Value, Unit> first,
+      Fixed32Numbers::Sum second, In<Value, Unit> third) const {
+    displace(x, gains[0], first);
+    displace(x, gains[2], third);
+    const Long by = product(gains[1].own, second, penetration_shift);
+    x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(by.raw));
   }
   // gain * x for an x in 2^-spare_bits of the penetrations' unit.
   constexpr Long part(GainOf<Fixed32Numbers::Gain, unit::Penetration, unit::Penetration> gain, Long x,
@@ -197,7 +199,18 @@ struct Fixed32Units {
   }
   // gain * x with all bits of a state. An LSB of x is 2^shift LSBs of a state.
   static constexpr Long product(Fixed32Numbers::Gain gain, Value x, int shift) {
-    const int64_t product = full_product(x.raw, gain.mantissa);
+    return moved_product(gain, full_product(x.raw, gain.mantissa), shift);
+  }
+  // The same for a sum, and a gain >= 0.
+  static constexpr Long product(Fixed32Numbers::Gain gain, Fixed32Numbers::Sum sum, int shift) {
+    const int64_t raw = sum.raw - Fixed32Numbers::Sum::half_lsb;
+    IMPACT_EXPECT(gain.mantissa >= 0);
+    return moved_product(gain,
+                         full_product(upper_word(raw), gain.mantissa) +
+                             high_product(static_cast<uint32_t>(raw), static_cast<uint32_t>(gain.mantissa)),
+                         shift);
+  }
+  static constexpr Long moved_product(Fixed32Numbers::Gain gain, int64_t product, int shift) {
     const int bits = 32 + gain.shift - shift;
     IMPACT_EXPECT(bits >= 0 || Wide{product} * (int64_t{1} << -bits) == product * (int64_t{1} << -bits));
     return {bits >= 0 ? product >> bits : product * (int64_t{1} << -bits)};

@@ -171,10 +171,10 @@ template <class RealType, template <class> class State, class OscillatorType> st
       x.add(gain * by);
     }
     // By the sum of three.
-    template <class Unit>
+    template <class Sum, class Unit>
     static constexpr void displace(Long& x, const GainOf<Gain, Unit, unit::Penetration> (&gains)[3],
-                                   const In<Value, Unit> (&by)[3]) {
-      x.add(gains[0] * by[0] + (gains[1] * by[1] + gains[2] * by[2]));
+                                   In<Value, Unit> first, Sum second, In<Value, Unit> third) {
+      x.add(gains[0] * first + (gains[1] * In<Value, Unit>(second.value()) + gains[2] * third));
     }
     static constexpr Long part(GainOf<Gain, unit::Penetration, unit::Penetration> gain, Long x, int) {
       Long result{};

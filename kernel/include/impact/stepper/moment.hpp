@@ -47,9 +47,9 @@ struct Moment {
     return (contact.is_linear ? 5.5e-5 : 1e-3) * fourth * (share + 0.1);
   }
 
-  template <class Format, class ContactLaw>
-  using Contact =
-      typename detail::Either<ContactLaw::is_linear, MomentLinear<Format>, MomentPower<Format, ContactLaw>>::Type;
+  template <class Format, class ContactLaw, bool follows_end = false>
+  using Contact = typename detail::Either<ContactLaw::is_linear, MomentLinear<Format>,
+                                          MomentPower<Format, ContactLaw, follows_end>>::Type;
 };
 
 }  // namespace impact

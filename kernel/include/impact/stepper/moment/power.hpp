@@ -12,7 +12,8 @@
 //     leaving   the mirror image of entering, with r, d0 and -L
 //     predicted J0 = f + f'/2        J1 = f/2 + f'/6        f' = (3/2) r K (1 + C v) v + K C d0^(3/2) (g - f)
 //
-// One Newton step corrects the error of d1. No impulse pulls (without_pull).
+// One Newton step corrects the error of d1. No impulse pulls (without_pull). If `follows_end`, a force that ends within
+// the step does so at its own instant, which is of third order.
 
 #include <impact/law/impact_damping.hpp>
 #include <impact/stepper/contact.hpp>
@@ -24,7 +25,7 @@ namespace impact {
 // The largest h c/mu of a step: kernel/docs/moment.md.
 inline constexpr double largest_damping_of_moment = 2.5;
 
-template <class Format, class ContactLaw>
+template <class Format, class ContactLaw, bool follows_end>
 struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
   using Root = typename Format::Root;
@@ -154,18 +155,24 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
                                                            Penetration trial_rate, Recoil g) {
     if (phase == Phase::apart) return enter(plan, trial, before, trial_rate, g);
     const Penetration rate = trial - penetration - Format::value(half(travel(plan, g)));
-    const Prediction predicted = predict(plan, rate, g);
+    const Value first = strength(plan, rate);
+    const Prediction predicted = predict(plan, first, rate, g);
     const Penetration d = trial - travel(plan, predicted.moment);
     if (!is_positive(d)) return leave(plan, trial, g, d);
-    return stay(plan, trial, g, d, predicted.taken);
+    const Penetration dd = d - penetration;
+    const Value mean = strength(plan, dd);
+    if constexpr (ContactLaw::is_damped && follows_end)
+      if (is_negative(mean - Format::value(half(first)))) return end_of_push(plan, trial, rate, g);
+    if (!is_positive(mean)) return ended(plan, trial, {}, UnknownRoot{});
+    return stay(plan, trial, g, d, dd, without_sign(mean), predicted.taken);
   }
 
   // The Taylor step: J1, and contact's change of the rate until the step's end, f + f'/2.
   struct Prediction {
     Recoil moment, taken;
   };
-  [[gnu::always_inline]] constexpr Prediction predict(const Plan& plan, Penetration rate, Recoil g) const {
-    const auto steepness = root * strength(plan, rate);
+  [[gnu::always_inline]] constexpr Prediction predict(const Plan& plan, Value first, Penetration rate, Recoil g) const {
+    const auto steepness = root * first;
     const Recoil force(Format::value(steepness * without_sign(penetration)));
     Recoil third_rise(Format::value(quarter(steepness * bare(rate))));  // f'/6
     if constexpr (ContactLaw::is_damped)
@@ -175,8 +182,9 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   }
 
   // `taken` is contact's change of the rate in the predicted step, g - (v1 - v0).
+  template <class Strength>
   [[gnu::always_inline]] constexpr Impulse<Recoil> stay(const Plan& plan, Penetration trial, Recoil g, Penetration d,
-                                                        Recoil taken) {
+                                                        Penetration dd, Strength factor, Recoil taken) {
     const auto end = Format::known_root(d);
     const auto s = end.at_point();
     if constexpr (ContactLaw::is_damped_per_impact) this->limit(plan.limit, plan.damping, s * without_sign(d));
@@ -188,11 +196,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const auto n =
         p * (half(without_sign(d) + without_sign(penetration)) + zz) + zz * zz_5p;  // p^2 + z^2 is their mean
     const auto w = eighth(p) + quarter(zz_5p);
-    const Penetration dd = d - penetration;
     const Recoil dv = g - taken;
-    const Value mean = strength(plan, dd);
-    if (!is_positive(mean)) return ended(plan, trial, {}, end);
-    const auto factor = without_sign(mean);
     const auto by_change = raised(plan, Format::value(plan.stiffness)) * w;
     const Recoil j0 = Recoil(Format::value(n * factor)) - lowered(plan, Format::value(by_change * dv));
     Recoil j1 = Format::value(half(j0)) - Recoil(Format::value(w * factor * bare(dd)));
@@ -204,6 +208,25 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const Recoil correction =
         by_missed(plan, slope * factor, n, missed) - lowered(plan, Format::value(by_change * (taken - j0)));
     return ended(plan, trial, {j0 + correction, j1 + Format::value(correction * Format::short_constant(1.0 / 3))}, end);
+  }
+
+  // A force that ends within the step, at 1 + C v = 0 and after its share u of the step. It falls linearly in time, so
+  // J0 = f u/2 with the lever at u/3. There f is that at the start with d + u v/2 in place of d, to first order in u.
+  [[gnu::noinline]] constexpr Impulse<Recoil> end_of_push(const Plan& plan, Penetration trial, Penetration rate,
+                                                          Recoil g) {
+    const auto of_change = bare(travel(plan, change - g)) * Format::short_constant(1.0 / 6);
+    const Penetration first_rate = rate + Penetration(Format::value(of_change));  // g is not constant
+    const Value first = strength(plan, first_rate), half_first = Format::value(half(first));
+    if (!is_positive(first)) return ended(plan, trial, {}, UnknownRoot{});
+    const auto half_force = [&](Penetration d) { return Recoil(Format::value(root * half_first * bare(d))); };
+    const Value last = strength(plan, first_rate + travel(plan, g - half_force(penetration))),
+                half_fall = half_first - Format::value(half(last));
+    const auto u =
+        is_negative(last) ? Format::quotient(without_sign(half_first), without_sign(half_fall)) : Format::constant(1);
+    const Penetration shorter(Format::value(half(Format::value(u * bare(first_rate)))));
+    const Recoil j0(Format::value(u * bare(half_force(penetration + shorter)))),
+        later(Format::value(Format::value(u * bare(j0)) * Format::short_constant(1.0 / 3)));
+    return ended(plan, trial, {j0, j0 - later}, UnknownRoot{});
   }
 
   [[gnu::always_inline]] constexpr Impulse<Recoil> enter(const Plan& plan, Penetration trial, Penetration before,
@@ -288,7 +311,8 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   static constexpr Recoil lowered(const Plan& plan, Recoil product) {
     return Recoil(Format::moved(product, plan.travel_bits + plan.raised_bits));
   }
-  // (steepness + K C d^(3/2)) missed: the error of J0 by that of the penetration at the end.
+  // (steepness + K C d^(3/2)) missed: the error of J0 by that of the penetration at the end. A product of factors with
+  // fewer bits would be rounded down to 4 LSBs.
   template <class Steepness, class Shape>
   [[gnu::always_inline]] constexpr Recoil by_missed(const Plan& plan, Steepness steepness, Shape shape,
                                                     Value missed) const {
@@ -303,8 +327,7 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   // (1/6) K C dv d^(3/2)
   template <class Shape> constexpr Recoil damped_sixth(const Plan& plan, Recoil dv, Shape shape) const {
     if constexpr (ContactLaw::is_damped_per_impact)
-      return Recoil(
-          Format::value(this->own_damping * bare(travel(plan, dv)) * Format::constant(1.0 / 6) * shape));
+      return Recoil(Format::value(this->own_damping * bare(travel(plan, dv)) * Format::constant(1.0 / 6) * shape));
     else
       return Recoil(Format::product(plan.sixth_damping, dv, shape));
   }

@@ -59,27 +59,32 @@ template <int named = 0> struct SubsteppedMoment {
     return Moment::restitution_error(contact, step / parts_for(contact, step));
   }
 
-  template <class Format, class ContactLaw> struct Contact : Moment::Contact<Format, ContactLaw> {
-    using Inner = Moment::Contact<Format, ContactLaw>;
+  template <class Format, class ContactLaw> struct Contact : Moment::Contact<Format, ContactLaw, true> {
+    using Inner = Moment::Contact<Format, ContactLaw, true>;
     using Value = typename Format::Value;
     using Gain = typename Format::Gain;
     using Units = typename Format::Units;
     using Penetration = impact::Penetration<Value>;
     using Recoil = impact::Recoil<Value>;
 
-    // Like Answer, but with all bits of a state: a mass's share of an impulse may be less than an LSB of a push. The
-    // reaction's impulses are the sum w of all, of which both masses have their shares, and what spring and damper have
-    // changed of the main mass's rate.
+    // With the sum of what spring and damper have changed of the main mass's rate in the step. The impulses are the sum
+    // w of all, of which both masses have their shares.
+    struct StepReaction : Reaction<Format, Recoil> {
+      typename Format::Sum by_flow;
+    };
+    // Like Answer, but with all bits of a state: in a step both may change a rate by less than an LSB of a push.
     struct StepAnswer {
       static constexpr bool is_sudden = false;
       GainOf<Gain, unit::Recoil, unit::Penetration> dx1[3], ball;
 
       template <class State>
-      [[gnu::always_inline]] constexpr void apply(const Units& units, State& state,
-                                                  const Reaction<Format, Recoil>& reaction, bool left) const {
-        const auto main = mirrored(reaction.main, left), by = mirrored(reaction.ball, left);
-        units.recoil(state.x1, main.j1);
-        units.displace(state.dx1, dx1, {by.j0, main.j0, main.j1});
+      [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, StepReaction reaction,
+                                                  bool left) const {
+        const auto x = mirrored(reaction.main.j1, left);
+        const auto by = mirrored(reaction.ball, left);
+        if (left) reaction.by_flow.negate();
+        units.recoil(state.x1, x);
+        units.displace(state.dx1, dx1, by.j0, reaction.by_flow, x);
         units.displace(state.x2, ball, -by.j1);
         units.displace(state.dx2, ball, -by.j0);
       }
@@ -220,8 +225,7 @@ template <int named = 0> struct SubsteppedMoment {
     }
 
     template <class Seen>
-    [[gnu::always_inline]] constexpr Reaction<Format, Recoil> solve(const Plan& plan, const Units& units,
-                                                                    const Seen& step) {
+    [[gnu::always_inline]] constexpr StepReaction solve(const Plan& plan, const Units& units, const Seen& step) {
       const Penetration trial = step.penetration;
       const bool begins = this->phase == Phase::apart;
       Penetration at = begins ? step.before : lowered(plan, this->penetration);
@@ -312,7 +316,9 @@ template <int named = 0> struct SubsteppedMoment {
         if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
       if ((crossings & 1) != 0) cross();
       if constexpr (Seen::is_rubbed) friction.end();
-      auto reaction = reaction_of<Format>(Impulse<Recoil>{Recoil(sums.by_flow.value()), Recoil(sums.x.value())});
+      StepReaction reaction{};
+      reaction.main.j1 = Recoil(sums.x.value());
+      reaction.by_flow = sums.by_flow;
       reaction.ball = {sums.w, Recoil(sums.y.value())};
       reaction.crossings = crossings;
       reaction.penetration = lowered(plan, this->penetration);

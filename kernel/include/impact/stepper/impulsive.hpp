@@ -10,8 +10,8 @@
 // Vi is the rate of free flight at that instant, and A the acceleration towards the stop by spring and drive at the
 // touch. What A does during the contact is taken to first order (Press in law/free_impact.hpp). An impact creates no
 // energy, for any t and any restitution; beside a main damper it gains less than (c h/M)^3 of the energy. If A presses
-// the ball to its stop, a force over the step, f = d/(b + h^2/2m), ends the step with the ball on the stop. From then on
-// the ball rests: the force keeps it there and does no work. In a field the ball is lifted only as far as the energy
+// the ball to its stop, a force over the step, f = d/(b + h^2/2m), ends the step with the ball on the stop. From then
+// on the ball rests: the force keeps it there and does no work. In a field the ball is lifted only as far as the energy
 // suffices that the force has taken. There is one impact per step. Dry friction turns at the impact's instant.
 
 #include <impact/law/impact_force.hpp>
@@ -103,9 +103,8 @@ struct Impulsive {
       const Scaled<Format> gain{unit};
       const double unit_impulse =
           impulse / constant::smaller(ball_mass, main_mass) * constant::power_of_two(-unit.push);
-      return {{{{gain(impulse / main_mass), gain(impulse / main_mass * flow.e12), gain(impulse / main_mass * flow.e11)},
-                gain(impulse / ball_mass),
-                gain(impulse / ball_mass)}},
+      return {{{gain(impulse / main_mass), gain(impulse / main_mass * flow.e12), gain(impulse / main_mass * flow.e11),
+                gain(impulse / ball_mass), gain(impulse / ball_mass)}},
               Rebound<Format, ContactLaw>::make(terms, unit),
               ImpactForce<Format, ContactLaw>::make(terms, unit),
               // The response of a free main mass over the change of the displacement per step, so that the rate is that

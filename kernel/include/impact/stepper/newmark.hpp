@@ -130,10 +130,8 @@ template <class BetaType> struct Newmark : BetaType {
       int passes = 1;
       for (double error = slope; passes < 5 && error > 1e-16; error *= error) ++passes;
       return {
-          {{{gain(force_unit * flow.b1), gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0)),
-             gain(0)},
-            gain(force_unit * beta * ball),
-            gain(force_unit * (1 - beta) * ball)},
+          {{gain(force_unit * flow.b1), gain(force_unit * (flow.e11 * flow.b1 + flow.e12 * flow.c1 + flow.b0)), gain(0),
+            gain(force_unit * beta * ball), gain(force_unit * (1 - beta) * ball)},
            gain(force_unit * by_penetration),
            gain(force_unit * by_rate),
            gain(0)},

@@ -20,24 +20,16 @@ template <class Units, class State, class Value>
 // push on the right stop: x1 and dx1 grow, the others fall.
 //
 // `is_sudden` is true if a response may change the rate of penetration by more than a force over that step can.
-template <class Gain, class Unit> struct MainAnswer {
+template <class Gain, class Unit> struct Answer {
   static constexpr bool is_sudden = false;
-  GainOf<Gain, Unit, unit::Push> x1, dx1, dx1_by_moment;
-
-  template <class Units, class State, class Number>
-  [[gnu::always_inline]] constexpr void move_main(const Units& units, State& state, const Impulse<Number>& main) const {
-    units.push(state.x1, x1 * main.j1);
-    units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
-  }
-};
-template <class Gain, class Unit> struct Answer : MainAnswer<Gain, Unit> {
-  GainOf<Gain, Unit, unit::Push> x2, dx2;
+  GainOf<Gain, Unit, unit::Push> x1, dx1, dx1_by_moment, x2, dx2;
 
   template <class Units, class State, class Reaction>
   [[gnu::always_inline]] constexpr void apply(const Units& units, State& state, const Reaction& reaction,
                                               bool left) const {
     const auto main = mirrored(reaction.main, left), ball = mirrored(reaction.ball, left);
-    this->move_main(units, state, main);
+    units.push(state.x1, x1 * main.j1);
+    units.push(state.dx1, dx1 * main.j0 + dx1_by_moment * main.j1);
     units.push(state.x2, x2 * -ball.j1);
     units.push(state.dx2, dx2 * -ball.j0);
   }

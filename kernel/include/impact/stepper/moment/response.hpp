@@ -35,8 +35,7 @@ struct MomentResponse {
                                                                const UnitExponents& unit) const {
     const Scaled<Format> gain{unit};
     const double scale = terms.force_unit * terms.step * terms.step, ball = scale / terms.ball_mass;
-    return {{{gain(scale * gx), gain(scale * flow.e12 * g0), gain(scale * (flow.e12 * hg1 + flow.e11 * gx))},
-             gain(ball),
+    return {{gain(scale * gx), gain(scale * flow.e12 * g0), gain(scale * (flow.e12 * hg1 + flow.e11 * gx)), gain(ball),
              gain(ball)},
             gain(ball + scale * gx),
             gain(ball + scale * g0),

@@ -161,9 +161,12 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     if (!is_positive(d)) return leave(plan, trial, g, d);
     const Penetration dd = d - penetration;
     const Value mean = strength(plan, dd);
-    if constexpr (ContactLaw::is_damped && follows_end)
-      if (is_negative(mean - Format::value(half(first)))) return end_of_push(plan, trial, rate, g);
-    if (!is_positive(mean)) return ended(plan, trial, {}, UnknownRoot{});
+    if constexpr (ContactLaw::is_damped && follows_end) {
+      if (!is_positive(mean) || is_negative(mean - Format::value(half(first))))
+        return end_of_push(plan, trial, rate, g);
+    } else if (!is_positive(mean)) {
+      return ended(plan, trial, {}, UnknownRoot{});
+    }
     return stay(plan, trial, g, d, dd, without_sign(mean), predicted.taken);
   }
 
@@ -217,16 +220,19 @@ struct MomentPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const auto of_change = bare(travel(plan, change - g)) * Format::short_constant(1.0 / 6);
     const Penetration first_rate = rate + Penetration(Format::value(of_change));  // g is not constant
     const Value first = strength(plan, first_rate), half_first = Format::value(half(first));
-    if (!is_positive(first)) return ended(plan, trial, {}, UnknownRoot{});
-    const auto half_force = [&](Penetration d) { return Recoil(Format::value(root * half_first * bare(d))); };
-    const Value last = strength(plan, first_rate + travel(plan, g - half_force(penetration))),
-                half_fall = half_first - Format::value(half(last));
-    const auto u =
-        is_negative(last) ? Format::quotient(without_sign(half_first), without_sign(half_fall)) : Format::constant(1);
-    const Penetration shorter(Format::value(half(Format::value(u * bare(first_rate)))));
-    const Recoil j0(Format::value(u * bare(half_force(penetration + shorter)))),
-        later(Format::value(Format::value(u * bare(j0)) * Format::short_constant(1.0 / 3)));
-    return ended(plan, trial, {j0, j0 - later}, UnknownRoot{});
+    Impulse<Recoil> impulse{};
+    if (is_positive(first)) {
+      const auto half_force = [&](Penetration d) { return Recoil(Format::value(root * half_first * bare(d))); };
+      const Value last = strength(plan, first_rate + travel(plan, g - half_force(penetration))),
+                  half_fall = half_first - Format::value(half(last));
+      const auto u =
+          is_negative(last) ? Format::quotient(without_sign(half_first), without_sign(half_fall)) : Format::constant(1);
+      const Penetration shorter(Format::value(half(Format::value(u * bare(first_rate)))));
+      impulse.j0 = Recoil(Format::value(u * bare(half_force(penetration + shorter))));
+      impulse.j1 =
+          impulse.j0 - Recoil(Format::value(Format::value(u * bare(impulse.j0)) * Format::short_constant(1.0 / 3)));
+    }
+    return ended(plan, trial, impulse, UnknownRoot{});
   }
 
   [[gnu::always_inline]] constexpr Impulse<Recoil> enter(const Plan& plan, Penetration trial, Penetration before,

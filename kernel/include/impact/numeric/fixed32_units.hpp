@@ -181,7 +181,7 @@ struct Fixed32Units {
     IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + displacement.raw));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(displacement.raw));
   }
-  // By the sum of three.
+  // By three of them, of which the second is a sum with bits below an LSB.
   template <class Unit>
   [[gnu::always_inline]] constexpr void displace(
       Long& x, const GainOf<Fixed32Numbers::Gain, Unit, unit::Penetration> (&gains)[3], In<Value, Unit> first,

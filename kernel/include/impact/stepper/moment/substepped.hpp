@@ -72,7 +72,8 @@ template <int named = 0> struct SubsteppedMoment {
     struct StepReaction : Reaction<Format, Recoil> {
       typename Format::Sum by_flow;
     };
-    // Like Answer, but with all bits of a state: in a step both may change a rate by less than an LSB of a push.
+    // Like Answer, but with all bits of a state: a mass's share of an impulse may be less than an LSB of a push, and so
+    // may what spring and damper change.
     struct StepAnswer {
       static constexpr bool is_sudden = false;
       GainOf<Gain, unit::Recoil, unit::Penetration> dx1[3], ball;

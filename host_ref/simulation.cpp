@@ -134,7 +134,7 @@ double preferred_step(Request open) {
     for (const double step : steps) {
       request.step = step;
       if (step <= request.duration / 100 && step * pulsation <= longest_phase &&
-          step * request.bounds->speed <= displacement && chosen(request) == Stepper::moment &&
+          step * request.bounds->speed <= displacement && chosen(request, 1) == Stepper::moment &&
           Moment::restitution_error(resolution(request), step) <= automatic_error)
         return step;
     }

@@ -162,9 +162,9 @@ double restitution_at(const Request& made, double speed);
 Refusal refusal_before_a_run(const Request& request);
 
 // The step that the tool chooses, from 0.01 ms to 5 ms. It is the longest of 1, 2 and 5 times a power of ten for which
-// the rule takes Moment and the restitution is within automatic_error of the law's. There are at least 100 steps in
-// `duration`, 30 in a period of drive and main mass, and four in a flight across the clearance. If no step has all
-// this, it is 0.1 ms.
+// the rule takes Moment, if no sub-steps are allowed, and the restitution is within automatic_error of the law's. There
+// are at least 100 steps in `duration`, 30 in a period of drive and main mass, and four in a flight across the
+// clearance. If no step has all this, it is 0.1 ms.
 constexpr double automatic_error = 1e-5;
 double automatic_step(const Request& request);
 

@@ -189,6 +189,7 @@ struct Fixed32Units {
     displace(x, gains[0], first);
     displace(x, gains[2], third);
     const Long by = product(gains[1].own, second, penetration_shift);
+    IMPACT_EXPECT(is_in_64_bits(Wide{x.raw} + by.raw));
     x.raw = static_cast<int64_t>(static_cast<uint64_t>(x.raw) + static_cast<uint64_t>(by.raw));
   }
   // gain * x for an x in 2^-spare_bits of the penetrations' unit.

@@ -19,14 +19,11 @@ namespace {
 constexpr double disturbance = 1e-10;
 constexpr Numeric formats[] = {Numeric::float64, Numeric::float32, Numeric::fixed32};
 
-struct Driven {
-  Request request;
-  double duration = 0.4;
-};
-Driven driven_scene(unsigned long seed) {
+double duration_of(const Request& run) { return run.step < 5e-5 ? 0.05 : 0.4; }
+
+Request driven_scene(unsigned long seed) {
   Random random(seed);
-  Driven found;
-  Request& run = found.request;
+  Request run;
   Scene& scene = run.scene;
   scene = Scene{};
   const double w0 = random.is(0.5) ? random.wide(2, 100) : 31;
@@ -57,8 +54,7 @@ Driven driven_scene(unsigned long seed) {
   else if (random.is(0.25))
     scene.ball_friction = scene.ball_mass * random.wide(0.05, 10);
   run.step = random.one_of({1e-3, 1e-4, 1e-5});
-  if (run.step < 5e-5) found.duration = 0.05;
-  return found;
+  return run;
 }
 
 struct ReferenceRun {
@@ -66,14 +62,15 @@ struct ReferenceRun {
   double interval = 0, amplified = 1;
   Reached reached;
 };
-ReferenceRun reference_run(const Driven& driven) {
-  Case run = case_of(driven.request);
+ReferenceRun reference_run(const Request& request) {
+  Case run = case_of(request);
+  const double duration = duration_of(request);
   ReferenceRun found;
-  found.interval = larger(driven.request.step, 1e-4);
-  found.at = reference_trajectory(run, found.interval, driven.duration).samples;
+  found.interval = larger(request.step, 1e-4);
+  found.at = reference_trajectory(run, found.interval, duration).samples;
   run.scene.x1 += disturbance;
   run.scene.x2 += 2 * disturbance;
-  const auto disturbed = reference_trajectory(run, found.interval, driven.duration).samples;
+  const auto disturbed = reference_trajectory(run, found.interval, duration).samples;
   for (size_t i = 0; i < found.at.size(); ++i) {
     const Sample& at = found.at[i];
     found.amplified = larger(found.amplified, std::abs(at.x1 - disturbed[i].x1) / disturbance);
@@ -87,8 +84,7 @@ struct Compared {
   double share = 0;  // the error over its limit
   std::string text;
 };
-Compared compared(const Driven& driven, const ReferenceRun& reference, Numeric numeric) {
-  Request run = driven.request;
+Compared compared(Request run, const ReferenceRun& reference, Numeric numeric) {
   run.numeric = numeric;
   run.bounds =
       Bounds{1.5 * reference.reached.displacement, 1.5 * reference.reached.speed, 0, run.scene.drive_amplitude};
@@ -142,18 +138,16 @@ const Find finds[] = {
 };
 TEST(ErrorSearch, EarlierFindsAreWithinTheLimit) {
   for (const Find& find : finds) {
-    Driven driven;
-    Request& run = driven.request;
+    Request run;
     run.law = find.law;
     run.scene = find.scene;
     run.scene.restitution = find.restitution;
     run.scene.ball_friction = find.friction;
     run.step = find.step;
-    if (run.step < 5e-5) driven.duration = 0.05;
     if (run.law == Law::hunt_crossley && run.scene.contact_damping <= 0) run.damping = Damping::exact;
-    const ReferenceRun reference = reference_run(driven);
+    const ReferenceRun reference = reference_run(run);
     for (const Numeric numeric : formats) {
-      const Compared found = compared(driven, reference, numeric);
+      const Compared found = compared(run, reference, numeric);
       ASSERT_TRUE(found.is_accepted) << find.what;
       EXPECT_LT(found.share, 1.5) << find.what << ", " << name_of(numeric) << ", " << found.text;
     }
@@ -165,11 +159,11 @@ TEST(ErrorSearch, FindsNoSceneThatTheRuleMisses) {
   const long scenes = number_of_runs("IMPACT_ERROR_SEARCH", 60);
   std::map<Numeric, double> worst;
   for (long seed = 1; seed <= scenes; ++seed) {
-    const Driven driven = driven_scene(static_cast<unsigned long>(seed));
-    const ReferenceRun reference = reference_run(driven);
+    const Request run = driven_scene(static_cast<unsigned long>(seed));
+    const ReferenceRun reference = reference_run(run);
     if (reference.at.back().impacts == 0) continue;
     for (const Numeric numeric : formats) {
-      const Compared found = compared(driven, reference, numeric);
+      const Compared found = compared(run, reference, numeric);
       if (!found.is_accepted) continue;
       ++accepted;
       worst[numeric] = larger(worst[numeric], found.share);

@@ -228,7 +228,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
   const DriveKind drive = found.request.drive;
   const bool is_in_field = largest_base > 0 || scene.gravity < 0 || scene.gravity > 0;
   double dissipated = 0, rubbed = 0, work = 0, most_work = 0, force = 0, base = 0;
-  Sample now = outcome.simulation->sample();
+  Sample now = outcome.simulation->state();
   for (long i = 0; i < found.steps; ++i) {
     const double t = static_cast<double>(i) * h;
     Force on_main;
@@ -239,7 +239,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
     const double next_base = -share_of(found.samples, scene, now, t, i + found.steps) * largest_base;
     outcome.simulation->step(force, next_base);
     const Sample before = now;
-    now = outcome.simulation->sample();
+    now = outcome.simulation->state();
     const double mass = scene.main_mass, ball = scene.ball_mass;
     if (is_in_field) {
       const double field = scene.gravity - base, next_field = scene.gravity - next_base;

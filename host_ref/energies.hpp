@@ -19,4 +19,15 @@ template <class Motion> constexpr double energy_with_weight(const Scene& scene, 
   return mechanical_energy(scene, at) - scene.gravity * (scene.main_mass * at.x1 + scene.ball_mass * at.x2);
 }
 
+// The motion that a step changes. reading() of Impulsive differs from it during an impact: there the state is before or
+// after all of the impulse.
+template <class Kernel> auto motion_of_state(Kernel absorber) {
+  if constexpr (Kernel::Contact::traits.is_instantaneous) {
+    auto saved = absorber.save();
+    saved.state.contact.depth = {};
+    absorber.restore(saved);
+  }
+  return absorber.reading();
+}
+
 }  // namespace impact::host

@@ -123,7 +123,9 @@ class Simulation {
   virtual ~Simulation() = default;
   // Advances by h; `force` and `base` (its acceleration) are the samples at the end of the step.
   virtual void step(double force, double base = 0) = 0;
-  virtual Sample sample() const = 0;      // the state now
+  virtual Sample sample() const = 0;  // now, as a user reads it
+  // The same with the motion that a step changes (energies.hpp).
+  virtual Sample state() const { return sample(); }
   virtual const char* fault() const = 0;  // nullptr, or the reason why the state is no longer valid
 
   // Makes several steps and stores x1 at the end of each. `forces` and `base` may be null. Stops after a step that

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "host_ref/any_drive.hpp"
+#include "host_ref/energies.hpp"
 #include "host_ref/extremes.hpp"
 #include "host_ref/simulation.hpp"
 
@@ -109,8 +110,29 @@ class KernelSimulation final : public Simulation {
     }
   }
 
-  Sample sample() const override {
-    const auto now = kernel_.reading();
+  Sample sample() const override { return sample_of(kernel_.reading()); }
+  Sample state() const override { return sample_of(motion_of_state(kernel_)); }
+
+  const char* fault() const override {
+    switch (kernel_.fault()) {
+      case Fault::none:
+        return nullptr;
+      case Fault::sample:
+        return "a drive sample beyond its bound";
+      case Fault::displacement:
+        return displacement_fault.data();
+      case Fault::speed:
+        return speed_fault.data();
+      case Fault::penetration:
+        return penetration_fault.data();
+      case Fault::plan:  // impossible, since no simulation is made from a rejected plan
+        return "a plan that was refused";
+    }
+    return nullptr;
+  }
+
+ private:
+  Sample sample_of(const typename Kernel::Reading& now) const {
     const auto& state = kernel_.state();
     const auto& plan = kernel_.plan;
     const double side = state.at_left ? -1 : 1;
@@ -135,25 +157,6 @@ class KernelSimulation final : public Simulation {
     return sample;
   }
 
-  const char* fault() const override {
-    switch (kernel_.fault()) {
-      case Fault::none:
-        return nullptr;
-      case Fault::sample:
-        return "a drive sample beyond its bound";
-      case Fault::displacement:
-        return displacement_fault.data();
-      case Fault::speed:
-        return speed_fault.data();
-      case Fault::penetration:
-        return penetration_fault.data();
-      case Fault::plan:  // impossible, since no simulation is made from a rejected plan
-        return "a plan that was refused";
-    }
-    return nullptr;
-  }
-
- private:
   // The penetration from x2 - x1, of the stop that is touched, if any.
   double penetration(double y) const {
     const double gap = scene_.clearance / 2;
@@ -182,6 +185,7 @@ class KernelSimulation final : public Simulation {
   }
   // The same as reading().x1, without computing its unit at every step.
   double displacement() const {
+    if constexpr (Kernel::Contact::traits.is_instantaneous) return kernel_.reading().x1;
     const auto x1 = Kernel::Field::position(kernel_.plan, kernel_.state(), kernel_.state().x1);
     if constexpr (std::is_same_v<Format, Fixed32>)
       return static_cast<double>(x1.raw - Format::Units::half_lsb) * position_unit_;

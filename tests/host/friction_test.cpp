@@ -343,7 +343,7 @@ template <class Stepper> void expect_ledger_has_all(double longest_turn, bool me
   double rubbed = 0, hit = 0;
   const auto use = [&](const Undamped& made, Undriven<Stepper> absorber) {
     const auto sum = [&] {
-      return mechanical_energy(made.scene, absorber.reading()) + dissipated_by(absorber) +
+      return mechanical_energy(made.scene, motion_of_state(absorber)) + dissipated_by(absorber) +
              absorber.friction_dissipated();
     };
     const auto goes_back = [&] { return absorber.reading().v2 < absorber.reading().v1; };

@@ -108,7 +108,7 @@ template <class Law> void expect_double_under_wide_bounds(double speed, double s
       Narrow narrow(plan);
       Wide wide(Wide::PlanType::make(scene, bounds, h));
       for (int n = 0; n < 3 && wide.reading().v2 == speed; ++n) narrow.step(), wide.step();
-      EXPECT_NEAR(narrow.reading().v2, wide.reading().v2, 1e-3 * speed) << bound << ", " << i;
+      EXPECT_NEAR(motion_of_state(narrow).v2, motion_of_state(wide).v2, 1e-3 * speed) << bound << ", " << i;
     }
   EXPECT_GE(accepted, 150);
 }

@@ -24,6 +24,7 @@ using host::energy_with_weight;
 using host::kinetic_energy;
 using host::larger;
 using host::mechanical_energy;
+using host::motion_of_state;
 using host::smaller;
 
 using EveryFormat = testing::Types<Fixed32, Float32, Float32Plain, Float64>;

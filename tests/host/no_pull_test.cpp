@@ -89,7 +89,7 @@ template <class Law, class Stepper, class Format> struct Kind {
       ++accepted;
       Kernel absorber(plan);
       for (int n = 1; n <= steps && absorber.fault() == Fault::none; ++n) {
-        const double before = absorber.reading().v2;
+        const double before = motion_of_state(absorber).v2;
         step_with(absorber, found.force * std::sin(found.force_pulsation * n * step),
                   found.base * std::sin(found.base_pulsation * n * step));
         touching += absorber.is_touching();
@@ -107,7 +107,7 @@ template <class Law, class Stepper, class Format> struct Kind {
     int retuned = 0;
     each_step<Absorber<>>(false, [&](Absorber<>& absorber, const PulledScene& found, int n, double before) {
       if (absorber.fault() != Fault::none) return;
-      ASSERT_LE(absorber.reading().v2 - before, rounding(absorber, found.bounds)) << "step " << n;
+      ASSERT_LE(motion_of_state(absorber).v2 - before, rounding(absorber, found.bounds)) << "step " << n;
       if (found.change == 1 && n % 7 == 0) {
         const auto part = [&] { return Format::sample(random.between(-1, 1) * 1e-6); };
         absorber.correct(part(), part());

@@ -223,19 +223,24 @@ class AbsorberOf
   }
 
   // Displacement and velocity of the main mass and of the ball after the last step, in native numbers of
-  // displacement_unit() and velocity_unit(). Only the context that steps may call them. Others call snapshot().
-  constexpr Value displacement() const { return plan.units.position(Machine::position_of(Machine::state.x1)); }
+  // displacement_unit() and velocity_unit(). During an impact of Impulsive they contain what its force has done by then
+  // (docs/impulsive.md). Only the context that steps may call them. Others call snapshot().
+  constexpr Value displacement() const { return plan.units.position(Machine::main_position()); }
   constexpr Value velocity() const {
     auto rate = plan.units.as_displacement(Machine::rate_ahead());
     if constexpr (Contact::traits.keeps_force) rate = rate - carried(plan.contact.dx1_share);
+    if constexpr (Contact::traits.is_instantaneous)
+      rate = rate + plan.units.as_displacement(plan.contact.main_share * Machine::spread().rate);
     if constexpr (Friction::is_friction)
       rate = rate - plan.units.as_displacement(plan.friction.main_rate_ahead * Machine::state.impulse);
     return plan.units.velocity(plan.units.displacement(Machine::state.dx1) + rate);
   }
-  constexpr Value ball_displacement() const { return plan.units.position(Machine::position_of(Machine::state.x2)); }
+  constexpr Value ball_displacement() const { return plan.units.position(Machine::ball_position()); }
   constexpr Value ball_velocity() const {
     auto rate = plan.units.displacement(Machine::state.dx2);
     if constexpr (Contact::traits.keeps_force) rate = rate + carried(plan.contact.dx2_share);
+    if constexpr (Contact::traits.is_instantaneous)
+      rate = rate - plan.units.as_displacement(plan.contact.ball_share * Machine::spread().rate);
     if constexpr (Field::is_field) rate = rate - plan.units.as_displacement(Field::ball_rate(plan, Machine::state));
     if constexpr (Friction::is_friction)
       rate = rate + plan.units.as_displacement(plan.friction.ball_ahead * Machine::state.impulse);
@@ -422,8 +427,12 @@ class AbsorberOf
       u1 -= side * plan.units.si_penetration(plan.contact.dx1_share * Machine::state.contact.force);
       u2 += side * plan.units.si_penetration(plan.contact.dx2_share * Machine::state.contact.force);
     }
-    return {plan.units.si_at(Machine::position_of(Machine::state.x1)), u1 / plan.step,
-            plan.units.si_at(Machine::position_of(Machine::state.x2)), u2 / plan.step};
+    if constexpr (Contact::traits.is_instantaneous) {
+      u1 += plan.units.si_penetration(plan.contact.main_share * Machine::spread().rate);
+      u2 -= plan.units.si_penetration(plan.contact.ball_share * Machine::spread().rate);
+    }
+    return {plan.units.si_at(Machine::main_position()), u1 / plan.step, plan.units.si_at(Machine::ball_position()),
+            u2 / plan.step};
   }
 
  private:

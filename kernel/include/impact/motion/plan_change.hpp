@@ -60,6 +60,8 @@ template <class Plan, class State> constexpr void change_plan(const Plan& from, 
   to.units.add(state.dx1,
                -(to.change.new_lag_by_u1 * to.units.displacement(u1) + to.change.new_lag_by_x1 * x1 - drive.new_share));
   if constexpr (Field::is_field) to.units.add(state.dx1, Field::new_share(to, state));
+  if constexpr (Plan::ContactType::traits.is_instantaneous)
+    state.contact.depth = to.units.penetration_from(from.units, state.contact.depth);
 }
 
 }  // namespace impact

@@ -142,6 +142,13 @@ struct Fixed32Units {
   constexpr Displacement<Value> as_displacement(Penetration<Value> rate) const {
     return Displacement<Value>(Fixed32Numbers::moved(rate, displacement_shift - penetration_shift));
   }
+  // A penetration > 0 in another plan's unit, clamped.
+  constexpr Penetration<Value> penetration_from(const Fixed32Units& other, Penetration<Value> x) const {
+    const int bits = other.penetration_exponent - penetration_exponent;
+    if (bits <= 0) return Penetration<Value>({bits > -31 ? x.raw >> -bits : 0});
+    const int32_t most = bits < 31 ? INT32_MAX >> bits : 0;
+    return Penetration<Value>({to_left(x.raw < most ? x.raw : most, bits < 31 ? bits : 0)});
+  }
   constexpr Penetration<Value> increment_of_rate(Increment<Value> increment) const {
     return Penetration<Value>(Fixed32Numbers::moved(increment, penetration_shift - increment_shift));
   }

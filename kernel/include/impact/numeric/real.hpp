@@ -129,6 +129,7 @@ template <class RealType, template <class> class State, class OscillatorType> st
     static constexpr Displacement<Value> as_displacement(Penetration<Value> rate) {
       return Displacement<Value>(bare(rate));
     }
+    static constexpr Penetration<Value> penetration_from(const Units&, Penetration<Value> x) { return x; }
     static constexpr Penetration<Value> increment_of_rate(Increment<Value> increment) {
       return Penetration<Value>(bare(increment));
     }

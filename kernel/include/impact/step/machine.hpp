@@ -95,6 +95,28 @@ template <class Source, class... Features> struct Machine : Source {
     return is_beyond_stop() ? depth_in(ball_is_left()) : Penetration{};
   }
 
+  // The displacements for a reader. Those of the state lack or anticipate a part of what an impact under way does.
+  constexpr Long main_position() const {
+    Long x = position_of(state.x1);
+    if constexpr (Contact::traits.is_instantaneous)
+      plan.units.displace(x, plan.contact.main_share, spread().displacement);
+    return x;
+  }
+  constexpr Long ball_position() const {
+    Long x = position_of(state.x2);
+    if constexpr (Contact::traits.is_instantaneous)
+      plan.units.displace(x, plan.contact.ball_share, -spread().displacement);
+    return x;
+  }
+  // Along x.
+  constexpr auto spread() const {
+    typename Contact::Spread found{};
+    if (!state.contact.is_in_an_impact()) return found;
+    const bool left = contact_is_left();
+    found = state.contact.spread(depth_in(left), relative_rate(left));
+    return typename Contact::Spread{mirrored(found.displacement, left), mirrored(found.rate, left)};
+  }
+
   // Adds the immediate share of the samples at the step's end to a displacement of the main mass. If `is_ball`,
   // subtracts it from the ball's displacement relative to the main mass.
   constexpr void add_at_once([[maybe_unused]] Long& displacement, [[maybe_unused]] Value force,

@@ -62,7 +62,7 @@ struct Impulsive {
       [[gnu::always_inline]] constexpr void apply(const Units& units, State& state,
                                                   const Reaction<Format, Force>& reaction, bool left) const {
         Answer<Gain, unit::Force>::apply(units, state, reaction, left);
-        if (state.contact.is_at_rest) place_ball(units, state, left, state.contact.depth_at_rest);
+        if (state.contact.is_at_rest) place_ball(units, state, left, state.contact.depth);
       }
     };
     struct Plan {
@@ -74,7 +74,8 @@ struct Impulsive {
       Gain turn, fading;  // (w0 h)^2, and c h/M
       bool fades;
       Value largest_rate, largest_impulse;
-      GainOf<Gain, unit::Increment, unit::Penetration> weight;  // m a, over 2 mu
+      GainOf<Gain, unit::Penetration, unit::Penetration> main_share, ball_share;  // mu/M, mu/m
+      GainOf<Gain, unit::Increment, unit::Penetration> weight;                    // m a, over 2 mu
       struct {
         typename Format::ClampedGain by_penetration, by_rate;  // f h that takes d, and V
         Gain displacement, rate;      // what it does to the main mass, over what an impulse at the step's start does,
@@ -115,6 +116,8 @@ struct Impulsive {
               fades,
               Format::sample(terms.largest_rate * h * constant::power_of_two(-unit.penetration)),
               Format::sample(0.999999 / unit_impulse),
+              gain(terms.reduced_mass() / main_mass),
+              gain(terms.reduced_mass() / ball_mass),
               gain(ball_mass / mass),
               {{Format::gain(1 / penetration_by_force, 0, 0)},
                {Format::gain(1 / penetration_rate_by_force, 0, 0)},
@@ -131,21 +134,34 @@ struct Impulsive {
     }();
 
     Phase phase;
-    uint32_t is_at_rest;        // at rest on its stop after the last step
-    Penetration depth_at_rest;  // and its depth in the stop
+    uint32_t is_at_rest;  // at rest on its stop after the last step
+    Penetration depth;    // of a ball at rest in its stop, or of the free flight at the last impact's centroid
 
     constexpr void start(const Plan&, const Units&, const Standing<Value>& at) {
       phase = Phase::touching;
-      depth_at_rest = at.penetration;
+      if (is_at_rest) depth = at.penetration;
     }
     // A ball at rest gets no deeper.
     constexpr Penetration resume(const Plan&, const Units&, const Standing<Value>& at) {
       if (!is_at_rest) return at.penetration;
-      if (is_positive(depth_at_rest - at.penetration)) {
-        depth_at_rest = at.penetration;
-        if (!is_positive(depth_at_rest)) phase = Phase::apart;
+      if (is_positive(depth - at.penetration)) {
+        depth = at.penetration;
+        if (!is_positive(depth)) phase = Phase::apart;
       }
-      return depth_at_rest;
+      return depth;
+    }
+
+    // During an impact the state is before or after all of its impulse. What the law's force has done by now, less what
+    // the state contains of it: the penetration, and its rate, that it has taken. `penetration` and `rate` are the
+    // state's.
+    struct Spread {
+      Penetration displacement, rate;
+    };
+    constexpr bool is_in_an_impact() const { return phase == Phase::touching && !is_at_rest && is_positive(depth); }
+    constexpr Spread spread(Penetration penetration, Penetration rate) const {
+      const auto share = square(Format::quotient(positive_part(penetration), without_sign(depth)));
+      return {Penetration(Format::value(Format::constant(1.0 / 3) * (share * bare(penetration)))),
+              Penetration(Format::value(share * bare(rate)))};
     }
 
     template <class Seen>
@@ -184,14 +200,16 @@ struct Impulsive {
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
       const bool has_rested = is_at_rest && phase == Phase::touching;
+      const Value depth_at_rest = depth;
+      if (has_rested || phase == Phase::apart) depth = {};
       is_at_rest = 0;
       phase = Phase::apart;
       if (!is_positive(trial)) return {{}, {}, rate};
       phase = Phase::touching;
       // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
       if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
-        return rest_on_stop(plan, trial, depth_at_rest, {}, weight,
-                            support(plan, units, trial - bare(depth_at_rest), rate), step);
+        return rest_on_stop(plan, trial, depth_at_rest, {}, weight, support(plan, units, trial - depth_at_rest, rate),
+                            step);
       if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
@@ -230,6 +248,7 @@ struct Impulsive {
         const Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace))),
                     beyond = trial - bounce.depth -
                              (plan.rebound.way * Format::value(bounce.depth * Format::value(divisor.ratio(hastened))));
+        depth = Penetration(trial - beyond);
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto chord = divisor.share(without_sign(beyond));
         const auto t = Format::moved_share(chord, divisor.ratio(above_chord<Format>(chord, bend, half_acceleration)));
@@ -253,7 +272,7 @@ struct Impulsive {
       if constexpr (Seen::is_rubbed) stick(*step.rubbing);
       const Value force = clamped(plan, units, plan.support.by_rate * rate),
                   inside = trial - plan.support.penetration * force;
-      depth_at_rest = Penetration(left_inside(inside, weight, force, inside - before));
+      depth = Penetration(left_inside(inside, weight, force, inside - before));
       return support_impulse(plan, force, {}, inside - before);
     }
 
@@ -273,7 +292,7 @@ struct Impulsive {
       if constexpr (Seen::is_rubbed) stick(*step.rubbing);
       const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
       is_at_rest = 1;
-      depth_at_rest = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
+      depth = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
       return support_impulse(plan, support.force, last, displacement);
     }
     // Dry friction after an impact, t before the step's end: against the rebound, and again forward if the ball comes

@@ -150,7 +150,31 @@ TEST(StiffStop, IsAsExactWithFriction) {
 }
 // Floats round each state.
 TEST(StiffStop, IsAsExactWithFrictionInFloat) { expect_one_bound_with_friction<Float32, HuntCrossley>(1e-8); }
-// Impulsive neglects the duration of an impact. That error does not depend on the step.
+// Impulsive takes what happens during an impact to first order in its duration, so most of its error does not depend on
+// the step.
+template <class ContactLaw> void expect_impulsive_within_what_the_rule_expects() {
+  for (const Scene& scene : {driven(), heavy()})
+    for (const double stiffness : {1e8, 1e9, 1e10, 1e11, 1e12}) {
+      const host::Case run = with_stop<ContactLaw>(scene, stiffness);
+      const Resolution contact = resolution_of<ContactLaw>(run.scene, bounds_of(scene));
+      if (!Impulsive::is_instant(contact, longest_instant)) continue;
+      for (const double h : {2e-3, 1e-3, 1e-4})
+        EXPECT_LT((error<Float64, ContactLaw, Impulsive>(run, h, 0.4)), expected_error(Choice::impulsive, contact, h))
+            << scene.ball_mass << " kg, " << stiffness << " at " << h;
+    }
+}
+TEST(StiffStop, ImpulsiveMissesNoMoreThanTheRuleExpects) {
+  expect_impulsive_within_what_the_rule_expects<HuntCrossley>();
+  expect_impulsive_within_what_the_rule_expects<Exact>();
+  expect_impulsive_within_what_the_rule_expects<HookeNewton>();
+}
+// Also at states read during an impact.
+TEST(StiffStop, ImpulsiveIsWithinAMicrometreAtASteelStop) {
+  for (const double stiffness : {1e9, 1e10, 1e11, 1e12})
+    for (const double h : {2e-3, 1e-3, 5e-4, 1e-4})
+      EXPECT_LT((error<Float64, HuntCrossley, Impulsive>(with_stop<HuntCrossley>(driven(), stiffness), h, 0.4)), 1e-6)
+          << stiffness << " at " << h;
+}
 TEST(StiffStop, ImpulsiveWithFrictionDoesNotDependOnTheStep) {
   for (const double friction : {0.5, 2.0}) {
     const host::Case run = with_stop<HookeNewton>(rubbing(driven(), friction), 1e12);

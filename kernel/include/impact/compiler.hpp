@@ -20,8 +20,8 @@
 //     lasting           of a friction is made from the plan's number. A copy of the plan's struct keeps the whole plan
 //                       in the image, 590 bytes by `ctest -R leaving_out`: Cortex-M.
 //     m.state = {}      start() clears the state by its machine: through a reference GCC calls memset.
-//     cold              the making of a plan is optimised for size: 11 % of an image that makes one at run time with -O2,
-//                       by `size` on Cortex-M3. It also compiles in nine tenths of the time.
+//     cold              the making of a plan is optimised for size: 11 % of an image that makes one at run time with
+//                       -O2, by `size` on Cortex-M3. It also compiles in nine tenths of the time.
 //     start()           writes the contact's phase again behind `state = {}`: without it GCC 12 cannot evaluate an
 //                       absorber's constructor as a constant expression.
 

@@ -6,10 +6,11 @@
 //                       step/step.hpp). Otherwise a free step saves the registers of the contact: Cortex-M, RISC-V.
 //     reload_state      after a contact was solved the state is read from memory again. Otherwise copies of it are kept
 //                       on the stack meanwhile: all cores without a large register file (Format::has_spare_registers).
-//     solve             a contact's solve() is always inlined, or its Reaction goes through memory: sub-steps cost 2693
-//                       instead of 1651 instructions. So is a law's stored(), or it is called where nobody reads it.
-//     its pieces        are inlined, or they read the plan's constants from memory: 1828 instead of 1583 instructions
-//                       for four sub-steps, 737 instead of 658 for an impact (Cortex-M3).
+//     solve             a contact's solve() is always inlined, or its Reaction goes through memory: four sub-steps cost
+//                       3434 instead of 1688 instructions (Cortex-M3). So is a law's stored(), or it is called where
+//                       nobody reads it.
+//     its pieces        are inlined, or they read the plan's constants from memory: 2098 instead of 1688 instructions
+//                       for four sub-steps, 713 instead of 658 for an impact (Cortex-M3).
 //     kept penetration  is compared with its limit where the contact keeps it, not in a register until then: Cortex-M0.
 //     not const         an impulse that several branches make is not a `const` local: GCC keeps such a one in memory.
 //     afresh impulse    the response to an impulse is one piece of code behind the branches that lead to it. Otherwise
@@ -19,8 +20,8 @@
 //     lasting           of a friction is made from the plan's number. A copy of the plan's struct keeps the whole plan
 //                       in the image, 590 bytes by `ctest -R leaving_out`: Cortex-M.
 //     m.state = {}      start() clears the state by its machine: through a reference GCC calls memset.
-//     cold              the making of a plan is optimised for size: 11 % of an image that makes one at run time with -O2,
-//                       by `size` on Cortex-M3. It also compiles in nine tenths of the time.
+//     cold              the making of a plan is optimised for size: 11 % of an image that makes one at run time with
+//                       -O2, by `size` on Cortex-M3. It also compiles in nine tenths of the time.
 //     start()           writes the contact's phase again behind `state = {}`: without it GCC 12 cannot evaluate an
 //                       absorber's constructor as a constant expression.
 

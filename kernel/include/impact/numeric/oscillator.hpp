@@ -107,8 +107,8 @@ struct IntegerOscillator {
 };
 
 // The recurrence in floating point, in metres. In float the amplitude performs a random walk of some 6e-8 sqrt(steps).
-// Below 1e-6 rad per step each sum loses LSBs of the slope: within two periods the error is 5e-3 at 1e-6 rad and 0.5 at
-// 1e-7 rad. For a period within 1e-7 of three or four steps, but not equal, it reaches 6e-2 within 1e7 steps.
+// Below 1e-6 rad per step each sum loses LSBs of the slope: within two periods the error is 1e-2 at 1e-6 rad and 0.4 at
+// 1e-7 rad. For a period within 1e-7 of three, four or six steps, but not equal, it reaches 0.1 within 1e7 steps.
 template <class Real> struct RealOscillator {
   struct Plan {
     Real curvature = 0, value = 0, slope = 0;

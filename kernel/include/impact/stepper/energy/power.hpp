@@ -71,7 +71,7 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     const bool swings = terms.main_stiffness * terms.step * terms.step > 0.01 * terms.main_mass;
     return swings && terms.is_damped && !is_resolved(terms) ? terms.deepest_of_any_force : terms.deepest;
   }
-  // V of the energy W = (2/5) k1 d^(5/2) stored at the depth d, V^2 = G W. The power is split, since d^(5/2) of a
+  // V of the energy W = (2/5) k1 d^(5/2) stored at the depth d, V^2 = (G/k1) W. The power is split, since d^(5/2) of a
   // deep flight is no finite number.
   static constexpr double stored_rate_at(const ContactTerms& terms, double d) {
     return constant::square_root(0.4 * terms.stiffness * terms.compliance() * d) * constant::power(d, 0.75);
@@ -91,8 +91,8 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
     return stored_rate_at(terms, lift / (terms.compliance() * terms.ball_mass * terms.field + 1e-200));
   }
   // In a step a force at most reverses the ball's speed and balances the pressing forces, and at most it is the law's
-  // at the deepest penetration. The energy W stored there is represented by V, V^2 = G W (stiff.hpp), and V by a force
-  // on which spring and damper of the main mass act as well. A penetration is at most that of an impact, or the
+  // at the deepest penetration. The energy W stored there is represented by V, V^2 = (G/k1) W (stiff.hpp), and V by a
+  // force on which spring and damper of the main mass act as well. A penetration is at most that of an impact, or the
   // displacement of a few steps. From there a force moves the contact back by at most D/2 + (D^2/4 + V^2)^(1/2).
   static constexpr void room(const ContactTerms& terms, UnitBounds& largest) {
     if (is_resolved(terms)) return ContactDefaults::room(terms, largest);

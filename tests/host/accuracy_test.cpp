@@ -62,22 +62,6 @@ TEST(Accuracy, OfASampledDriveIsSimilar) {
     }
 }
 
-// If the contact force jumps, the phase of the next impact within its step amplifies any error, and one scene proves
-// little. The median error over 41 neighbouring drives at 0.1 ms is compared with the required 1e-7 m.
-TEST(Accuracy, OfHookeNewtonIsSimilarForNeighbouringDrives) {
-  for (const Tension tension : {Tension::clamp, Tension::allow}) {
-    std::vector<double> errors;
-    for (int i = -20; i <= 20; ++i) {
-      Request request = paper_request(Law::hooke_newton, Stepper::moment, 1e-4, tension);
-      request.scene.drive_pulsation += 5e-3 * i;
-      errors.push_back(error_of(request, 0.01, 1));
-      ASSERT_FALSE(std::isnan(errors.back())) << i;  // a NaN cannot be sorted
-    }
-    std::sort(errors.begin(), errors.end());
-    EXPECT_LE(errors[20], 1e-7);
-  }
-}
-
 // The rounding error of 32 bits: Fixed32 and Float32 against double at the same step, over 1 s of the paper's scene. It
 // is at most a tenth of the method's error, or a floor of 2e-9 m (Fixed32) or 1e-8 m (Float32).
 //

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "host_ref/extremes.hpp"
 
@@ -22,11 +23,6 @@ ContactForce contact_force(Law law, double k1, double c1, double delta, double r
   return {power * (k1 + c1 * rate), 1.5 * root * (k1 + c1 * rate), power * c1};
 }
 
-double stored_energy(Law law, double k1, double delta) {
-  const double depth = std::max(delta, 0.0);
-  return k1 * depth * depth * (law == Law::hooke_newton ? 0.5 : 0.4 * std::sqrt(depth));
-}
-
 double penetration(const Scene& scene, int side, double x1, double x2) {
   return side * (x2 - x1) - scene.clearance / 2;
 }
@@ -35,19 +31,6 @@ double penetration(const Scene& scene, int side, double x1, double x2) {
 int nearest_stop(const Scene& scene, double x1, double x2) {
   if (scene.stops != Stops::both) return scene.stops == Stops::right ? 1 : -1;
   return x2 >= x1 ? 1 : -1;
-}
-
-// Brings the sums of a run up to the state that `now` describes; `before` is the state a step earlier.
-void account(const Case& run, double h, const Sample& before, int side_before, int side, double& work, Sample& now) {
-  const auto power = [](const Sample& at, int of) { return at.contact_force * of * (at.v2 - at.v1); };
-  work += h * (power(before, side_before) + power(now, side)) / 2;
-  const double stored =
-      now.contact_force != 0 ? stored_energy(run.law, run.scene.contact_stiffness, now.penetration) : 0;
-  now.energy_dissipated = work - stored;
-  now.drive_work =
-      before.drive_work + h * (drive_force(run, before.t) * before.v1 + drive_force(run, now.t) * now.v1) / 2;
-  now.impacts = before.impacts + (now.penetration > 0 && before.penetration <= 0 ? 1 : 0);
-  now.peak_force = larger(before.peak_force, now.contact_force);
 }
 
 // Both masses, with the penetration of the nearest stop.
@@ -64,7 +47,6 @@ Sample initial_sample(const Case& run) {
         contact_force(run.law, scene.contact_stiffness, scene.contact_damping, sample.penetration, rate).force;
     if (scene.tension == Tension::clamp) sample.contact_force = larger(sample.contact_force, 0.0);
   }
-  sample.peak_force = larger(sample.contact_force, 0.0);
   return sample;
 }
 
@@ -118,9 +100,7 @@ TextbookNewmark::Motion TextbookNewmark::step_end(double drive, int side, double
 }
 
 void TextbookNewmark::step() {
-  Scene& scene = run_.scene;
-  const Sample before = sample_;
-  const int side_before = side_;
+  const Scene& scene = run_.scene;
   const double t = static_cast<double>(++steps_) * step_, drive = drive_force(run_, t);
 
   double force = 0;
@@ -128,10 +108,6 @@ void TextbookNewmark::step() {
   const int side = nearest_stop(scene, end.displacement[0], end.displacement[1]);
   side_ = penetration(scene, side, end.displacement[0], end.displacement[1]) > 0 ? side : 0;
   if (side_ != 0) {
-    if (run_.damping_ratio > 0 && side_before == 0) {
-      const double approach_speed = std::max(side_ * (before.v2 - before.v1), least_approach_speed);
-      scene.contact_damping = run_.damping_ratio * scene.contact_stiffness / approach_speed;
-    }
     const Motion touching = step_end(drive, side_, force);
     if (scene.tension == Tension::clamp && force < 0) {
       force = 0;
@@ -141,9 +117,9 @@ void TextbookNewmark::step() {
   }
   motion_ = end;
 
-  sample_ = sample_at(scene, t, end.displacement, end.velocity);
+  const Sample before = std::exchange(sample_, sample_at(scene, t, end.displacement, end.velocity));
   sample_.contact_force = force;
-  account(run_, step_, before, side_before, side_, work_on_contact_, sample_);
+  sample_.impacts = before.impacts + (sample_.penetration > 0 && before.penetration <= 0 ? 1 : 0);
 }
 
 TextbookRungeKutta::TextbookRungeKutta(const Case& run, double step)
@@ -151,7 +127,6 @@ TextbookRungeKutta::TextbookRungeKutta(const Case& run, double step)
 
 void TextbookRungeKutta::step() {
   const Scene& scene = run_.scene;
-  const Sample before = sample_;
   const auto contact = [&](const Eigen::Vector4d& z) {
     const int side = nearest_stop(scene, z[0], z[2]);
     const double delta = penetration(scene, side, z[0], z[2]);
@@ -165,16 +140,14 @@ void TextbookRungeKutta::step() {
     const double pull = drive_force(run_, t) + force - scene.main_damping * z[1] - scene.main_stiffness * z[0];
     return {z[1], pull / scene.main_mass, z[3], -force / scene.ball_mass};
   };
-  const Eigen::Vector4d z(before.x1, before.v1, before.x2, before.v2);
-  const double t = before.t, h = step_;
+  const Eigen::Vector4d z(sample_.x1, sample_.v1, sample_.x2, sample_.v2);
+  const double t = sample_.t, h = step_;
   const Eigen::Vector4d a = slope(t, z), b = slope(t + h / 2, z + h / 2 * a), c = slope(t + h / 2, z + h / 2 * b),
                         d = slope(t + h, z + h * c);
   const Eigen::Vector4d end = z + h / 6 * (a + 2 * b + 2 * c + d);
 
   sample_ = sample_at(scene, static_cast<double>(++steps_) * h, {end[0], end[2]}, {end[1], end[3]});
   sample_.contact_force = contact(end);
-  account(run_, h, before, nearest_stop(scene, before.x1, before.x2), nearest_stop(scene, end[0], end[2]),
-          work_on_contact_, sample_);
 }
 
 }  // namespace impact::host

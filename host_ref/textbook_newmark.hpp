@@ -15,8 +15,7 @@ namespace impact::host {
 
 // The absorber by Newmark's method. The trial penetration is that of a step without contact force at its end. If it is
 // positive, the contact force at the end of the step is that of the law at that state, else 0. Clamped, it is at least
-// 0. A power of a negative penetration is 0. A damping per impact is set from the rate of penetration at the start of
-// the step in which the contact begins.
+// 0. A power of a negative penetration is 0. c1 is constant, and a sample has no energies and no peak force.
 class TextbookNewmark {
  public:
   TextbookNewmark(const Case& run, double beta, double step);
@@ -36,12 +35,11 @@ class TextbookNewmark {
   Motion motion_;
   int side_ = 0;  // of the stop in contact, 0 for none
   long steps_ = 0;
-  double work_on_contact_ = 0;
   Sample sample_;
 };
 
-// The absorber by the classical Runge-Kutta method of fourth order. Each stage has the force of its own penetration. c1
-// is constant.
+// The same by the classical Runge-Kutta method of fourth order. Each stage has the force of its own penetration. A
+// sample does not count impacts.
 class TextbookRungeKutta {
  public:
   TextbookRungeKutta(const Case& run, double step);
@@ -52,7 +50,6 @@ class TextbookRungeKutta {
   Case run_;
   double step_;
   long steps_ = 0;
-  double work_on_contact_ = 0;
   Sample sample_;
 };
 

@@ -1,7 +1,5 @@
 // The errors of the method and of rounding over 1 s of the paper's scene, and the main mass's free flight.
 
-#include <tuple>
-
 #include "paper_runs.hpp"
 
 namespace impact::host {
@@ -49,34 +47,6 @@ const Prototype moments[] = {
      {{1e-3, 2.1e-5}, {5e-4, 2.2e-6}, {1e-4, 1.0e-7}, {1e-5, 1e-11}},
      Tension::allow}};
 INSTANTIATE_TEST_SUITE_P(Moment, Accuracy, testing::ValuesIn(moments));
-
-// The same by Moment with a drive that is linear between its samples, in flight and in contact.
-TEST(Accuracy, OfASampledDriveIsSimilar) {
-  for (const auto& [law, step, bound] :
-       {std::tuple(Law::hertz, 1e-4, 2e-10), {Law::hunt_crossley, 1e-4, 3e-11}, {Law::hooke_newton, 1e-5, 1e-11}})
-    for (const Tension tension : {Tension::clamp, Tension::allow}) {
-      Request request = paper_request(law, Stepper::moment, step, tension);
-      request.drive = DriveKind::sampled;
-      request.samples = sampled_sine(step, 1);
-      EXPECT_LE(error_of(request, 0.01, 1), bound) << name_of(law);
-    }
-}
-
-// If the contact force jumps, the phase of the next impact within its step amplifies any error, and one scene proves
-// little. The median error over 41 neighbouring drives at 0.1 ms is compared with the required 1e-7 m.
-TEST(Accuracy, OfHookeNewtonIsSimilarForNeighbouringDrives) {
-  for (const Tension tension : {Tension::clamp, Tension::allow}) {
-    std::vector<double> errors;
-    for (int i = -20; i <= 20; ++i) {
-      Request request = paper_request(Law::hooke_newton, Stepper::moment, 1e-4, tension);
-      request.scene.drive_pulsation += 5e-3 * i;
-      errors.push_back(error_of(request, 0.01, 1));
-      ASSERT_FALSE(std::isnan(errors.back())) << i;  // a NaN cannot be sorted
-    }
-    std::sort(errors.begin(), errors.end());
-    EXPECT_LE(errors[20], 1e-7);
-  }
-}
 
 // The rounding error of 32 bits: Fixed32 and Float32 against double at the same step, over 1 s of the paper's scene. It
 // is at most a tenth of the method's error, or a floor of 2e-9 m (Fixed32) or 1e-8 m (Float32).

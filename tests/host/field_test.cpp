@@ -515,21 +515,6 @@ TEST(Field, ImpulsiveImpactThatStopsADampedMassGainsLittle) {
   EXPECT_GE(most, 1e-5);  // such steps were found
 }
 
-TYPED_TEST(FieldIn, BothMassesFallFreely) {
-  Scene scene = free_scene();
-  scene.gravity = weight;
-  scene.v1 = scene.v2 = -1;
-  for (const double step : {1e-3, 1e-4}) {
-    using Absorber = Absorber<AtRunTime, HuntCrossley, Moment, NoDrive, TypeParam, Gravity>;
-    auto absorber = accepted<Absorber>(scene, {0.5}, step);
-    for (int n = 1; n * step <= 0.25; ++n) {
-      absorber.step();
-      const double t = n * step, x = -t + weight * t * t / 2, v = -1 + weight * t;
-      expect_near(absorber.reading(), {x, v, x, v}, 2e-7, 2e-6);
-    }
-  }
-}
-
 struct Fields {
   double gravity;
   bool is_shaken;

@@ -163,29 +163,6 @@ TYPED_TEST(Formats, ACorrectionOutOfRangeIsClampedWithAFault) {
   }
 }
 
-// Corrections during contacts, of several sizes and both signs, raise no fault within the bounds, and the contact ends.
-TYPED_TEST(Formats, ACorrectionInContactLeavesAContact) {
-  const auto run = [](auto law, auto stepper) {
-    using Kernel = Absorber<AtRunTime, decltype(law), decltype(stepper), Sine, TypeParam>;
-    Scene scene;
-    if (Kernel::ContactLaw::is_linear) scene.contact_damping = 20.81;
-    for (const double dx : {-1e-4, -1e-5, 1e-7, 1e-5, 1e-4}) {
-      auto kernel = accepted<Kernel>(scene, Bounds{}, h);
-      for (int n = 0; n < 20000; ++n) {
-        kernel.step();
-        if (kernel.is_touching() && n % 7 == 0)
-          kernel.correct(TypeParam::sample((n % 2 ? dx : -dx) / kernel.displacement_unit()), {});
-      }
-      EXPECT_EQ(kernel.fault(), Fault::none) << dx;
-      EXPECT_LT(std::abs(kernel.reading().x1), 0.08);
-    }
-  };
-  run(HuntCrossley{}, Moment{});
-  run(HuntCrossleyPerImpact{}, EnergyConsistent{});
-  run(HookeNewton{}, Moment{});
-  run(HuntCrossley{}, AverageAcceleration{});
-}
-
 // The plan is a constant, so the compiler computes the first snapshot. The ball leaves so fast that the stop would have
 // to pull, and the contact ends at once.
 template <class Law_> struct SentAway {

@@ -1,4 +1,4 @@
-// The textbook's methods against their equations and orders, and the kernel's classical steppers against them.
+// The order of the textbook's Runge-Kutta method, and the kernel's classical steppers against the textbook's Newmark.
 
 #include "host_ref/textbook_newmark.hpp"
 
@@ -6,58 +6,6 @@
 
 namespace impact::host {
 namespace {
-
-constexpr double betas[] = {0.25, 1.0 / 6, 1.0 / 12, 0.0};
-
-// Contact is one scalar equation: delta = trial - B f, and its rate is the trial's minus R f.
-TEST(TextbookNewmark, ContactIsTheScalarEquation) {
-  for (const Law law : every_law)
-    for (const Tension tension : {Tension::clamp, Tension::allow})
-      for (const double beta : betas) {
-        const Case run = paper_case(law, tension);
-        const Scene& scene = run.scene;
-        const double h = 1e-3;
-        TextbookNewmark textbook(run, beta, h);
-        double a1 = 0, force1 = 0;  // acceleration of the main mass, force on it, at the start of the step
-        int contacts = 0;
-        for (int n = 1; n <= 1000; ++n) {
-          const Sample before = textbook.sample();
-          textbook.step();
-          const Sample after = textbook.sample();
-          const double a2 = -force1 / scene.ball_mass, drive = drive_force(run, after.t);
-          const double x1 = before.x1 + h * before.v1 + h * h * (0.5 - beta) * a1, v1 = before.v1 + h / 2 * a1;
-          const double x2 = before.x2 + h * before.v2 + h * h * (0.5 - beta) * a2, v2 = before.v2 + h / 2 * a2;
-          const double mass = scene.main_mass + h / 2 * scene.main_damping + beta * h * h * scene.main_stiffness;
-          const double a_trial = (drive - scene.main_damping * v1 - scene.main_stiffness * x1) / mass;
-          const double y = x2 - x1 - beta * h * h * a_trial, side = y < 0 ? -1 : 1;
-          const double trial = side * y - scene.clearance / 2, trial_rate = side * (v2 - v1 - h / 2 * a_trial);
-          const double compliance = 1 / scene.ball_mass + 1 / mass;
-          double force = 0;
-          if (trial > 0) {
-            force = after.contact_force;
-            const double delta = trial - beta * h * h * compliance * force,
-                         rate = trial_rate - h / 2 * compliance * force;
-            const double power = delta > 0 ? delta * std::sqrt(delta) : 0;
-            const double law_force =
-                law == Law::hooke_newton ? scene.contact_stiffness * delta + scene.contact_damping * rate
-                : law == Law::hertz      ? scene.contact_stiffness * power
-                                         : power * (scene.contact_stiffness + scene.contact_damping * rate);
-            const double expected = tension == Tension::clamp ? std::max(law_force, 0.0) : law_force;
-            // Displacements round to 7e-18 m, which k1 and c1/h turn into 1e-12 N.
-            EXPECT_NEAR(force, expected, 5e-12) << beta << ", step " << n;
-            ++contacts;
-          }
-          EXPECT_EQ(after.contact_force != 0, force != 0);
-          const double a1_end = a_trial + side * force / mass;
-          EXPECT_NEAR(after.x1, x1 + beta * h * h * a1_end, 1e-16);
-          EXPECT_NEAR(after.v1, v1 + h / 2 * a1_end, 1e-14);
-          EXPECT_NEAR(after.x2, x2 - beta * h * h * side * force / scene.ball_mass, 1e-16);
-          a1 = a1_end;
-          force1 = side * force;
-        }
-        EXPECT_GT(contacts, 50);
-      }
-}
 
 // The slope of log error over log h, by least squares on five steps, each half the one before.
 double order_of(const double (&errors)[5]) {

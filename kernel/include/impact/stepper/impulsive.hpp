@@ -200,17 +200,17 @@ struct Impulsive {
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
       const bool has_rested = is_at_rest && phase == Phase::touching;
-      const Value depth_at_rest = depth;
-      if (has_rested || phase == Phase::apart) depth = {};
       is_at_rest = 0;
       phase = Phase::apart;
       if (!is_positive(trial)) return {{}, {}, rate};
       phase = Phase::touching;
       // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
       if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
-        return rest_on_stop(plan, trial, depth_at_rest, {}, weight, support(plan, units, trial - depth_at_rest, rate),
-                            step);
-      if (!is_positive(rate)) return {{}, {}, rate};
+        return rest_on_stop(plan, trial, depth, {}, weight, support(plan, units, trial - bare(depth), rate), step);
+      if (!is_positive(rate)) {
+        if (!is_positive(before)) depth = {};  // no impact
+        return {{}, {}, rate};
+      }
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
         main_part = plan.acceleration * (step.increment - step.ball_increment);

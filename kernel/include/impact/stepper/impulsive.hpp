@@ -135,7 +135,7 @@ struct Impulsive {
 
     Phase phase;
     uint32_t is_at_rest;  // at rest on its stop after the last step
-    Penetration depth;    // of a ball at rest in its stop, or of the free flight at the last impact's centroid
+    Penetration depth;    // of a ball at rest in its stop; else of the last impact (rebound.hpp)
 
     constexpr void start(const Plan&, const Units&, const Standing<Value>& at) {
       phase = Phase::touching;
@@ -207,10 +207,7 @@ struct Impulsive {
       // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
       if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
         return rest_on_stop(plan, trial, depth, {}, weight, support(plan, units, trial - bare(depth), rate), step);
-      if (!is_positive(rate)) {
-        if (!is_positive(before)) depth = {};  // no impact
-        return {{}, {}, rate};
-      }
+      if (!is_positive(rate)) return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
@@ -239,16 +236,16 @@ struct Impulsive {
       }
       if (!is_positive(speed)) speed = pace;
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
+      depth = Penetration(bounce.depth);
       // All factors may be small compared with their unit, which has room for the pressing force at the bounds.
       const auto unit = Format::own_unit(Format::spare_bits(pressing, bounce.reach, rate, travel));
       const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(pressing) * unit.own(bounce.reach));
       const Value half_rate = Format::value(half(rate));
-      if (!is_positive(pressed - Format::value(half(own_rate * own_rate)))) {
+      if (!is_positive(pressed - Format::value(own_rate * half(own_rate)))) {
         // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
         const Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace))),
                     beyond = trial - bounce.depth -
                              (plan.rebound.way * Format::value(bounce.depth * Format::value(divisor.ratio(hastened))));
-        depth = Penetration(trial - beyond);
         if (!is_positive(beyond)) return {{}, {}, rate};
         const auto chord = divisor.share(without_sign(beyond));
         const auto t = Format::moved_share(chord, divisor.ratio(above_chord<Format>(chord, bend, half_acceleration)));

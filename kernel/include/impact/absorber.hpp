@@ -428,8 +428,9 @@ class AbsorberOf
       u2 += side * plan.units.si_penetration(plan.contact.dx2_share * Machine::state.contact.force);
     }
     if constexpr (Contact::traits.is_instantaneous) {
-      u1 += plan.units.si_penetration(plan.contact.main_share * Machine::spread().rate);
-      u2 -= plan.units.si_penetration(plan.contact.ball_share * Machine::spread().rate);
+      const auto rate = Machine::spread().rate;
+      u1 += plan.units.si_penetration(plan.contact.main_share * rate);
+      u2 -= plan.units.si_penetration(plan.contact.ball_share * rate);
     }
     return {plan.units.si_at(Machine::main_position()), u1 / plan.step, plan.units.si_at(Machine::ball_position()),
             u2 / plan.step};

@@ -222,11 +222,6 @@ struct Fixed32 : Fixed32Numbers {
   static constexpr Value times(Value x, int k) {
     return {static_cast<int32_t>(static_cast<uint32_t>(x.raw) * static_cast<uint32_t>(k))};
   }
-  // x * 2^bits, clamped to the range of a Value.
-  static constexpr Value raised(Value x, int bits) {
-    const int32_t most = INT32_MAX >> bits;
-    return {to_left(x.raw > most ? most : x.raw < -most ? -most : x.raw, bits)};
-  }
   // The number of bits by which all x can be shifted left and stay within +-1/4.
   template <class... Values> static constexpr int spare_bits(Values... x) {
     const auto size = [](Value any) { return static_cast<uint32_t>(any.raw < 0 ? ~any.raw : any.raw); };

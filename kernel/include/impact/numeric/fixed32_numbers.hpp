@@ -139,6 +139,12 @@ struct Fixed32Numbers {
     return {bits > 0 ? x.raw >> bits : to_left(x.raw, -bits)};
   }
 
+  // x * 2^bits, clamped to the range of a Value.
+  static constexpr Value raised(Value x, int bits) {
+    const int32_t most = INT32_MAX >> bits;
+    return {to_left(x.raw > most ? most : x.raw < -most ? -most : x.raw, bits)};
+  }
+
   static constexpr Value lsb() { return {1}; }
   // x - y for x > 0, clamped at the upper end of the range.
   static constexpr Value clamped_difference(Value x, Value y) {

@@ -145,9 +145,8 @@ struct Fixed32Units {
   // A penetration > 0 in another plan's unit, clamped.
   constexpr Penetration<Value> penetration_from(const Fixed32Units& other, Penetration<Value> x) const {
     const int bits = other.penetration_exponent - penetration_exponent;
-    if (bits <= 0) return Penetration<Value>({bits > -31 ? x.raw >> -bits : 0});
-    const int32_t most = bits < 31 ? INT32_MAX >> bits : 0;
-    return Penetration<Value>({to_left(x.raw < most ? x.raw : most, bits < 31 ? bits : 0)});
+    return Penetration<Value>(bits > 0 ? Fixed32Numbers::raised(x, bits < 31 ? bits : 31)
+                                       : Fixed32Numbers::moved(x, bits > -31 ? -bits : 31));
   }
   constexpr Penetration<Value> increment_of_rate(Increment<Value> increment) const {
     return Penetration<Value>(Fixed32Numbers::moved(increment, penetration_shift - increment_shift));

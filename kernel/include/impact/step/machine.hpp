@@ -110,11 +110,11 @@ template <class Source, class... Features> struct Machine : Source {
   }
   // Along x.
   constexpr auto spread() const {
-    typename Contact::Spread found{};
-    if (!state.contact.is_in_an_impact()) return found;
+    using Spread = typename Contact::Spread;
+    if (!state.contact.is_in_an_impact()) return Spread{};
     const bool left = contact_is_left();
-    found = state.contact.spread(depth_in(left), relative_rate(left));
-    return typename Contact::Spread{mirrored(found.displacement, left), mirrored(found.rate, left)};
+    const Spread found = state.contact.spread(depth_in(left), relative_rate(left));
+    return Spread{mirrored(found.displacement, left), mirrored(found.rate, left)};
   }
 
   // Adds the immediate share of the samples at the step's end to a displacement of the main mass. If `is_ball`,

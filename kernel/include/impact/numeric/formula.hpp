@@ -29,11 +29,16 @@ template <class Real> constexpr Real afresh(Real x) { return x; }
 template <class Real> constexpr Real difference(Real x, Real y) { return x - y; }
 template <class Real> constexpr bool is_positive(Real x) { return x > 0; }
 template <class Real> constexpr bool is_negative(Real x) { return x < 0; }
-// x, or 0 if x is negative. It tests the sign bit instead of comparing floats. A NaN without that bit stays a NaN.
+// x, or 0 if x is negative. On a microcontroller a comparison of floats takes longer than a look at the sign bit. A NaN
+// becomes 0, or stays a NaN there.
 template <class Real> constexpr Real positive_part(Real x) {
-  if (__builtin_is_constant_evaluated()) return x > 0 ? x : 0;
-  const auto bits = bits_as<BitsOf<Real>>(x);
-  return bits_as<Real>(bits > 0 ? bits : 0);
+#if !defined(__SSE2__)
+  if (!__builtin_is_constant_evaluated()) {
+    const auto bits = bits_as<BitsOf<Real>>(x);
+    return bits_as<Real>(bits > 0 ? bits : 0);
+  }
+#endif
+  return x > 0 ? x : 0;
 }
 // x, or `least` if x is less. A NaN stays a NaN.
 template <class Real> constexpr Real no_less(Real x, Real least) { return x < least ? least : x; }

@@ -78,6 +78,66 @@ TYPED_TEST(FrictionIn, BallStopsAsInClosedForm) {
   expect_stop<Impulsive, TypeParam>(1e9, 0);
 }
 
+// A sampled drive sets the ball sliding at once, or after some steps, and makes it turn. If friction did not know that
+// the drive goes on changing, the error would be of first order: 1e-3 m. The first sample may be late by a step.
+TYPED_TEST(FrictionIn, FollowsASampledDrive) {
+  using Kernel = Absorber<AtRunTime, Hertz, SubsteppedMoment<>, Sampled, TypeParam, DryFriction>;
+  for (const double offset : {0.0, 30.0}) {
+    for (const double step : {2e-3, 1e-3, 5e-4}) {
+      host::Case run;
+      run.law = Law::hertz;
+      run.drive = host::DriveKind::sampled;
+      run.scene.drive_amplitude = run.scene.drive_pulsation = 0;
+      run.scene.contact_stiffness = 1e8;
+      run.scene.contact_damping = 0;
+      run.scene.clearance = 0.1;
+      run.scene.ball_friction = 2 * run.scene.ball_mass;
+      run.sample_step = step;
+      run.samples = {0};
+      for (double t = step; t < 0.4; t += step)
+        run.samples.push_back(offset + (offset > 0 ? 10 : 30) * std::sin(31 * t));
+      const double by_step = step / 1e-3;
+      EXPECT_LT(differences<Kernel>(run, {1, 9, 0, 50}, step, 0.4, 4e-3).largest(),
+                2e-6 * by_step * by_step * by_step + 2e-7)
+          << offset << ", " << step;
+    }
+  }
+}
+
+// In the contact friction acts over twice the depth, not over the way to the centroid and back: impulsive.md.
+template <class ContactLaw> double worst_rebound(Law law, double contact_stiffness, double contact_damping) {
+  constexpr double step = 1e-3, end = 0.08;
+  using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, NoDrive, Float64, DryFriction>;
+  double worst = 0;
+  for (int phase = 0; phase < 64; ++phase) {
+    host::Case run;
+    run.law = law;
+    run.drive = host::DriveKind::none;
+    run.scene = free_scene();
+    run.scene.contact_stiffness = contact_stiffness;
+    run.scene.contact_damping = contact_damping;
+    run.scene.ball_friction = 5 * run.scene.ball_mass;
+    run.scene.clearance = 0.1;
+    run.scene.v1 = 0;
+    run.scene.x2 = run.scene.x1 - phase * step / 64;
+    run.scene.v2 = 1;
+    auto absorber = accepted<Kernel>(run.scene, {1, 3}, step);
+    host::Reference reference(run);
+    for (int n = 0; n < end / step; ++n) absorber.step();
+    reference.advance(end);
+    const auto now = absorber.reading();
+    const host::Sample right = reference.sample();
+    EXPECT_EQ(right.impacts, 1);
+    worst = larger(worst, std::abs(now.v2 - now.v1 - (right.v2 - right.v1)));
+  }
+  return worst;
+}
+TEST(ImpulsiveFriction, TakesFromAReboundWhatItTakesInTheContact) {
+  EXPECT_LT(worst_rebound<Hertz>(Law::hertz, 1e10, 0), 4e-6);
+  EXPECT_LT(worst_rebound<HookeNewton>(Law::hooke_newton, 1e8, 600), 1e-5);
+  EXPECT_LT(worst_rebound<HuntCrossley>(Law::hunt_crossley, 1e10, 6e9), 2e-5);
+}
+
 // In an upright cavity friction supports the ball's weight at half the height.
 Scene half_way_up() {
   Scene scene;

@@ -331,7 +331,7 @@ class AbsorberOf
   //     - a contact under way is inconsistent.
   // It does not authenticate. If forged bytes pass these checks, every step is still defined and ends in range or with
   // a fault. But the motion may be impossible for this absorber, and the features' records may have any value in range.
-  static constexpr uint32_t state_version = 6;
+  static constexpr uint32_t state_version = 7;
   struct Saved {
     uint32_t version, plan_identity;
     State state;
@@ -449,6 +449,7 @@ class AbsorberOf
   using FrictionStep = FrictionImpulse<Machine>;
   using Begin = Restart<Machine>;
   using Machine::counts_sliding_distance;
+  using Machine::keeps_sample_before;
   constexpr Machine& machine() { return *this; }
   constexpr const Machine& machine() const { return *this; }
 
@@ -518,6 +519,7 @@ class AbsorberOf
                     state.at_left <= 1 && is_of_state(state.fault);
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
+    if constexpr (keeps_sample_before) is_sound = is_sound && state.drive.accepts(plan.drive, state.sample_before);
     if constexpr (counts_sliding_distance) is_sound = is_sound && Format::is_sound(state.slid);
     return is_sound && state.contact.valid(plan.contact, units) && (Features::is_sound(plan, state) && ...);
   }

@@ -37,6 +37,10 @@ struct NoFriction {
 template <class Format, bool is_counted> struct SlidingDistance {};
 template <class Format> struct SlidingDistance<Format, true> { typename Format::Tally slid; };
 
+// With a sampled drive: the sample before the last one. From both friction infers what the next one will be.
+template <class Format, bool is_sampled> struct SampleBefore {};
+template <class Format> struct SampleBefore<Format, true> { Sample<typename Format::Value> sample_before; };
+
 struct DryFriction : ScenePart {
   static constexpr uint32_t kind = 7;  // a saved state is of one list of features
   static constexpr bool is_friction = true;
@@ -283,10 +287,10 @@ struct DryFriction : ScenePart {
     const int before = slides(plan, impulse);
     const bool back = before < 0, loaded_back = is_negative(load);
     const Value beyond = size(load) - full, rise = mirrored(bend + bend, loaded_back);
-    // A ball that was held is fast if the load rises far above r. Else something has pushed it.
+    // A ball that was held is fast if the load rises far above r, in this step. Else something has pushed it.
     const bool is_fast = before == 0 && is_positive(size(rate) - full),
                bursts = is_fast && is_negative(rate) == loaded_back && is_positive(beyond) &&
-                        is_positive(rise + rise + rise - beyond);
+                        is_positive(rise + rise + rise - beyond + beyond * Format::short_constant(0.125));
     if (is_fast ? !bursts : before != 0 && !is_negative(mirrored(rate, back))) {
       slide_on(plan, state, before == 0 ? is_negative(rate) : back);
       return {};

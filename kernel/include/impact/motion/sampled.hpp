@@ -68,6 +68,10 @@ struct Sampled {
     constexpr Increment<Value> at_once(const Plan<Format>& plan, Value next) const {
       return plan.at_once * Sample<Value>(next);
     }
+    // By how much that of the next sample is more than that of this one, if the force changes as since `last`.
+    constexpr Increment<Value> more_at_once(const Plan<Format>& plan, Sample<Value> last) const {
+      return plan.at_once * sample - plan.at_once * last;
+    }
     constexpr Increment<Value> advance(const Plan<Format>& plan, Value next) {
       const Sample<Value> before = sample;
       sample = Sample<Value>(next);

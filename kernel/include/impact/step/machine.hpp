@@ -35,9 +35,12 @@ template <class Source, class... Features> struct Machine : Source {
   // True if friction's work is counted: with EnergyLedger or a feature derived from it.
   static constexpr bool counts_sliding_distance =
       Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);
+  static constexpr bool keeps_sample_before = Friction::is_friction && Drive::is_sampled;
 
   // All that a step changes. It is a plain struct, which can be copied and restored.
-  struct State : Features::template State<Format>..., SlidingDistance<Format, counts_sliding_distance> {
+  struct State : Features::template State<Format>...,
+                 SlidingDistance<Format, counts_sliding_distance>,
+                 SampleBefore<Format, keeps_sample_before> {
     // Main mass and ball: the displacement, to be read by position_of(), and the displacement in the coming step
     // (motion/linear_flow.hpp).
     Long x1, dx1, x2, dx2;
@@ -127,13 +130,16 @@ template <class Source, class... Features> struct Machine : Source {
       if (Field::acts_at_once(plan))
         plan.units.add(displacement, mirrored(Field::at_once(plan, acceleration), is_ball));
   }
-  // The change of x2 - x1 in the coming step if the samples stay as they are.
+  // The change of x2 - x1 in the coming step. With friction the drive is assumed to change as in the last step, else
+  // the samples to stay as they are.
   constexpr Long displacement_ahead() const {
     Long displacement = state.dx2 - state.dx1;
     Value force{}, acceleration{};
     if constexpr (Drive::is_sampled) force = state.drive.sample;
     if constexpr (Field::is_sampled) acceleration = state.by_field;
     add_at_once(displacement, force, acceleration, true);
+    if constexpr (keeps_sample_before)
+      plan.units.add(displacement, -state.drive.more_at_once(plan.drive, state.sample_before));
     return displacement;
   }
   // The change of x2 - x1 in the step by free flight.

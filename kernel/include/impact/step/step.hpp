@@ -46,6 +46,7 @@ template <class Model> struct Step {
     if (m.is_refused()) return;
     accept_samples(m, force, acceleration);
     [[maybe_unused]] const auto drive_before = m.state.drive.before();
+    if constexpr (Model::keeps_sample_before) m.state.sample_before = drive_before;
     Long main_travel = m.state.dx1;  // in this step
     m.add_at_once(main_travel, force, acceleration, false);
     const Increment increment = fly(m, main_travel, force, acceleration);  // of dx1

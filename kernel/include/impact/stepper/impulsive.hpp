@@ -257,7 +257,13 @@ struct Impulsive {
         const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
         if (!is_inside || is_positive(impulse - half_rate)) {
           if (!is_inside) phase = Phase::apart;
-          if constexpr (Seen::is_rubbed) rub(*step.rubbing, t, at.rate, rate, impulse);
+          if constexpr (Seen::is_rubbed) {
+            const auto tau = divisor.share(without_sign(bounce.reach)),
+                       quarter_of_e = Format::constant(0.25) - half(without_sign(bounce.loss));
+            // excess tau/e, at most 1/2
+            rub(*step.rubbing, t, at.rate, rate, impulse,
+                half(Format::quotient(tau * Format::constant(excess / 2), quarter_of_e)));
+          }
           return at.split(t, impulse);
         }
       }
@@ -293,18 +299,24 @@ struct Impulsive {
       return support_impulse(plan, support.force, last, displacement);
     }
     // Dry friction after an impact, t before the step's end: against the rebound, and again forward if the ball comes
-    // back.
-    template <class Share>
-    static constexpr void rub(Rubbing<Format>& step, Share t, Value rate_there, Value rate_at_end, Value impulse) {
+    // back. In a contact friction acts over twice the depth D only, and here over the way V tau to the centroid and
+    // back. The rebound gets `excess_share` of r back. `excess`: 2 - 2 D/(V tau) of an elastic contact.
+    static constexpr double excess = ContactLaw::is_linear ? 0.73 : 0.64;
+    template <class Share, class ExcessShare>
+    static constexpr void rub(Rubbing<Format>& step, Share t, Value rate_there, Value rate_at_end, Value impulse,
+                              ExcessShare excess_share) {
       step.meets_stop = is_positive(step.full);
       if (!step.meets_stop) return;
       const Penetration full = Format::value(t * step.full), turned = -full - Format::value(t * step.force),
                         rebound(rate_there - impulse - impulse), end(rate_at_end - impulse - impulse);
       PartRubbing<Format> rest{full, -full, -1};
       const auto by = rest.follow(rebound, end - turned);
+      Penetration given_back{};
+      if (step.slides > 0 && rest.slides < 0 && !step.has_turned) given_back = Format::value(excess_share * step.full);
       step.slides = rest.slides;
-      step.taken = turned + by.rate;
-      step.moved = -Penetration(Format::value(t * bare(Penetration(Format::value(half(turned)) + by.moment))));
+      step.taken = turned + by.rate + given_back;
+      step.moved =
+          -Penetration(Format::value(t * bare(Penetration(Format::value(half(turned)) + by.moment + given_back))));
     }
     // A ball at rest on its stop is held without friction.
     static constexpr void stick(Rubbing<Format>& step) {

@@ -66,7 +66,7 @@ template <class Format> struct FreeFlight {
   }
   constexpr Penetration acceleration() const { return half_acceleration + half_acceleration; }
   // To the coordinates of the other stop.
-  constexpr void cross(Penetration clearance) {
+  [[gnu::always_inline]] constexpr void cross(Penetration clearance) {
     end = -end - clearance;
     rate = -rate;
     half_acceleration = -half_acceleration;

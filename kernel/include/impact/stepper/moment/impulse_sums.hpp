@@ -104,7 +104,7 @@ template <class Format, int most> struct ImpulseSums {
     return w - before;
   }
   // To the coordinates of the other stop.
-  constexpr void cross() {
+  [[gnu::always_inline]] constexpr void cross() {
     x.negate();
     by_flow.negate();
     y.negate();

@@ -245,11 +245,6 @@ template <int named = 0> struct SubsteppedMoment {
         friction.begin(plan, step.rubbing, now, begins ? at - step.before : Penetration{});
       }
       uint32_t crossings = 0;
-      const auto cross = [&] {  // to the coordinates of the other stop
-        free.cross(plan.clearance);
-        sums.cross();
-        if constexpr (Seen::is_rubbed) friction.cross();
-      };
       [[maybe_unused]] Penetration rate_at_crossing{};
       [[maybe_unused]] Work work{plan, start_rate};
       while (left > 0) {
@@ -266,7 +261,9 @@ template <int named = 0> struct SubsteppedMoment {
             free_rate = -free_rate;
             rate_at_crossing = rate_now = -rate_now;
             acceleration = -acceleration;
-            cross();
+            free.cross(plan.clearance);
+            sums.cross();
+            if constexpr (Seen::is_rubbed) friction.cross();
             ++crossings;
           }
           if (!is_positive(part_trial)) {
@@ -315,7 +312,11 @@ template <int named = 0> struct SubsteppedMoment {
       step_rate = free.rate - sums.rate(plan.sums);
       if constexpr (Seen::is_recorded)
         if (this->phase != Phase::apart) work.end(step_rate, sums.w - friction.taken);
-      if ((crossings & 1) != 0) cross();
+      if ((crossings & 1) != 0) {
+        free.rate = -free.rate;
+        sums.cross();
+        if constexpr (Seen::is_rubbed) friction.cross();
+      }
       if constexpr (Seen::is_rubbed) friction.end();
       StepReaction reaction{};
       reaction.main.j1 = Recoil(sums.x.value());

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "host_ref/reference.hpp"
+#include "host_ref/settled.hpp"
 #include "host_ref/simulation.hpp"
 #include "kernel_test.hpp"
 
@@ -110,20 +111,15 @@ struct Compared {
 };
 Compared compared(Request run, const ReferenceRun& reference, Numeric numeric) {
   run.numeric = numeric;
-  const auto largest = [](const std::vector<double>& samples, double size) {
-    for (const double sample : samples) size = larger(size, std::abs(sample));
-    return size;
-  };
   run.bounds = Bounds{1.5 * reference.reached.displacement, 1.5 * reference.reached.speed, 0,
-                      largest(run.samples, run.scene.drive_amplitude), largest(run.base_samples, 0)};
+                      larger(run.scene.drive_amplitude, largest_of(run.samples)), largest_of(run.base_samples)};
   const Outcome outcome = make_simulation(run);
   if (!outcome.simulation) return {};
   double error = 0;
-  size_t n = 0;
+  long n = 0;
   for (size_t i = 1; i < reference.at.size(); ++i) {
     for (long step = 0; step < std::lround(reference.interval / run.step); ++step, ++n)
-      outcome.simulation->step(run.samples.empty() ? 0 : run.samples.at(n),
-                               run.base_samples.empty() ? 0 : run.base_samples.at(n));
+      outcome.simulation->step(sample_at(n, run.samples), sample_at(n, run.base_samples));
     error = larger(error, std::abs(outcome.simulation->sample().x1 - reference.at[i].x1));
   }
   const double limit = (run.step > 5e-4   ? 1e-6

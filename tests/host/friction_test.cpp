@@ -104,6 +104,45 @@ TYPED_TEST(FrictionIn, FollowsASampledDrive) {
   }
 }
 
+// A motion begins, or a plan with less friction takes over, while the load exceeds the friction. The ball then slides
+// from there on with the acceleration R/m. Friction takes the load as linear in a step; it bends by (w0 h)^2 of itself.
+template <class Stepper, class Format> void expect_sliding_from_the_start(double friction) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, DryFriction>;
+  Scene scene = undriven_scene();
+  scene.contact_stiffness = 1e9;
+  scene.contact_damping = 0.6e9;
+  scene.clearance = 0.08;
+  scene.x1 = scene.x2 = 0.02;
+  for (const double step : {2e-3, 1e-3, 5e-4}) {
+    for (const int held : {0, 5}) {
+      Scene first = scene;
+      scene.ball_friction = friction;
+      first.ball_friction = held > 0 ? 6 : friction;
+      auto absorber = accepted<Kernel>(first, {0.1, 2}, step);
+      for (int n = 0; n < held; ++n) absorber.step();
+      const auto from = absorber.reading();
+      if (held > 0) {
+        ASSERT_TRUE(absorber.retune(Kernel::PlanType::make(scene, {0.1, 2}, step)));
+      }
+      const double w0h2 = scene.main_stiffness / scene.main_mass * step * step,
+                   load = scene.main_stiffness * scene.x1 / scene.main_mass;
+      for (int n = 1; n <= 10; ++n) {
+        absorber.step();
+        const double t = n * step, right = from.x2 + from.v2 * t - friction / scene.ball_mass * t * t / 2;
+        EXPECT_NEAR(absorber.reading().x2, right, 0.1 * w0h2 * load * step * t + 10 * floor_of<Format>)
+            << friction << " N, " << step << " s, after " << held << " steps, step " << n;
+      }
+    }
+  }
+}
+TYPED_TEST(FrictionIn, SlidesFromTheStartIfTheLoadExceedsIt) {
+  for (const double friction : {3.0, 2.0, 1.0, 0.3, 0.05}) {
+    expect_sliding_from_the_start<SubsteppedMoment<>, TypeParam>(friction);
+    expect_sliding_from_the_start<Impulsive, TypeParam>(friction);
+    expect_sliding_from_the_start<EnergyConsistent, TypeParam>(friction);
+  }
+}
+
 // In the contact friction acts over twice the depth, not over the way to the centroid and back: impulsive.md.
 template <class ContactLaw> double worst_rebound(Law law, double contact_stiffness, double contact_damping) {
   constexpr double step = 1e-3, end = 0.08;

@@ -287,15 +287,17 @@ struct DryFriction : ScenePart {
     const int before = slides(plan, impulse);
     const bool back = before < 0, loaded_back = is_negative(load);
     const Value beyond = size(load) - full, rise = mirrored(bend + bend, loaded_back);
-    // A ball that was held is fast if the load rises far above r, in this step. Else something has pushed it.
-    const bool is_fast = before == 0 && is_positive(size(rate) - full),
-               bursts = is_fast && is_negative(rate) == loaded_back && is_positive(beyond) &&
-                        is_positive(rise + rise + rise - beyond + beyond * Format::short_constant(0.125));
+    // A ball that was held is fast if the load rises far above r in this step, or is above it when the motion begins.
+    // Else something has pushed it.
+    const Value half_at_start = displacement + Format::value(half(bend - rate));
+    const bool is_held = before == 0 && is_positive(Format::value(quarter(size(rate))) - size(half_at_start)),
+               is_fast = before == 0 && is_positive(size(rate) - full),
+               bursts = is_fast && is_held && is_negative(rate) == loaded_back && is_positive(beyond);
     if (is_fast ? !bursts : before != 0 && !is_negative(mirrored(rate, back))) {
       slide_on(plan, state, before == 0 ? is_negative(rate) : back);
       return {};
     }
-    Value moved = bursts ? -displacement : Value{}, taken = rate;
+    Value moved{}, taken = rate;
     bool turns_back = false;
     if (before != 0) {
       const Value end = mirrored(rate, back), slope = mirrored(load - impulse, back), own_bend = mirrored(bend, back);
@@ -317,12 +319,11 @@ struct DryFriction : ScenePart {
     if (!turns_back) {
       next = holding(plan, load + bend + bend);
       if (is_positive(beyond)) {
-        // of the change of the load in the step
-        const Value third =
-            before != 0 || bursts ? rise : Value(Format::value(half(mirrored(load - impulse, loaded_back))));
-        const auto since = Format::quotient(positive_part(beyond), positive_part(third + third + third));
-        const Value reached = Format::value(half(Format::value(since * beyond))),
-                    gone = Format::value(since * reached) * Format::short_constant(1.0 / 3);
+        if (is_held) moved = -displacement;
+        const auto since = Format::quotient(positive_part(beyond), positive_part(rise + rise + rise));
+        const Value bent = Format::value(since * rise),
+                    reached = Format::value(since * (beyond - bent - Format::value(half(bent)))),
+                    gone = Format::value(since * Format::value(since * (Format::value(half(beyond)) - bent)));
         moved = moved + mirrored(gone, loaded_back);
         taken = rate - mirrored(reached, loaded_back);
         next = mirrored(full, loaded_back);

@@ -1,5 +1,6 @@
 // A search for a driven scene in which the rule's stepper misses the reference by more than it should. The masses, the
-// clearance, the stiffness from soft to rigid, the damping, the drive, the base, weight, friction and step are random.
+// clearance, the stiffness from soft to rigid, the damping, the drive, the base, weight, friction, step and start are
+// random.
 // IMPACT_ERROR_SEARCH=20000 sets the number of scenes. Earlier finds are test cases.
 //
 // The limit is 1e-6 m at 1 ms, 1e-7 m at 0.1 ms and 2e-8 m at 0.01 ms, and ten times that with Hertz. Float32 has 1e-8
@@ -75,6 +76,11 @@ Request driven_scene(unsigned long seed) {
     run.drive = DriveKind::sampled;
     run.samples = waves(run, scene.drive_amplitude, scene.drive_pulsation, phase);
     scene.drive_amplitude = scene.drive_pulsation = 0;
+  }
+  if (random.is(0.4)) {
+    scene.x1 = swing * random.between(-1, 1);
+    scene.x2 = scene.x1 + scene.clearance * random.between(-0.49, 0.49);
+    scene.v1 = scene.v2 = random.is(0.7) ? 0 : speed * random.between(-0.5, 0.5);
   }
   return run;
 }

@@ -195,9 +195,11 @@ double base_acceleration(const Case& run, double t) {
 }
 
 Case case_of(const Request& request) {
-  Case run{request.law, request.scene, request.drive, request.samples, request.step};
-  if (!run.samples.empty()) run.samples.insert(run.samples.begin(), 0);
-  run.damping_ratio = damping_ratio(request.damping, request.scene.restitution).value();
+  Case run{request.law,          request.scene, request.drive,
+           request.samples,      request.step,  damping_ratio(request.damping, request.scene.restitution).value(),
+           request.base_samples, request.step};
+  for (auto* samples : {&run.samples, &run.base_samples})
+    if (!samples->empty()) samples->insert(samples->begin(), 0);
   return run;
 }
 

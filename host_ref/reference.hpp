@@ -32,7 +32,7 @@ struct Case {
   double base_step = 0;                // s
 };
 
-// The run that a request of the kernel describes, whose first sample is that of the first step's end. Its base rests.
+// The run that a request of the kernel describes, whose first samples are those of the first step's end.
 Case case_of(const Request& request);
 
 constexpr double least_approach_speed = 1e-6;  // m/s; keeps c1 finite for a ball that starts at its stop

@@ -92,9 +92,6 @@ struct ReferenceRun {
 };
 ReferenceRun reference_run(const Request& request) {
   Case run = case_of(request);
-  run.base_samples = request.base_samples;
-  if (request.is_shaken) run.base_samples.insert(run.base_samples.begin(), 0);
-  run.base_step = request.step;
   const double duration = duration_of(request);
   ReferenceRun found;
   found.interval = larger(request.step, 1e-4);

@@ -195,9 +195,10 @@ double base_acceleration(const Case& run, double t) {
 }
 
 Case case_of(const Request& request) {
-  Case run{request.law,          request.scene, request.drive,
-           request.samples,      request.step,  damping_ratio(request.damping, request.scene.restitution).value(),
-           request.base_samples, request.step};
+  Case run{request.law, request.scene, request.drive, request.samples, request.step};
+  run.damping_ratio = damping_ratio(request.damping, request.scene.restitution).value();
+  run.base_samples = request.base_samples;
+  run.base_step = request.step;
   for (auto* samples : {&run.samples, &run.base_samples})
     if (!samples->empty()) samples->insert(samples->begin(), 0);
   return run;

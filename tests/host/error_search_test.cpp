@@ -1,7 +1,6 @@
 // A search for a driven scene in which the rule's stepper misses the reference by more than it should. The masses, the
 // clearance, the stiffness from soft to rigid, the damping, the drive, the base, weight, friction, step and start are
-// random.
-// IMPACT_ERROR_SEARCH=20000 sets the number of scenes. Earlier finds are test cases.
+// random. IMPACT_ERROR_SEARCH=20000 sets the number of scenes. Earlier finds are test cases.
 //
 // The limit is 1e-6 m at 1 ms, 1e-7 m at 0.1 ms and 2e-8 m at 0.01 ms, and ten times that with Hertz. Float32 has 1e-8
 // m more. It is for a motion of 0.05 m with 20 impacts that does not amplify a disturbance. Errors grow with the

@@ -247,6 +247,13 @@ TEST(StiffStop, ConvergesToFourthOrder) {
     EXPECT_LT(fine, coarse / 100 + 1e-13) << stiffness << ": " << coarse;
   }
 }
+// From 64 sub-steps on their displacements are from rates. What remains is the error of the flight in steps of 4 ms.
+TEST(StiffStop, MoreSubStepsThanAContactNeedsAddNoError) {
+  const host::Case run = with_stop<HuntCrossley>(driven(), 1e6);
+  const double of_flight = error<Float64, HuntCrossley, SubsteppedMoment<32>>(run, 4e-3, 0.4);
+  EXPECT_LT((error<Float64, HuntCrossley, SubsteppedMoment<64>>(run, 4e-3, 0.4)), 1.5 * of_flight);
+  EXPECT_LT((error<Float64, HuntCrossley, SubsteppedMoment<1024>>(run, 4e-3, 0.4)), 1.5 * of_flight);
+}
 
 }  // namespace
 }  // namespace impact

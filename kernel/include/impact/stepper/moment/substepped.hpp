@@ -22,8 +22,9 @@ template <int named = 0> struct SubsteppedMoment {
   static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0,
                 "SubsteppedMoment<most>: the largest number of sub-steps must be a power of two from 2 to 16384");
   static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
-  // From so many on, a sub-step with contact has its displacement from rates. As a difference of two penetrations of
-  // the flight it would have few bits: kernel/docs/moment.md.
+  // From so many on, a sub-step with contact has its displacement from the rate at its end and from the acceleration
+  // at a third of it before. As a difference of two penetrations of the flight it would have few bits:
+  // kernel/docs/moment.md.
   static constexpr int fewest_by_rate = 64;
   // The number that gives the shortest contact precise_parts sub-steps, and every contact Moment's range.
   static constexpr int precise_parts = 20;
@@ -103,10 +104,11 @@ template <int named = 0> struct SubsteppedMoment {
       GainOf<Gain, unit::Increment, unit::Penetration> drive_quartic;  // and by what the drive adds in a step
       typename Inner::Plan inner;
       typename Sums::Plan sums;
-      Gain part;                          // 1/n
-      typename Format::ClampedGain rate;  // 1/n, into a sub-step's own unit
-      Gain square;                        // 1/n^2, likewise
-      int depth_bits;                     // its unit of penetrations is 2^depth_bits as fine
+      Gain part;                              // 1/n
+      decltype(Format::constant(0)) earlier;  // 1/(3n) if displacements are from rates, else 0
+      typename Format::ClampedGain rate;      // 1/n, into a sub-step's own unit
+      Gain square;                            // 1/n^2, likewise
+      int depth_bits;                         // its unit of penetrations is 2^depth_bits as fine
       GainOf<typename Format::ClampedGain, unit::Recoil, unit::Force> force;  // from the ball's impulse
       bool crosses;
       Penetration clearance;
@@ -191,6 +193,7 @@ template <int named = 0> struct SubsteppedMoment {
       if constexpr (!is_linear) plan.inner.change_bits = own.recoil - own.penetration;
       plan.sums = Sums::Plan::make(sub, main, response, unit, own);
       plan.part = Format::gain(1.0 / n, 0, 0);
+      if (n >= fewest_by_rate) plan.earlier = Format::constant(1 / (3 * n));
       plan.rate = {Format::gain(1.0 / n, unit.penetration, own.penetration)};
       plan.square = Format::gain(1.0 / (n * n), unit.penetration, own.penetration);
       plan.depth_bits = unit.penetration - own.penetration;
@@ -279,7 +282,10 @@ template <int named = 0> struct SubsteppedMoment {
         part.rate = rate_in_a_part(plan, rate_now);
         part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
         part.travel = part.penetration - part.before;
-        Penetration bending = plan.square * (free.acceleration_at(s) - Sums::travel(plan.sums, acceleration));
+        auto of_acceleration = s;
+        if constexpr (most >= fewest_by_rate) of_acceleration = s + plan.earlier;
+        Penetration bending =
+            plan.square * (free.acceleration_at(of_acceleration) - Sums::travel(plan.sums, acceleration));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
         if constexpr (most >= fewest_by_rate)

@@ -104,11 +104,10 @@ template <int named = 0> struct SubsteppedMoment {
       GainOf<Gain, unit::Increment, unit::Penetration> drive_quartic;  // and by what the drive adds in a step
       typename Inner::Plan inner;
       typename Sums::Plan sums;
-      Gain part;                              // 1/n
-      decltype(Format::constant(0)) earlier;  // 1/(3n) if displacements are from rates, else 0
-      typename Format::ClampedGain rate;      // 1/n, into a sub-step's own unit
-      Gain square;                            // 1/n^2, likewise
-      int depth_bits;                         // its unit of penetrations is 2^depth_bits as fine
+      Gain part;                          // 1/n
+      typename Format::ClampedGain rate;  // 1/n, into a sub-step's own unit
+      Gain square;                        // 1/n^2, likewise
+      int depth_bits;                     // its unit of penetrations is 2^depth_bits as fine
       GainOf<typename Format::ClampedGain, unit::Recoil, unit::Force> force;  // from the ball's impulse
       bool crosses;
       Penetration clearance;
@@ -193,7 +192,6 @@ template <int named = 0> struct SubsteppedMoment {
       if constexpr (!is_linear) plan.inner.change_bits = own.recoil - own.penetration;
       plan.sums = Sums::Plan::make(sub, main, response, unit, own);
       plan.part = Format::gain(1.0 / n, 0, 0);
-      if (n >= fewest_by_rate) plan.earlier = Format::constant(1 / (3 * n));
       plan.rate = {Format::gain(1.0 / n, unit.penetration, own.penetration)};
       plan.square = Format::gain(1.0 / (n * n), unit.penetration, own.penetration);
       plan.depth_bits = unit.penetration - own.penetration;
@@ -247,6 +245,9 @@ template <int named = 0> struct SubsteppedMoment {
                                     : start_rate;
         friction.begin(plan, step.rubbing, now, begins ? at - step.before : Penetration{});
       }
+      const bool by_rate = most >= fewest_by_rate && plan.sums.exponent >= detail::binary_exponent(fewest_by_rate);
+      [[maybe_unused]] auto third = Format::constant(0);  // of a sub-step
+      if (by_rate) third = Format::constant(1.0 / 3) * Format::parts(1, plan.sums.exponent, plan.part);
       uint32_t crossings = 0;
       [[maybe_unused]] Penetration rate_at_crossing{};
       [[maybe_unused]] Work work{plan, start_rate};
@@ -282,20 +283,18 @@ template <int named = 0> struct SubsteppedMoment {
         part.rate = rate_in_a_part(plan, rate_now);
         part.before = this->phase == Phase::apart ? raised(plan, at) : this->penetration;
         part.travel = part.penetration - part.before;
-        auto of_acceleration = s;
-        if constexpr (most >= fewest_by_rate) of_acceleration = s + plan.earlier;
-        Penetration bending =
-            plan.square * (free.acceleration_at(of_acceleration) - Sums::travel(plan.sums, acceleration));
+        auto bent_at = s;
+        if constexpr (most >= fewest_by_rate) bent_at = s + third;  // by 0 if not by_rate
+        Penetration bending = plan.square * (free.acceleration_at(bent_at) - Sums::travel(plan.sums, acceleration));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
-        if constexpr (most >= fewest_by_rate)
-          if (plan.sums.exponent >= detail::binary_exponent(fewest_by_rate)) {
-            part.travel = part.rate - Format::value(half(bending));
-            if (this->phase == Phase::apart)
-              part.before = part.penetration - part.travel;
-            else
-              part.penetration = part.before + part.travel;
-          }
+        if (by_rate) {
+          part.travel = part.rate - Format::value(half(bending));
+          if (this->phase == Phase::apart)
+            part.before = part.penetration - part.travel;
+          else
+            part.penetration = part.before + part.travel;
+        }
         sums.add(plan.sums, Inner::impulse_of(plan.inner, units, part));
         const Penetration before = at;
         at = lowered(plan, this->penetration);

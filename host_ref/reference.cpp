@@ -1,6 +1,7 @@
 #include "host_ref/reference.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -70,32 +71,37 @@ constexpr int size = 9;
 using Vector = Eigen::Matrix<Real, size, 1>;
 using Generator = Eigen::Matrix<Real, size, size>;
 
-// z' = A z over windows of some half a radian of the fastest mode. There the series of exp(A t) z has more terms than
-// rounding requires. The tolerance determines the window like a Taylor step, so that runs with two tolerances differ in
-// their rounding too.
+// z' = A z over windows of some half a radian of the fastest mode. There 20 terms of the series of exp(A t) z are more
+// than rounding requires: 0.63^21/21! is 1e-24. The tolerance determines the window like a Taylor step, so that runs
+// with two tolerances differ in their rounding too.
 class LinearFlow {
  public:
+  static constexpr int terms = 20;
+
   LinearFlow(const Generator& generator, Real tolerance) {
     const Real radians = 0.5L * std::pow(tolerance / real(reference_tolerance), Real{1} / order);
     const Eigen::Matrix<double, size, size> rounded = generator.cast<double>();
     window_ = radians / real(std::max(1.0, rounded.eigenvalues().cwiseAbs().maxCoeff()));
-    scaled_ = generator * window_;
+    scaled_ = (generator * window_).sparseView();
   }
 
   Real window() const { return window_; }
 
   // The series of each component of z on the window, one per column.
-  Eigen::Matrix<Real, order + 1, size> series(const Vector& z) const {
-    Eigen::Matrix<Real, order + 1, size> result;
-    result.row(0) = z;
-    for (int k = 1; k <= order; ++k)
-      result.row(k).noalias() = result.row(k - 1).lazyProduct(scaled_.transpose()) / static_cast<Real>(k);
-    return result;
+  using Columns = Eigen::Matrix<Real, order + 1, size>;
+  void expand(const Vector& z, Columns& result) const {
+    Vector term = z;
+    result.row(0) = term;
+    for (int k = 1; k <= terms; ++k) {
+      const Vector next = scaled_ * term;
+      term = next / static_cast<Real>(k);
+      result.row(k) = term;
+    }
   }
 
  private:
   Real window_ = 0;
-  Generator scaled_;
+  Eigen::SparseMatrix<Real> scaled_;  // a fourth of it is not 0
 };
 
 // The scene in the arithmetic of the reference.
@@ -413,10 +419,10 @@ class Reference::Motion {
     Vector start;
     start << now_.x1, now_.v1, y, now_.rate, force_now, partner_now, field_value, field_slope,
         static_cast<Real>(sliding_);
-    linear_ = flow.series(start);
+    flow.expand(start, linear_);
 
-    series_.setZero();
-    for (int k = 0; k < order; ++k) {
+    series_.rightCols(columns - dissipated).setZero();
+    for (int k = 0; k < LinearFlow::terms; ++k) {
       const Real share = flow.window() / static_cast<Real>(k + 1);
       series_(k + 1, drive_work) = share * product(linear_.col(4), linear_.col(1), k);
     }
@@ -462,7 +468,7 @@ class Reference::Motion {
       sign_of_force[0] += scene_.k1;
     }
 
-    for (int k = 0; k < order && touching; ++k)
+    for (int k = 0; k < LinearFlow::terms && touching; ++k)
       series_(k + 1, dissipated) = flow_->window() / static_cast<Real>(k + 1) * c1_ * product(rate, rate, k);
     if (touching) series_.col(force) = sign_of_force;
 
@@ -576,8 +582,8 @@ class Reference::Motion {
   Real end_ = 0;
   Event event_{};
   Eigen::Matrix<Real, order + 1, columns> series_;
-  const LinearFlow* flow_ = nullptr;             // null in power-law contact
-  Eigen::Matrix<Real, order + 1, size> linear_;  // of the flow, y measured from stop_
+  const LinearFlow* flow_ = nullptr;                          // null in power-law contact
+  LinearFlow::Columns linear_ = LinearFlow::Columns::Zero();  // of the flow, y measured from stop_
   Real stop_ = 0;
   Real step_ = 1;  // of theta
 };

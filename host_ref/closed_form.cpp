@@ -141,9 +141,8 @@ std::optional<double> contact_damping(const Impact& impact, double e) {
   if (e == 1) return 0;
   if (impact.law == Law::hertz) return std::nullopt;
   if (impact.law == Law::hunt_crossley) {
-    // e(a) > 1 - 2 a / 3 and e a < 1 bracket a.
-    const double a =
-        sign_change([&](double ratio) { return e - hunt_crossley_restitution(ratio); }, 1.5 * (1 - e), 1 / e);
+    // G(a) = G(-e a); e(a) > 1 - 2 a / 3 and e a < 1 bracket a.
+    const double a = sign_change([&](double ratio) { return -gain(ratio, (1 + e) * ratio); }, 1.5 * (1 - e), 1 / e);
     return a * impact.contact_stiffness / impact.speed;
   }
   if (impact.tension == Tension::allow) return paper_contact_damping(impact, e);

@@ -162,6 +162,8 @@ const Find finds[] = {
      scene_of(5.67364, 5452.36, 6.43789, 9.62372, 0.0328892, 135246, 0, 270.774, 34.7832), 0.479454, 6.81993, 1e-3},
     {"Fixed32 pressed a ball and the main mass with unequal forces", Law::hooke_newton,
      scene_of(0.230643, 221.648, 0.116197, 0.00261598, 0.0197251, 2.19302e11, 31520.9, 95.6272, 61.6867), 1, 0, 1e-5},
+    {"Fixed32 lost what spring and damper change in a sub-step of a pressed ball", Law::hooke_newton,
+     scene_of(15.8198, 15202.8, 48.8297, 14.9016, 0.0181815, 1.39471e10, 229397, 8284.25, 46.5469), 1, 0, 1e-5},
     {"the ball was drawn off within a step of Moment", Law::hunt_crossley,
      scene_of(1.30384, 4536.66, 0.960644, 2.10604, 0.00622979, 75958.8, 276785, 52.3186, 144.332), 1, 0, 1e-3},
 };

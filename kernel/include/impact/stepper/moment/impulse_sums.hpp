@@ -6,8 +6,8 @@
 //     main mass   (x, u) by its own exact flow over a sub-step, linear_flow.hpp. The flow's part of u is a sum of its
 //                 own, because a sub-step's is below an LSB of u
 //
-// An impulse is in units of its effect in a sub-step, and the ball has its share of y and w. Both masses' displacements
-// reduce the penetration. Derivation: kernel/docs/moment.md.
+// An impulse is in units of its effect in a sub-step, and the ball has its share of y and w. What the flow adds to u
+// has a finer unit. Both masses' displacements reduce the penetration. Derivation: kernel/docs/moment.md.
 
 #include <stddef.h>
 
@@ -32,14 +32,16 @@ template <class Format, int most> struct ImpulseSums {
   using Penetration = impact::Penetration<Value>;
   using Recoil = impact::Recoil<Value>;
 
-  // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), divided by k/n.
+  // The main mass's flow over k = 2^i sub-steps, less (1 k/n; 0 1), divided by k/n. u has an acceleration.
   struct Stride {
     Gain part, by_x_to_x, by_u_to_x, by_x_to_u, by_u_to_u;  // part: k/n
   };
   struct Plan {
     int exponent;                                                        // n = 2^exponent
     Stride strides[static_cast<size_t>(detail::binary_exponent(most))];  // over 1, 2, 4, .. sub-steps
-    int moment_bits;  // the impulses' own unit is 2^moment_bits as fine as a step's
+    int flow_bits;     // what the flow adds to u is in a unit that is 2^flow_bits as fine as that of u
+    int bending_bits;  // from that unit to penetrations
+    int moment_bits;   // the impulses' own unit is 2^moment_bits as fine as a step's
     GainOf<Gain, unit::Force, unit::Recoil> by_impulse, by_moment;  // of Hooke-Newton, from forces
     Gain main_x, main_u, main_u_by_moment, ball;                    // the masses' shares in these
     int travel_bits;                                                // from these to penetrations
@@ -51,12 +53,17 @@ template <class Format, int most> struct ImpulseSums {
                    of_force = terms.force_unit * part * part * mobility;
       Plan plan{};
       plan.exponent = detail::binary_exponent(terms.parts);
+      const double h = n * part, by_moment = n * response.hg1 / mobility,
+                   by_flow = (1.5 * main.main_stiffness * h + main.main_damping) * h / main.main_mass,
+                   largest = constant::larger(constant::magnitude(by_moment), by_flow);
+      plan.flow_bits = -Format::exponent_of(constant::smaller(1, constant::larger(1.01 * largest, 0x1p-16)));
       for (int i = 0; i < plan.exponent; ++i) {
         const double k = constant::power_of_two(i);
         const LinearFlow over = exact_flow(main, k * part);
         plan.strides[i] = {Format::gain(k / n, 0, 0), Format::gain(over.e11 * n / k, 0, 0),
-                           Format::gain(over.e12 - 1, 0, 0), Format::gain(over.e21 * (n / k) * (n / k), 0, 0),
-                           Format::gain(over.e22 * n / k, 0, 0)};
+                           Format::gain(over.e12 - 1, 0, 0),
+                           Format::gain(over.e21 * (n / k) * (n / k), 0, -plan.flow_bits),
+                           Format::gain(over.e22 * n / k, 0, -plan.flow_bits)};
       }
       plan.moment_bits = unit.recoil - own.recoil;
       if (terms.is_linear) {
@@ -65,9 +72,10 @@ template <class Format, int most> struct ImpulseSums {
       }
       plan.main_x = Format::gain(response.gx / mobility, 0, 0);
       plan.main_u = Format::gain(response.g0 / mobility, 0, 0);
-      plan.main_u_by_moment = Format::gain(n * response.hg1 / mobility, 0, 0);
+      plan.main_u_by_moment = Format::gain(by_moment, 0, -plan.flow_bits);
       plan.ball = Format::gain(1 / (terms.ball_mass * mobility), 0, 0);
       plan.travel_bits = unit.penetration - unit.recoil;
+      plan.bending_bits = plan.travel_bits + plan.flow_bits < 31 ? plan.travel_bits + plan.flow_bits : 31;
       return plan;
     }
   };
@@ -76,14 +84,14 @@ template <class Format, int most> struct ImpulseSums {
   Recoil w, main_share;                // of w
 
   constexpr Recoil u() const { return main_share + Recoil(by_flow.value()); }
-  // Returns the acceleration by spring and damper.
+  // Returns the acceleration by spring and damper, in its finer unit.
   [[gnu::always_inline]] constexpr Recoil advance(const Plan& plan, int stride) {
     const Stride& flow = plan.strides[stride];
     const Recoil at(x.value()), rate = u();
     const int bits = plan.exponent - stride;
     x.add(rate + flow.by_x_to_x * at + flow.by_u_to_x * rate, bits, flow.part);
     const Recoil acceleration = flow.by_x_to_u * at + flow.by_u_to_u * rate;
-    by_flow.add(acceleration, bits, flow.part);
+    by_flow.add(acceleration, bits + plan.flow_bits, flow.part);
     y.add(w, bits, flow.part);
     return acceleration;
   }
@@ -97,7 +105,7 @@ template <class Format, int most> struct ImpulseSums {
   constexpr Recoil take(const Plan& plan, Penetration j0, Penetration j1) {
     const Recoil impulse(Format::moved(j0, -plan.travel_bits)), moment(Format::moved(j1, -plan.travel_bits));
     x.add(plan.main_x * moment, 0);
-    by_flow.add(plan.main_u_by_moment * moment, 0);
+    by_flow.add(plan.main_u_by_moment * moment, plan.flow_bits);
     y.add(moment, 0);
     const Recoil before = w;
     change(plan, impulse);
@@ -121,11 +129,15 @@ template <class Format, int most> struct ImpulseSums {
   static constexpr Penetration travel(const Plan& plan, Recoil by) {
     return Penetration(Format::moved(by, plan.travel_bits));
   }
+  // Of the rate of penetration, by that acceleration.
+  static constexpr Penetration bending(const Plan& plan, Recoil acceleration) {
+    return Penetration(Format::moved(acceleration, plan.bending_bits));
+  }
 
  private:
   [[gnu::always_inline]] constexpr void add_changes(const Plan& plan, Recoil j0, Recoil j1) {
     x.add(plan.main_x * j1, plan.moment_bits);
-    by_flow.add(plan.main_u_by_moment * j1, plan.moment_bits);
+    by_flow.add(plan.main_u_by_moment * j1, plan.moment_bits + plan.flow_bits);
     y.add(j1, plan.moment_bits);
     change(plan, j0);
   }

@@ -285,7 +285,7 @@ template <int named = 0> struct SubsteppedMoment {
         part.travel = part.penetration - part.before;
         auto bent_at = s;
         if constexpr (most >= fewest_by_rate) bent_at = s + third;  // by 0 if not by_rate
-        Penetration bending = plan.square * (free.acceleration_at(bent_at) - Sums::travel(plan.sums, acceleration));
+        Penetration bending = plan.square * (free.acceleration_at(bent_at) - Sums::bending(plan.sums, acceleration));
         if constexpr (Seen::is_rubbed) bending = bending - friction.bending(plan);
         part.increment = Increment<Value>(bare(bending));  // as Inner reads it
         if (by_rate) {

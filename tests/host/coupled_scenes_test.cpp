@@ -1,4 +1,4 @@
-// Random coupled scenes with all steppers that a plan accepts, and with the rule's choice. If the bounds are true, no
+// Random coupled scenes with all steppers that a plan accepts, of which the rule's is one. If the bounds are true, no
 // fault is raised, no energy is gained, and contacts dissipate what the law requires. Half of the scenes have a drive.
 // Some have weight, a shaken base and dry friction. IMPACT_COUPLED_SCENES=20000 runs the full number per format.
 

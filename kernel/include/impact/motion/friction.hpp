@@ -281,19 +281,38 @@ struct DryFriction : ScenePart {
   template <class Plan, class State, class Value, class Long>
   static constexpr Turned<Value> turn(const Plan& plan, State& state, Value displacement, Value rate, Long ahead) {
     using Format = typename Plan::FormatType;
-    const Value full = plan.friction.full, impulse = state.impulse, coming = plan.units.relative(ahead);
+    const Value full = plan.friction.full, coming = plan.units.relative(ahead);
+    Value impulse = state.impulse;
     // What friction works against at the step's end, and a sixth of its change in the step.
     const Value load = coming - displacement, bend = displacement - rate + Format::value(half(load - impulse));
-    const int before = slides(plan, impulse);
-    const bool back = before < 0, loaded_back = is_negative(load);
+    int before = slides(plan, impulse);
+    const bool loaded_back = is_negative(load);
     const Value beyond = size(load) - full, rise = mirrored(bend + bend, loaded_back);
     // A ball that was held is fast if the load rises far above r in this step, or is above it when the motion begins.
     // Else something has pushed it.
     const Value half_at_start = displacement + Format::value(half(bend - rate));
-    const bool is_held = before == 0 && is_positive(Format::value(quarter(size(rate))) - size(half_at_start)),
-               is_fast = before == 0 && is_positive(size(rate) - full),
+    const bool is_held = before == 0 && is_positive(Format::value(quarter(size(rate))) - size(half_at_start));
+    // The motion begins under a load beyond r that turns in the step: the ball has slid from the start on, with r, and
+    // its impulse was more.
+    Value surplus{};
+    const bool has_slid = is_held && is_positive(rise + rise + rise - mirrored(load, loaded_back) - full);
+    if (has_slid) {
+      before = loaded_back ? 1 : -1;
+      surplus = impulse - mirrored(full, !loaded_back);
+      impulse = impulse - surplus;
+      displacement = displacement + Format::value(half(surplus));
+      rate = rate + surplus;
+    }
+    const Value moved_surplus = Format::value(half(surplus));
+    const bool back = before < 0, is_fast = before == 0 && is_positive(size(rate) - full),
                bursts = is_fast && is_held && is_negative(rate) == loaded_back && is_positive(beyond);
     if (is_fast ? !bursts : before != 0 && !is_negative(mirrored(rate, back))) {
+      if (has_slid) {
+        const Value less = impulse_for(plan, -surplus);
+        move_ball(plan, state, moved_surplus);
+        change_to(plan, state, impulse, less);
+        return {less, moved_surplus};
+      }
       slide_on(plan, state, before == 0 ? is_negative(rate) : back);
       return {};
     }
@@ -334,7 +353,8 @@ struct DryFriction : ScenePart {
       }
     }
     // From sliding one way for a whole step to sliding the other way: no friction changes by more.
-    taken = clamped(Passive<Value>{-(full + full), full + full}, impulse_for(plan, taken));
+    taken = clamped(Passive<Value>{-(full + full), full + full}, impulse_for(plan, taken)) - impulse_for(plan, surplus);
+    moved = moved + moved_surplus;
     move_ball(plan, state, moved);
     change_to(plan, state, next, taken);
     return {taken, moved};

@@ -11,10 +11,8 @@ if (!names.every((name) => existsSync(`${folder}/${name}.csv`))) {
   console.log('skipped: there is no report in the build folder');
   process.exit(77);
 }
-const tables = Object.fromEntries(names.map((name) => {
-  const [header, ...lines] = readFileSync(`${folder}/${name}.csv`, 'utf8').trim().split('\n').map((line) => line.split(','));
-  return [name, lines.map((cells) => Object.fromEntries(header.map((column, i) => [column, cells[i]])))];
-}));
+const { tableFrom } = await import(pathToFileURL(`${project}/host_ref/explorer/numbers.mjs`));
+const tables = Object.fromEntries(names.map((name) => [name, tableFrom(readFileSync(`${folder}/${name}.csv`, 'utf8'))]));
 
 const points = pointsOf(tables), configuration = configurationsOf(tables.step_budget);
 const times = (target, law, baselines) => {

@@ -282,79 +282,71 @@ struct DryFriction : ScenePart {
   static constexpr Turned<Value> turn(const Plan& plan, State& state, Value displacement, Value rate, Long ahead) {
     using Format = typename Plan::FormatType;
     const Value full = plan.friction.full, coming = plan.units.relative(ahead);
-    Value impulse = state.impulse;
+    const Value impulse = state.impulse;
     // What friction works against at the step's end, and a sixth of its change in the step.
-    const Value load = coming - displacement, bend = displacement - rate + Format::value(half(load - impulse));
-    int before = slides(plan, impulse);
-    const bool loaded_back = is_negative(load);
-    const Value beyond = size(load) - full, rise = mirrored(bend + bend, loaded_back);
-    // A ball that was held is fast if the load rises far above r in this step, or is above it when the motion begins.
-    // Else something has pushed it.
-    const Value half_at_start = displacement + Format::value(half(bend - rate));
-    const bool is_held = before == 0 && is_positive(Format::value(quarter(size(rate))) - size(half_at_start));
-    // The motion begins under a load beyond r that turns in the step: the ball has slid from the start on, with r, and
-    // its impulse was more.
-    Value surplus{};
-    const bool has_slid = is_held && is_positive(rise + rise + rise - mirrored(load, loaded_back) - full);
-    if (has_slid) {
-      before = loaded_back ? 1 : -1;
-      surplus = impulse - mirrored(full, !loaded_back);
-      impulse = impulse - surplus;
-      displacement = displacement + Format::value(half(surplus));
-      rate = rate + surplus;
+    const Value load = coming - displacement, bend = displacement - rate + Format::value(half(load - impulse)),
+                third_rise = bend + bend, first_load = load - third_rise - third_rise - third_rise;
+    // The direction of sliding at the step's start. A ball that was held slides at once if the load is beyond r.
+    const int before = slides(plan, impulse);
+    const bool slides_at_once = before == 0 && is_positive(size(first_load) - full);
+    const int way = !slides_at_once ? before : is_negative(first_load) ? -1 : 1;
+    const bool back = way < 0;
+    // In that direction: friction, the rate at the end, and by how much the flight's displacement changes.
+    Value friction = mirrored(impulse, back), end = mirrored(rate, back), moved{}, more{};
+    if (slides_at_once) {
+      more = full - friction;
+      friction = full;
+      end = end - more;
+      moved = -Format::value(half(more));
     }
-    const Value moved_surplus = Format::value(half(surplus));
-    const bool back = before < 0, is_fast = before == 0 && is_positive(size(rate) - full),
-               bursts = is_fast && is_held && is_negative(rate) == loaded_back && is_positive(beyond);
-    if (is_fast ? !bursts : before != 0 && !is_negative(mirrored(rate, back))) {
-      if (has_slid) {
-        const Value less = impulse_for(plan, -surplus);
-        move_ball(plan, state, moved_surplus);
-        change_to(plan, state, impulse, less);
-        return {less, moved_surplus};
-      }
-      slide_on(plan, state, before == 0 ? is_negative(rate) : back);
+    const bool turns = way != 0 && is_negative(end);
+    if (before != 0 && !turns) {
+      slide_on(plan, state, back);
       return {};
     }
-    Value moved{}, taken = rate;
     bool turns_back = false;
-    if (before != 0) {
-      const Value end = mirrored(rate, back), slope = mirrored(load - impulse, back), own_bend = mirrored(bend, back);
+    if (turns) {
+      const Value slope = mirrored(load, back) - friction, own_bend = mirrored(bend, back);
       const auto left = left_after_turn<Format>(end, slope, own_bend);
       const Value bent = Format::value(left * own_bend), third = bent + bent + bent;
-      // The displacement back by the friction so far.
-      const Value gone = Format::value(left * (end - Format::value(left * (Format::value(half(slope)) - bent))));
       turns_back = is_positive(third + third - mirrored(load, back) - full);
-      Value ahead_of_it = -gone;
       if (turns_back) {
-        Value more = Format::value(left * (full + mirrored(impulse, back)));
-        if (is_positive(more + end)) more = -end;
-        ahead_of_it = Format::value(half(Format::value(left * more)));
-        taken = mirrored(-more, back);
+        Value less = Format::value(left * (full + friction));
+        if (is_positive(less + end)) less = -end;
+        end = end + less;
+        moved = moved + Format::value(half(Format::value(left * less)));
+      } else {
+        // The displacement back by the friction so far.
+        moved = moved - Format::value(left * (end - Format::value(left * (Format::value(half(slope)) - bent))));
       }
-      moved = mirrored(ahead_of_it, back);
     }
-    Value next = mirrored(full, before > 0);
-    if (!turns_back) {
-      next = holding(plan, load + bend + bend);
+    moved = mirrored(moved, back);
+    Value taken = rate - mirrored(end, back), next = mirrored(full, back != turns_back);
+    const bool sticks = way == 0 || (turns && !turns_back);
+    if (sticks) {
+      const bool loaded_back = is_negative(load);
+      const Value beyond = mirrored(load, loaded_back) - full;
+      taken = rate;
+      next = holding(plan, load + third_rise);
       if (is_positive(beyond)) {
-        if (is_held) moved = -displacement;
-        const auto since = Format::quotient(positive_part(beyond), positive_part(rise + rise + rise));
-        const Value bent = Format::value(since * rise),
+        if (way == 0) moved = -displacement;
+        const Value third = mirrored(third_rise, loaded_back);
+        const auto since = Format::quotient(positive_part(beyond), positive_part(third + third + third));
+        const Value bent = Format::value(since * third),
                     reached = Format::value(since * (beyond - bent - Format::value(half(bent)))),
                     gone = Format::value(since * Format::value(since * (Format::value(half(beyond)) - bent)));
         moved = moved + mirrored(gone, loaded_back);
         taken = rate - mirrored(reached, loaded_back);
         next = mirrored(full, loaded_back);
-      } else if (before == 0 && !is_positive(size(coming) - full)) {
+      } else if (way == 0 && !is_positive(size(coming) - full)) {
         stick(plan, state, impulse, ahead);
         state.impulse = next;
         return {coming - Format::value(half(impulse + next)), moved};
       }
     }
     // From sliding one way for a whole step to sliding the other way: no friction changes by more.
-    taken = clamped(Passive<Value>{-(full + full), full + full}, impulse_for(plan, taken)) - impulse_for(plan, surplus);
-    moved = moved + moved_surplus;
+    const Value most = full + full + size(more);
+    taken = clamped(Passive<Value>{-most, most}, impulse_for(plan, taken));
     move_ball(plan, state, moved);
     change_to(plan, state, next, taken);
     return {taken, moved};

@@ -177,6 +177,7 @@ template <class Numeric> constexpr auto with_parts() {
       Configuration<HuntCrossley, Moment, Numeric, Sine, DryFriction>,
       WithAllParts<Numeric, HuntCrossley, Moment, Sine>, WithAllParts<Numeric, HuntCrossley, EnergyConsistent, NoDrive>,
       WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>,
+      WithAllParts<Numeric, HuntCrossley, SubsteppedMoment<4>, Sine>,
       WithAllParts<Numeric, HuntCrossley, AverageAcceleration, Sine>>{};
 }
 template <class... Numerics> constexpr auto all_configurations() {
@@ -194,8 +195,8 @@ template <class Numeric> constexpr auto each_once() {
               Configuration<Exact, SubsteppedMoment<4>, Numeric, Sine>,
               Configuration<Exact, StiffEnergyConsistent, Numeric, Sine>,
               Configuration<HuntCrossley, Moment, Numeric, Sine, Gravity>,
-              WithAllParts<Numeric, HuntCrossley, Moment, Sine>,
-              WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>>{};
+              WithAllParts<Numeric, HuntCrossley, Moment, Sine>, WithAllParts<Numeric, HuntCrossley, Impulsive, Sine>,
+              WithAllParts<Numeric, HuntCrossley, SubsteppedMoment<4>, Sine>>{};
 }
 // The configurations whose trajectories are recorded. In an image of 256 K there is room for part of a format's:
 // Hertz's and Hunt-Crossley's (2), the others (1), or a seventh (3).
@@ -229,6 +230,8 @@ using BudgetedWithParts =
     List<Configuration<HuntCrossley, Moment, Fixed32, Sine, Gravity>,
          Configuration<HuntCrossley, Moment, Fixed32, Sine, BaseAcceleration>,
          Configuration<HuntCrossley, Moment, Fixed32, Sine, DryFriction>,
+         Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine, DryFriction>,
+         Configuration<HuntCrossley, Impulsive, Fixed32, Sine, DryFriction>,
          WithAllParts<Fixed32, HuntCrossley, Moment, Sine>, WithAllParts<Float32Plain, HuntCrossley, Moment, Sine>,
 #if defined(__ARM_FP)
          Configuration<HuntCrossley, Impulsive, Float32Plain, Sine>,

@@ -4,7 +4,7 @@
 #include <board/console.hpp>
 #include <impact/absorber.hpp>
 
-#include "../target/instruction_counter.hpp"
+#include "../target/step_cost.hpp"
 
 namespace {
 
@@ -17,13 +17,7 @@ constexpr impact::Scene at_pulsation(double pulsation) {
   return scene;
 }
 
-void print(const char* format, const char* quantity, uint32_t mean, uint32_t largest) {
-  using impact::board::print;
-  print(IMPACT_TARGET ",hunt-crossley,moment,"), print(format), print(",sine,"), print(quantity), print(",");
-  print(mean), print(","), print(largest), print("\n");
-}
-
-template <class Format> void measure(const char* format) {
+template <class Format> void measure(const char* label) {
   using Kernel = Tunable<Format>;
   using PlanType = typename Kernel::PlanType;
   static constexpr PlanType plans[] = {PlanType::make(at_pulsation(40), impact::Bounds{}, 1e-4),
@@ -35,31 +29,29 @@ template <class Format> void measure(const char* format) {
     bool is_done = false;
   };
   static Run run;
-  uint32_t sums[2] = {}, largest[2] = {}, counts[2] = {};
-  const auto count = [&](int row, void (*function)(void*)) {
-    const uint32_t instructions = impact::target::instructions_of(function, &run);
-    sums[row] += instructions;
-    ++counts[row];
-    if (instructions > largest[row]) largest[row] = instructions;
+  impact::target::Cost step, change;
+  const auto count = [](impact::target::Cost& cost, void (*function)(void*)) {
+    cost.add(impact::target::instructions_of(function, &run));
   };
   for (int i = 0; i < 5000; ++i) {
-    count(0, [](void* argument) { static_cast<Run*>(argument)->kernel.step(); });
+    count(step, [](void* argument) { static_cast<Run*>(argument)->kernel.step(); });
     if (i % 100 != 0) continue;
-    count(1, [](void* argument) {
+    count(change, [](void* argument) {
       auto& [kernel, changes, is_done] = *static_cast<Run*>(argument);
       is_done = kernel.retune(plans[++changes % 2]);
     });
     if (!run.is_done) impact::board::exit(1);  // rejected
   }
-  print(format, "tuned_step", sums[0] / counts[0], largest[0]);
-  print(format, "retune", sums[1] / counts[1], largest[1]);
-  print(format, "plan_bytes", sizeof(PlanType), sizeof(PlanType));
+  print(label, "tuned_step", step);
+  print(label, "retune", change);
+  const uint32_t bytes = sizeof(PlanType);
+  impact::board::print(IMPACT_TARGET ",", label, ",plan_bytes,", bytes, ",", bytes, "\n");
 }
 
 }  // namespace
 
 int main() {
-  measure<impact::Fixed32>("fixed32");
-  measure<impact::Float32>("float32");
+  measure<impact::Fixed32>("hunt-crossley,moment,fixed32,sine");
+  measure<impact::Float32>("hunt-crossley,moment,float32,sine");
   return 0;
 }

@@ -11,13 +11,10 @@ inline int failure_count = 0;
 inline int failures() { return failure_count != 0 ? 1 : 0; }
 
 inline void check_equal(const char* name, uint32_t value, uint32_t expected) {
-  board::print(name);
-  board::print(" ");
-  board::print(value);
+  board::print(name, " ", value);
   if (value != expected) {
     ++failure_count;
-    board::print(" expected ");
-    board::print(expected);
+    board::print(" expected ", expected);
   }
   board::print("\n");
 }

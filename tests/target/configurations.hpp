@@ -45,15 +45,14 @@ template <class Newmark> constexpr bool is_stiff = false;
 template <> constexpr bool is_stiff<StiffEnergyConsistent> = true;
 template <> constexpr bool is_stiff<SubsteppedMoment<>> = true;
 
+constexpr bool is_same(const char* one, const char* other) {
+  while (*one != 0 && *one == *other) ++one, ++other;
+  return *one == *other;
+}
+
 // The columns law,newmark,numeric,drive as one string. The last is drive+part+part.
 struct Label {
   char text[64] = {};
-
-  constexpr bool operator==(const char* other) const {
-    const char* own = text;
-    while (*own != 0 && *own == *other) ++own, ++other;
-    return *own == *other;
-  }
 };
 template <class Law, class Newmark, class Numeric, class Drive, class... Parts> constexpr Label make_label() {
   const char* const words[] = {name<Law>, ",", name<Newmark>, ",", name<Numeric>, ",", name<Drive>};

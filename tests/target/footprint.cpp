@@ -9,7 +9,7 @@ namespace impact::target {
 
 // The budgeted configuration with this label.
 template <class First, class... Others> constexpr auto labelled(List<First, Others...>) {
-  if constexpr (First::label == IMPACT_LABEL)
+  if constexpr (is_same(First::label.text, IMPACT_LABEL))
     return First{};
   else
     return labelled(List<Others...>{});

@@ -25,14 +25,7 @@ template <class Act> uint32_t instructions(Act act) {
   return instructions_of([](void* argument) { (*static_cast<Act*>(argument))(); }, &act);
 }
 void print_row(const char* format, const char* quantity, uint32_t largest) {
-  board::print(IMPACT_TARGET);
-  board::print(",hunt-crossley,moment,");
-  board::print(format);
-  board::print(",sine,");
-  board::print(quantity);
-  board::print(",,");
-  board::print(largest);
-  board::print("\n");
+  board::print(IMPACT_TARGET ",hunt-crossley,moment,", format, ",sine,", quantity, ",,", largest, "\n");
 }
 template <class Act> void print_largest(const char* format, const char* quantity, Act act) {
   uint32_t largest = 0;

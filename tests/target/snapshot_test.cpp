@@ -81,12 +81,7 @@ template <class Act> Counts at_every_tick(uint32_t last_tick, uint32_t stride, v
 }
 
 void print(const char* what, const Counts& found) {
-  board::print(what);
-  board::print(": interrupted ");
-  board::print(found.interrupted);
-  board::print(" times, wrong ");
-  board::print(found.wrong);
-  board::print("\n");
+  board::print(what, ": interrupted ", found.interrupted, " times, wrong ", found.wrong, "\n");
 }
 
 }  // namespace

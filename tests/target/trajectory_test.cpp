@@ -73,11 +73,6 @@ constexpr Golden golden_trajectories[] = {
     {"", 0, ""}  // end of the list
 };
 
-bool is_same(const char* one, const char* other) {
-  while (*one != 0 && *one == *other) ++one, ++other;
-  return *one == *other;
-}
-
 const Golden* golden_for(const char* label) {
   for (const Golden& golden : golden_trajectories)
     if (is_same(label, golden.label)) return &golden;
@@ -112,13 +107,9 @@ template <class... Configurations> struct All<List<Configurations...>> {
 constexpr auto& trajectories = All<decltype(golden_configurations<IMPACT_NUMERICS>())>::trajectories;
 
 void print(const char* label, const Fingerprint& fingerprint) {
-  board::print("{\"");
-  board::print(label);
-  board::print("\", 0x");
+  board::print("{\"", label, "\", 0x");
   board::print_hexadecimal(fingerprint.hash);
-  board::print(", \"");
-  board::print(fingerprint.digits);
-  board::print("\"},\n");
+  board::print(", \"", fingerprint.digits, "\"},\n");
 }
 
 void print_states(const Trajectory& trajectory, uint32_t block) {
@@ -126,8 +117,7 @@ void print_states(const Trajectory& trajectory, uint32_t block) {
   for (uint32_t index = 0; index < (block + 1) * steps_per_block; ++index) {
     trajectory.advance(index);
     if (index < block * steps_per_block) continue;
-    board::print("# step ");
-    board::print(index + 1);
+    board::print("# step ", index + 1);
     const Values values = trajectory.values();
     for (uint32_t word = 0; word < values.count; ++word)
       board::print(" "), board::print_hexadecimal(values.words[word]);

@@ -9,7 +9,7 @@ namespace impact::target {
 namespace {
 
 template <class Configuration, class... Listed> constexpr bool is_among(List<Listed...>) {
-  return ((Configuration::label == Listed::label.text) || ...);
+  return (is_same(Configuration::label.text, Listed::label.text) || ...);
 }
 
 #ifdef IMPACT_NEWMARK

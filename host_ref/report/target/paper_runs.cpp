@@ -22,9 +22,7 @@ void print_nano(double x) {
 }
 
 void print_row(int run, int step, double x1, double peak, double dissipated) {
-  board::print(static_cast<uint32_t>(run));
-  board::print(",");
-  board::print(static_cast<uint32_t>(step));
+  board::print(static_cast<uint32_t>(run), ",", static_cast<uint32_t>(step));
   const double values[] = {x1, peak, dissipated};
   for (double value : values) {
     board::print(",");

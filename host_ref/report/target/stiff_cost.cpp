@@ -21,15 +21,8 @@ struct Counted {
     uint32_t instructions = 0;
     for (int i = 0; i < static_cast<int>(stiff_duration * 1e6 / microseconds + 0.5); ++i)
       instructions += target::instructions_of([](void* run) { static_cast<Model*>(run)->step(); }, &model);
-    const char* const texts[] = {IMPACT_TARGET, ",", method, ",", numeric};
-    for (const char* text : texts) board::print(text);
-    const uint32_t numbers[] = {static_cast<uint32_t>(microseconds), static_cast<uint32_t>(contact_steps),
-                                instructions};
-    for (const uint32_t number : numbers) {
-      board::print(",");
-      board::print(number);
-    }
-    board::print("\n");
+    board::print(IMPACT_TARGET ",", method, ",", numeric, ",", static_cast<uint32_t>(microseconds), ",",
+                 static_cast<uint32_t>(contact_steps), ",", instructions, "\n");
   }
 };
 

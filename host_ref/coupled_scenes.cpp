@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <utility>
 
 #include "host_ref/closed_form.hpp"
 #include "host_ref/energies.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "host_ref/extremes.hpp"
 #include "host_ref/names.hpp"
 #include "host_ref/settled.hpp"
 #include "host_ref/text.hpp"

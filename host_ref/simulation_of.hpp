@@ -1,7 +1,6 @@
 #pragma once
 // The kernel's template behind the run-time interface.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <impact/absorber.hpp>

@@ -14,7 +14,6 @@
 #include <host_ref/simulation_of.hpp>
 #include <host_ref/text.hpp>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -171,10 +170,8 @@ void write_law(Output& output, Progress& progress, long done, std::integer_seque
 
 }  // namespace
 
-const char* const csv_header =
-    "law,newmark,numeric,step_s,error_m,method_error_m,rounding_error_m,host_ns_per_step,contact_share\n";
-
-void write_rows(Output& output, const std::vector<std::string>&) {
+void write_table(Output& output, const std::vector<std::string>&) {
+  output.write("law,newmark,numeric,step_s,error_m,method_error_m,rounding_error_m,host_ns_per_step,contact_share\n");
   using StepsPerInterval = std::integer_sequence<int, 1, 2, 4, 5, 10, 20, 50, 100, 200, 500, 1000>;
   constexpr long step_lengths = StepsPerInterval::size();
   Progress progress("step lengths", 3 * step_lengths);

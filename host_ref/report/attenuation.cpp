@@ -56,9 +56,8 @@ double swing_without(const Request& request) {
 
 }  // namespace
 
-const char* const csv_header = "rig,ball_friction_N,pulsation,swing_without_m,swing_m,attenuation\n";
-
-void write_rows(Output& output, const std::vector<std::string>&) {
+void write_table(Output& output, const std::vector<std::string>&) {
+  output.write("rig,ball_friction_N,pulsation,swing_without_m,swing_m,attenuation\n");
   constexpr int slowest = 20, fastest = 60;  // rad/s
   Progress progress("runs", 4 * (fastest - slowest + 1));
   long done = 0;

@@ -38,9 +38,8 @@ void write_row(Output& output, Law law, Stepper stepper, Numeric numeric) {
 
 }  // namespace
 
-const char* const csv_header = "law,newmark,numeric,scenes,faults,energy_gain_max\n";
-
-void write_rows(Output& output, const std::vector<std::string>&) {
+void write_table(Output& output, const std::vector<std::string>&) {
+  output.write("law,newmark,numeric,scenes,faults,energy_gain_max\n");
   const Law laws[] = {Law::hooke_newton, Law::hertz, Law::hunt_crossley};
   const Numeric numerics[] = {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32};
   const Stepper steppers[] = {Stepper::automatic, Stepper::moment,    Stepper::moment_4, Stepper::moment_8,

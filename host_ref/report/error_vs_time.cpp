@@ -37,9 +37,8 @@ bool costs_as_measured(const std::string& law, const std::string& newmark, doubl
 
 }  // namespace
 
-const char* const csv_header = "target,law,method,numeric,step_s,error_m,instructions_per_simulated_second,frontier\n";
-
-void write_rows(host::Output& output, const std::vector<std::string>& inputs) {
+void write_table(host::Output& output, const std::vector<std::string>& inputs) {
+  output.write("target,law,method,numeric,step_s,error_m,instructions_per_simulated_second,frontier\n");
   const std::vector<Row> accuracy = read_table(inputs.at(0));
   std::map<std::string, std::map<std::string, double>> cost;  // by target,law,method,numeric and phase
   std::vector<std::string> targets;

@@ -3,7 +3,6 @@
 //
 // attenuation: 1 - peak with the absorber / peak without it, both since the start.
 
-#include <algorithm>
 #include <cmath>
 #include <host_ref/extremes.hpp>
 #include <host_ref/reference.hpp>
@@ -134,9 +133,8 @@ void write_figures(Output& figures, const std::vector<Curves>& curves) {
 
 }  // namespace
 
-const char* const csv_header = "figure,law,quantity,value\n";
-
-void write_rows(Output& output, const std::vector<std::string>& paths) {
+void write_table(Output& output, const std::vector<std::string>& paths) {
+  output.write("figure,law,quantity,value\n");
   const std::vector<Curve> kernel = kernel_curves(paths.at(2));
   std::vector<Curves> curves;
   host::Progress progress("runs of the reference", paper_runs);

@@ -3,7 +3,6 @@
 // are the order of the method between a step and the one before, in float64, and the largest error of the energy
 // balance. Impulsive has a stiffer stop and runs for 0.2 s only, because after more such impacts any two runs differ.
 
-#include <algorithm>
 #include <cmath>
 #include <host_ref/error_measures.hpp>
 #include <host_ref/explorer/recorded_run.hpp>
@@ -112,9 +111,8 @@ class PartsAccuracy {
 
 }  // namespace
 
-const char* const csv_header = "part,newmark,numeric,contact_stiffness,horizon_s,step_s,error_m,order,ledger_open_J\n";
-
-void write_rows(Output& output, const std::vector<std::string>&) {
+void write_table(Output& output, const std::vector<std::string>&) {
+  output.write("part,newmark,numeric,contact_stiffness,horizon_s,step_s,error_m,order,ledger_open_J\n");
   Progress progress("parts", std::size(all_parts));
   long done = 0;
   for (const Parts& parts : all_parts) {

@@ -8,8 +8,7 @@ int main(int count, char** arguments) {
   try {
     const std::vector<std::string> paths(arguments + 1, arguments + count);
     impact::host::Output output(paths.at(0));
-    output.write(impact::report::csv_header);
-    impact::report::write_rows(output, {paths.begin() + 1, paths.end()});
+    impact::report::write_table(output, {paths.begin() + 1, paths.end()});
     output.commit();
     return 0;
   } catch (const std::exception& failure) {

@@ -1,5 +1,5 @@
 #pragma once
-// What differs between the report's programs: report-NAME OUTPUT.csv INPUT... writes one file of CSV.
+// What differs between the report's programs: report-NAME OUTPUT.csv INPUT... writes one file of CSV, a header and rows.
 // report_program.cpp has the main function.
 
 #include <host_ref/tool/output.hpp>
@@ -8,7 +8,6 @@
 
 namespace impact::report {
 
-extern const char* const csv_header;  // the first line
-void write_rows(host::Output& output, const std::vector<std::string>& inputs);
+void write_table(host::Output& output, const std::vector<std::string>& inputs);
 
 }  // namespace impact::report

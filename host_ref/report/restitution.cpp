@@ -12,9 +12,8 @@ namespace impact::report {
 
 using namespace host;
 
-const char* const csv_header = "damping,stated,restitution_min,restitution_max,restitution_exact\n";
-
-void write_rows(Output& output, const std::vector<std::string>&) {
+void write_table(Output& output, const std::vector<std::string>&) {
+  output.write("damping,stated,restitution_min,restitution_max,restitution_exact\n");
   Progress progress("laws", std::size(dampings));
   long done = 0;
   for (const auto& [damping, name, type] : dampings) {

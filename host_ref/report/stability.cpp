@@ -89,11 +89,10 @@ std::string column(size_t index) {
 
 }  // namespace
 
-const char* const csv_header =
-    "law,newmark,numeric,step_s,contact_stiffness,restitution_min,restitution_max,restitution_exact,energy_gain_max,"
-    "accepted,machine_rule\n";
-
-void write_rows(Output& output, const std::vector<std::string>&) {
+void write_table(Output& output, const std::vector<std::string>&) {
+  output.write(
+      "law,newmark,numeric,step_s,contact_stiffness,restitution_min,restitution_max,restitution_exact,energy_gain_max,"
+      "accepted,machine_rule\n");
   Progress progress("step lengths", columns);
   std::array<std::string, columns> rows;
   std::mutex one_at_a_time;

@@ -2,7 +2,6 @@
 // count of `free` and `contact`, and no average. Further columns come from BUDGETS.csv: the budget, the memory, and
 // cycles if a model of the core has counted them. A count that differs from its budget is printed on standard error.
 
-#include <algorithm>
 #include <host_ref/extremes.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/report/table.hpp>
@@ -21,11 +20,10 @@ std::string key_of(const Row& row) { return row.at("target") + "," + configurati
 
 }  // namespace
 
-const char* const csv_header =
-    "target,law,newmark,numeric,drive,phase,instructions_mean,instructions_max,budget,flash_bytes,ram_bytes,"
-    "stack_bytes,cycles_max\n";
-
-void write_rows(host::Output& output, const std::vector<std::string>& inputs) {
+void write_table(host::Output& output, const std::vector<std::string>& inputs) {
+  output.write(
+      "target,law,newmark,numeric,drive,phase,instructions_mean,instructions_max,budget,flash_bytes,ram_bytes,"
+      "stack_bytes,cycles_max\n");
   std::map<std::string, std::string> budget;  // by target, configuration, and phase or quantity
   for (const Row& row : read_table(inputs.at(0)))
     for (const auto& [target, count] : row)  // of other columns too, which nothing asks for

@@ -82,10 +82,8 @@ void for_each_number_of_sub_steps(const Scene& scene, double h, const std::vecto
 
 }  // namespace
 
-const char* const csv_header =
-    "contact_stiffness,step_s,method,numeric,contact_steps,error_m,ns_per_simulated_second\n";
-
-void write_rows(host::Output& output, const std::vector<std::string>&) {
+void write_table(host::Output& output, const std::vector<std::string>&) {
+  output.write("contact_stiffness,step_s,method,numeric,contact_steps,error_m,ns_per_simulated_second\n");
   for (double tenths = 9; tenths <= 24; ++tenths) {
     const double stiffness = tenths == 9 ? 3.26e4 : std::pow(10, tenths / 2);  // the paper's, and to 1e12
     const Scene scene = stiff_scene(stiffness);

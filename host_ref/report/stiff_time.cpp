@@ -11,9 +11,8 @@
 
 namespace impact::report {
 
-const char* const csv_header = "target,method,numeric,step_s,contact_steps,error_m,instructions_per_simulated_second\n";
-
-void write_rows(host::Output& output, const std::vector<std::string>& inputs) {
+void write_table(host::Output& output, const std::vector<std::string>& inputs) {
+  output.write("target,method,numeric,step_s,contact_steps,error_m,instructions_per_simulated_second\n");
   host::Case run;
   run.scene = stiff_scene(steel);
   const auto reference = host::reference_trajectory(run, stiff_interval, stiff_duration).samples;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <functional>
 #include <host_ref/names.hpp>
 #include <host_ref/text.hpp>

@@ -1,4 +1,4 @@
-// Files of samples, one per line and step: the user's own, and an example of a base that shakes. scene_text.cpp decides
+// Files of samples, one per line and step: the user's own, and an example of a base that shakes. scene_text.hpp decides
 // what the lines mean and whether they are numbers.
 
 const mostInLink = 200000;  // letters

@@ -75,7 +75,7 @@ class PartsAccuracy {
       request.duration = duration;
       request.stepper = stepper;
       request.numeric = numeric;
-      if (parts_.is_shaken) set_base_samples(request, base_samples(step, false));
+      if (parts_.is_shaken) set_samples(request, base_accelerations, base_samples(step, false));
       Outcome outcome = make_simulation(request);
       if (!outcome.simulation) {
         before = 0;

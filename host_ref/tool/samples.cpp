@@ -32,21 +32,21 @@ bool append_line(Column& column, const SampleKind& kind, const std::string& file
   return false;
 }
 
-void set_drive_samples(Request& request, const SampleKind& kind, const std::vector<double>& samples) {
-  const bool is_force = &kind == &drive_samples;
-  request.samples = is_force ? samples : forces_of(samples, request.scene, request.step);
-  request.drive = DriveKind::sampled;
-}
-
-void set_base_samples(Request& request, const std::vector<double>& accelerations) {
+void set_samples(Request& request, const SampleKind& kind, const std::vector<double>& samples) {
+  if (&kind != &base_accelerations) {
+    request.samples = &kind == &drive_samples ? samples : forces_of(samples, request.scene, request.step);
+    request.drive = DriveKind::sampled;
+    return;
+  }
   request.is_shaken = true;
-  request.base_samples = accelerations;
+  request.base_samples = samples;
   // If the bound is 0, the largest sample becomes the bound.
   if (request.bounds && !(request.bounds->base_acceleration > 0))
-    request.bounds->base_acceleration = largest_of(accelerations);
+    request.bounds->base_acceleration = largest_of(samples);
 }
 
-Refusal cut(std::vector<double>& samples, const Request& request, const SampleKind& kind, const std::string& file) {
+Refusal cut(Request& request, const SampleKind& kind, const std::string& file) {
+  std::vector<double>& samples = &kind == &base_accelerations ? request.base_samples : request.samples;
   const auto steps = static_cast<size_t>(step_count(request));
   if (samples.size() < steps)
     return {kind.option, file + " with " + std::to_string(samples.size()) + " lines",

@@ -16,6 +16,7 @@ struct SampleKind {
 };
 inline constexpr SampleKind drive_samples{"drive-file", 1e9, "N"}, base_displacements{"base-file", 1e3, "m"},
     base_accelerations{"base-acceleration-file", 1e6, "m/s^2"};
+inline constexpr const SampleKind* sample_kinds[] = {&drive_samples, &base_displacements, &base_accelerations};
 
 struct Column {
   std::vector<double> samples;
@@ -24,10 +25,9 @@ struct Column {
 // Appends a line of `file`. Returns false if it is not a sample, and then stores the refusal.
 bool append_line(Column& column, const SampleKind& kind, const std::string& file, std::string_view line);
 
-// Passes samples of a drive, or of a base's displacement as a force, to a request whose scene and step are known.
-void set_drive_samples(Request& request, const SampleKind& kind, const std::vector<double>& samples);
-void set_base_samples(Request& request, const std::vector<double>& accelerations);
-// Cuts the samples to the number of steps. Returns a refusal if there are too few.
-Refusal cut(std::vector<double>& samples, const Request& request, const SampleKind& kind, const std::string& file);
+// Passes samples to a request whose scene and step are known. Those of a base's displacement become a force.
+void set_samples(Request& request, const SampleKind& kind, const std::vector<double>& samples);
+// Cuts them to the number of steps. Returns a refusal if there are too few.
+Refusal cut(Request& request, const SampleKind& kind, const std::string& file);
 
 }  // namespace impact::host

@@ -115,11 +115,8 @@ void settle(Settings& settings, const Given& given) {
   for (const char* name : {"drive-amplitude", "drive-pulsation"})
     refuse_unless(!has_samples && request.drive == DriveKind::sine, name, "only with --drive sine or sampled");
   refuse_unless(has("base-acceleration-file"), "bound-base-acceleration", "only with --base-acceleration-file");
-  if (has("drive-file")) set_drive_samples(request, drive_samples, samples_from(drive_samples, settings.drive_file));
-  if (has("base-file"))
-    set_drive_samples(request, base_displacements, samples_from(base_displacements, settings.base_file));
-  if (has("base-acceleration-file"))
-    set_base_samples(request, samples_from(base_accelerations, settings.base_acceleration_file));
+  for (const SampleKind* kind : sample_kinds)
+    if (has(kind->option)) set_samples(request, *kind, samples_from(*kind, given.at(kind->option)));
   const bool has_file = has_samples || has("base-acceleration-file");
   const size_t lines = std::max(request.samples.size(), request.base_samples.size());
   for (const auto& [name, count] : {std::pair(has("drive-file") ? "drive-file" : "base-file", request.samples.size()),
@@ -157,13 +154,11 @@ void settle(Settings& settings, const Given& given) {
                                 std::sin(scene.drive_pulsation * request.step * static_cast<double>(n)));
     request.drive = DriveKind::sampled;
   }
-  const auto cut_to_steps = [&](const SampleKind& kind, const std::string& file, std::vector<double>& samples) {
-    const Refusal refusal = cut(samples, request, kind, file);
+  for (const SampleKind* kind : sample_kinds) {
+    if (!has(kind->option)) continue;
+    const Refusal refusal = cut(request, *kind, given.at(kind->option));
     if (!refusal.field.empty()) throw BadInput(refusal);
-  };
-  if (has("drive-file")) cut_to_steps(drive_samples, settings.drive_file, request.samples);
-  if (has("base-file")) cut_to_steps(base_displacements, settings.base_file, request.samples);
-  if (request.is_shaken) cut_to_steps(base_accelerations, settings.base_acceleration_file, request.base_samples);
+  }
 }
 
 }  // namespace impact::host

@@ -92,11 +92,7 @@ EXPORT(contacts) const ContactPoint* contacts(int slot) { return runs[slot]->con
 EXPORT(contact_count) size_t contact_count(int slot) { return runs[slot]->contacts().size(); }
 EXPORT(impacts) const ImpactPoint* impacts(int slot) { return runs[slot]->impacts().data(); }
 EXPORT(impact_count) size_t impact_count(int slot) { return runs[slot]->impacts().size(); }
-EXPORT(totals) const Totals* totals(int slot) {
-  static Totals now;
-  now = runs[slot]->totals();
-  return &now;
-}
+EXPORT(totals) const Totals* totals(int slot) { return &runs[slot]->totals(); }
 
 // A line is planned, advanced and read like a run.
 EXPORT(plan_line) bool plan_line(int slot, bool with_absorber) {
@@ -116,7 +112,7 @@ EXPORT(line_row_count) size_t line_row_count(int slot) { return lines[slot]->row
 EXPORT(line_extremes) const DisplacementExtremes* line_extremes(int slot) { return &lines[slot]->extremes(); }
 
 EXPORT(attenuation) double attenuation(int slot, int bare_line) {
-  return 1 - runs[slot]->totals().largest_x1 / lines[bare_line]->extremes().largest;
+  return 1 - runs[slot]->totals().largest / lines[bare_line]->extremes().largest;
 }
 EXPORT(law_restitution) double law_restitution(int slot, double speed) { return restitution_at(made[slot], speed); }
 

@@ -12,6 +12,8 @@ export const contactWidth = 3;  // t, penetration, force
 export const impactWidth = 3;   // t, speed, restitution
 export const lineColumn = { t: 0, x1: 1 };
 const lineWidth = 2;
+const extremeNames = ['largest', 'leastX1', 'mostX1'];
+const totalNames = [...extremeNames, 'dissipated', 'impacts', 'peakForce', 'rubbed', 'energyError', 'mostSupplied', 'mostFound', 'leastDissipated'];
 
 // What a page holds as base64 of a gzip file.
 export async function unpacked(base64) {
@@ -65,10 +67,7 @@ export class Kernel {
   }
   advanceLine(slot, steps) { return this.calls.advance_line(slot, steps) !== 0; }
   line(slot) { return this.#table(this.calls.line_rows(slot), this.calls.line_row_count(slot), lineWidth); }
-  lineExtremes(slot) {
-    const [largest, least, most] = new Float64Array(this.calls.memory.buffer, this.calls.line_extremes(slot), 3);
-    return { largest, leastX1: least, mostX1: most };
-  }
+  lineExtremes(slot) { return this.#named(extremeNames, this.calls.line_extremes(slot)); }
   fault(slot) { return this.calls.fault(slot) ? this.#textAt(this.calls.text()) : ''; }
 
   // Views, which are invalid after the next call that records.
@@ -76,11 +75,7 @@ export class Kernel {
   contacts(slot) { return this.#table(this.calls.contacts(slot), this.calls.contact_count(slot), contactWidth); }
   impacts(slot) { return this.#table(this.calls.impacts(slot), this.calls.impact_count(slot), impactWidth); }
   rowEvery(slot) { return this.calls.row_every(slot); }
-  totals(slot) {
-    const [steps, largest, rms, dissipated, impacts, peakForce, energyError, rubbed, leastX1, mostX1, mostSupplied, mostFound, leastDissipated] =
-      new Float64Array(this.calls.memory.buffer, this.calls.totals(slot), 13);
-    return { steps, largest, rms, dissipated, impacts, peakForce, energyError, rubbed, leastX1, mostX1, mostSupplied, mostFound, leastDissipated };
-  }
+  totals(slot) { return this.#named(totalNames, this.calls.totals(slot)); }
   attenuation(slot, bareLine) { return this.calls.attenuation(slot, bareLine); }
   lawRestitution(slot, speed) { return this.calls.law_restitution(slot, speed); }
   rig(slot, options) {
@@ -95,6 +90,10 @@ export class Kernel {
   #put(address, text) {
     const bytes = new TextEncoder().encode(text), at = address(bytes.length);
     new Uint8Array(this.calls.memory.buffer, at, bytes.length).set(bytes);
+  }
+  #named(names, address) {
+    const numbers = new Float64Array(this.calls.memory.buffer, address, names.length);
+    return Object.fromEntries(names.map((name, i) => [name, numbers[i]]));
   }
   #table(address, count, width) {
     return { data: new Float64Array(this.calls.memory.buffer, address, count * width), count, width };

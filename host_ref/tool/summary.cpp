@@ -147,46 +147,37 @@ std::vector<std::string> Summary::lines() const {
 
 std::string Summary::json(const char* fault) const {
   const Request& made = outcome_.made;
-  std::string text = "{";
-  const auto name = [&text](const char* key) {
-    if (text.size() > 1) text += ",";
-    text += std::string("\"") + key + "\":";
-  };
-  const auto number = [&](const char* key, double value) {
-    name(key);
-    text += std::isfinite(value) ? shortest_text(value) : "null";
-  };
-  const auto word = [&](const char* key, std::string_view value) {
-    name(key);
-    text += "\"" + std::string(value) + "\"";
-  };
-  number("time_s", last_.t);
-  name("impacts");
-  text += std::to_string(last_.impacts);
-  number("fastest_impact_m_per_s", last_.impacts > 0 ? fastest_impact_ : std::nan(""));
-  number("restitution", last_.impacts > 0 ? restitution_at(made, fastest_impact_) : std::nan(""));
-  number("largest_x1_m", largest_x1_);
-  number("largest_v1_m_per_s", largest_v1_);
-  number("largest_x2_m", largest_x2_);
-  number("largest_v2_m_per_s", largest_v2_);
-  number("peak_force_N", last_.peak_force);
-  number("energy_dissipated_J", last_.energy_dissipated);
-  word("stepper", name_of(made.stepper));
-  word("numeric", name_of(made.numeric));
-  number("step_s", made.step);
-  number("steps_per_contact", resolution(made).steps_per_contact(made.step));
-  number("restitution_error", restitution_error(made));
-  number("expected_error_m", expected_error_of(made));
-  number("share_of_displacement_bound", larger(largest_x1_, largest_x2_) / made.bounds->displacement);
-  number("share_of_speed_bound", larger(largest_v1_, largest_v2_) / made.bounds->speed);
+  const auto number = [](double value) { return std::isfinite(value) ? shortest_text(value) : "null"; };
+  const auto word = [](std::string_view value) { return "\"" + std::string(value) + "\""; };
+  const double none = std::nan("");
+  std::vector<std::pair<const char*, std::string>> members = {
+      {"time_s", number(last_.t)},
+      {"impacts", std::to_string(last_.impacts)},
+      {"fastest_impact_m_per_s", number(last_.impacts > 0 ? fastest_impact_ : none)},
+      {"restitution", number(last_.impacts > 0 ? restitution_at(made, fastest_impact_) : none)},
+      {"largest_x1_m", number(largest_x1_)},
+      {"largest_v1_m_per_s", number(largest_v1_)},
+      {"largest_x2_m", number(largest_x2_)},
+      {"largest_v2_m_per_s", number(largest_v2_)},
+      {"peak_force_N", number(last_.peak_force)},
+      {"energy_dissipated_J", number(last_.energy_dissipated)},
+      {"stepper", word(name_of(made.stepper))},
+      {"numeric", word(name_of(made.numeric))},
+      {"step_s", number(made.step)},
+      {"steps_per_contact", number(resolution(made).steps_per_contact(made.step))},
+      {"restitution_error", number(restitution_error(made))},
+      {"expected_error_m", number(expected_error_of(made))},
+      {"share_of_displacement_bound", number(larger(largest_x1_, largest_x2_) / made.bounds->displacement)},
+      {"share_of_speed_bound", number(larger(largest_v1_, largest_v2_) / made.bounds->speed)}};
   if (!settings_.part.empty()) {
     const StepCost cost = step_cost(settings_.part, made);
-    word("part", settings_.part);
-    number("instructions_free", cost.contact > 0 ? static_cast<double>(cost.free) : std::nan(""));
-    number("instructions_contact", cost.contact > 0 ? static_cast<double>(cost.contact) : std::nan(""));
+    members.emplace_back("part", word(settings_.part));
+    members.emplace_back("instructions_free", number(cost.contact > 0 ? static_cast<double>(cost.free) : none));
+    members.emplace_back("instructions_contact", number(cost.contact > 0 ? static_cast<double>(cost.contact) : none));
   }
-  name("fault");
-  text += fault ? "\"" + std::string(fault) + "\"" : "null";
+  members.emplace_back("fault", fault ? word(fault) : "null");
+  std::string text;
+  for (const auto& [key, value] : members) text += (text.empty() ? "{" : ",") + word(key) + ":" + value;
   return text + "}\n";
 }
 

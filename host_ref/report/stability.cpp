@@ -40,9 +40,7 @@ template <class ContactLaw> std::unique_ptr<Simulation> beyond_range(const Reque
   }
 }
 std::unique_ptr<Simulation> beyond_range_under_law(const Request& request) {
-  return request.law == Law::hooke_newton ? beyond_range<HookeNewton>(request)
-         : request.law == Law::hertz      ? beyond_range<Hertz>(request)
-                                          : beyond_range<HuntCrossley>(request);
+  return by_law(request, [&](auto law) { return beyond_range<decltype(law)>(request); });
 }
 std::unique_ptr<Simulation> accepted(const Request& request) { return make_simulation(request).simulation; }
 

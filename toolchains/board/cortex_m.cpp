@@ -20,13 +20,6 @@ extern uint32_t stack_top[];
       ".ltorg\n");
 }
 
-[[gnu::used]] void start() { impact::board::start(); }
-
-void fault_handler() {
-  impact::board::print("processor fault\n");
-  impact::board::exit(3);
-}
-
 // A fault unless cortex_m_timer.cpp is linked.
 [[gnu::weak, gnu::alias("fault_handler")]] void systick_handler();
 

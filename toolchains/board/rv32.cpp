@@ -15,12 +15,4 @@ extern "C" {
       ".option pop\n"
       "call start\n");
 }
-
-[[gnu::used]] void start() { impact::board::start(); }
-
-// mtvec holds a multiple of four.
-[[gnu::used, gnu::aligned(4)]] void fault_handler() {
-  impact::board::print("processor fault\n");
-  impact::board::exit(3);
-}
 }

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <host_ref/simulation.hpp>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -87,11 +86,6 @@ inline void append_number(std::string& text, double value, int significant_digit
               std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, significant_digits).ptr);
 }
 
-// Appends each number after a comma.
-inline void append_numbers(std::string& text, std::initializer_list<double> values, int significant_digits) {
-  for (const double value : values) append_number(text += ',', value, significant_digits);
-}
-
 // A line of CSV: texts and whole numbers as they are, and other numbers with so many digits.
 template <class... Cells> std::string csv_line(int significant_digits, const Cells&... cells) {
   std::string line;
@@ -114,9 +108,9 @@ template <class... Cells> std::string csv_line(int significant_digits, const Cel
 inline constexpr std::string_view run_header = "t,x1,v1,x2,v2,penetration,contact_force,energy_dissipated\n";
 template <class Row> void append_row(std::string& text, const Row& row, int significant_digits) {
   append_number(text, row.t, 15);  // n h to the last digit that n and h determine
-  append_numbers(text, {row.x1, row.v1, row.x2, row.v2, row.penetration, row.contact_force, row.energy_dissipated},
-                 significant_digits);
-  text += '\n';
+  text += ',';
+  text += csv_line(significant_digits, row.x1, row.v1, row.x2, row.v2, row.penetration, row.contact_force,
+                   row.energy_dissipated);
 }
 
 // The number of digits that distinguishes neighbouring values of the format.

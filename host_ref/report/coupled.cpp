@@ -7,6 +7,7 @@
 
 #include <host_ref/coupled_scenes.hpp>
 #include <host_ref/extremes.hpp>
+#include <host_ref/names.hpp>
 #include <host_ref/report/report_program.hpp>
 #include <host_ref/text.hpp>
 
@@ -40,16 +41,15 @@ void write_row(Output& output, Law law, Stepper stepper, Numeric numeric) {
 
 void write_table(Output& output, const std::vector<std::string>&) {
   output.write("law,newmark,numeric,scenes,faults,energy_gain_max\n");
-  const Law laws[] = {Law::hooke_newton, Law::hertz, Law::hunt_crossley};
   const Numeric numerics[] = {Numeric::float64, Numeric::float32, Numeric::float32_plain, Numeric::fixed32};
   const Stepper steppers[] = {Stepper::automatic, Stepper::moment,    Stepper::moment_4, Stepper::moment_8,
                               Stepper::energy,    Stepper::impulsive, Stepper::average};
   Progress progress("coupled scenes", std::size(laws) * std::size(numerics));
   long done = 0;
-  for (const Law law : laws) {
+  for (const auto& law : laws) {
     for (const Numeric numeric : numerics) {
       progress.at(done++);
-      for (const Stepper stepper : steppers) write_row(output, law, stepper, numeric);
+      for (const Stepper stepper : steppers) write_row(output, law.value, stepper, numeric);
     }
   }
 }

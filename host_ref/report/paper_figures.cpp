@@ -15,7 +15,6 @@ namespace impact::report {
 namespace {
 
 using host::append_number;
-using host::append_numbers;
 using host::Output;
 
 struct Instant {
@@ -71,10 +70,10 @@ void write_traces(const std::string& path, const std::vector<Curves>& curves) {
     append_number(row, curves[0].kernel[i].t, 6);
     for (int run = 0; run < traced_runs; ++run) {
       const auto& [kernel, reference] = curves[static_cast<size_t>(run)];
-      append_numbers(row,
-                     {1e3 * kernel[i].x1, 1e3 * reference[i].x1, 100 * attenuation(kernel[i], curves[0].kernel[i]),
-                      kernel[i].dissipated, reference[i].dissipated},
-                     5);
+      for (const double value :
+           {1e3 * kernel[i].x1, 1e3 * reference[i].x1, 100 * attenuation(kernel[i], curves[0].kernel[i]),
+            kernel[i].dissipated, reference[i].dissipated})
+        append_number(row += ',', value, 5);
     }
     output.write(row + "\n");
   }
@@ -89,7 +88,8 @@ void write_restitutions(const std::string& path, const std::vector<Curves>& curv
     std::string row;
     append_number(row, paper_run(static_cast<int>(i)).restitution, 3);
     for (const Curves* curve : {&curves[i], &curves[i + 1], &curves[2]})
-      append_numbers(row, {1e3 * curve->kernel.back().peak, 1e3 * curve->reference.back().peak}, 5);
+      for (const double peak : {curve->kernel.back().peak, curve->reference.back().peak})
+        append_number(row += ',', 1e3 * peak, 5);
     output.write(row + "\n");
   }
   output.commit();

@@ -17,8 +17,7 @@ fail() { echo "# $1" && cat "$folder/target" && exit 1; }
 
 c++ -std=c++17 -O2 -ffp-contract=off -I "$project/kernel/include" -I "$project/kernel/examples" \
   -I "$project/toolchains" "$project/kernel/examples/control_loop/main.cpp" \
-  "$project/tests/target/control_loop_signal.cpp" "$project/tests/target/host_timer.cpp" \
-  "$project/tests/target/host_console.cpp" -o "$folder/on_host"
+  "$project/tests/target/control_loop_signal.cpp" "$project/tests/target/host_board.cpp" -o "$folder/on_host"
 "$folder/on_host" >"$folder/host"
 run 5 >"$folder/target"
 

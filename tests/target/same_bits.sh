@@ -12,5 +12,5 @@ case "$*" in
 esac
 "$compiler" "$@" -std=c++17 -ffp-contract=off -I "$project/kernel/include" \
   -I "$project/toolchains" "$project/tests/target/trajectory_test.cpp" \
-  "$project/tests/target/host_console.cpp" -o "$folder/trajectory_test"
+  "$project/tests/target/host_board.cpp" -o "$folder/trajectory_test"
 $emulator "$folder/trajectory_test"

@@ -14,7 +14,7 @@ awk -F'"' '/^{/ { label = $2 } /^# step/ && found == "" { found = label; print l
 label=$(sed -n 1p "$folder/differing")
 block=$(awk 'NR == 2 { print ($3 - 1) / 16 }' "$folder/differing")
 c++ -std=c++17 -O1 -ffp-contract=off "-DIMPACT_NUMERICS=$numeric" -I "$project/kernel/include" \
-  -I "$project/toolchains" "$project/tests/target/trajectory_test.cpp" "$project/tests/target/host_console.cpp" \
+  -I "$project/toolchains" "$project/tests/target/trajectory_test.cpp" "$project/tests/target/host_board.cpp" \
   -o "$folder/on_host"
 "$folder/on_host" "$label" "$block" >"$folder/host"
 sed 1d "$folder/differing" | awk -v host="$folder/host" -v label="$label" '

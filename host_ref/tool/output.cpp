@@ -92,12 +92,8 @@ void Output::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) throw OutputError(target_);
 }
 
-void Output::flush() {
-  if (std::fflush(file_) != 0) throw OutputError(target_);
-}
-
 void Output::commit() {
-  flush();
+  if (std::fflush(file_) != 0) throw OutputError(target_);
   if (std::fclose(std::exchange(file_, nullptr)) != 0) throw OutputError(target_);
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) throw OutputError(target_);

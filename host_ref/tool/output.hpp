@@ -30,7 +30,6 @@ class Output {
   Output& operator=(const Output&) = delete;
 
   void write(std::string_view text);
-  void flush();
   void commit();
   const std::string& written_path() const { return temporary_.empty() ? target_ : temporary_; }
 

@@ -111,9 +111,6 @@ EXPORT(line_rows) const DisplacementRow* line_rows(int slot) { return lines[slot
 EXPORT(line_row_count) size_t line_row_count(int slot) { return lines[slot]->rows().size(); }
 EXPORT(line_extremes) const DisplacementExtremes* line_extremes(int slot) { return &lines[slot]->extremes(); }
 
-EXPORT(attenuation) double attenuation(int slot, int bare_line) {
-  return 1 - runs[slot]->totals().largest / lines[bare_line]->extremes().largest;
-}
 EXPORT(law_restitution) double law_restitution(int slot, double speed) { return restitution_at(made[slot], speed); }
 
 // The rows that impact-sim writes with --every row_every.

@@ -13,7 +13,8 @@ export const impactWidth = 3;   // t, speed, restitution
 export const lineColumn = { t: 0, x1: 1 };
 const lineWidth = 2;
 const extremeNames = ['largest', 'leastX1', 'mostX1'];
-const totalNames = [...extremeNames, 'dissipated', 'impacts', 'peakForce', 'rubbed', 'energyError', 'mostSupplied', 'mostFound', 'leastDissipated'];
+const totalNames = [...extremeNames, 'dissipated', 'impacts', 'peakForce', 'rubbed', 'energyError',
+  'mostSupplied', 'mostFound', 'leastDissipated'];
 
 // What a page holds as base64 of a gzip file.
 export async function unpacked(base64) {
@@ -76,7 +77,6 @@ export class Kernel {
   impacts(slot) { return this.#table(this.calls.impacts(slot), this.calls.impact_count(slot), impactWidth); }
   rowEvery(slot) { return this.calls.row_every(slot); }
   totals(slot) { return this.#named(totalNames, this.calls.totals(slot)); }
-  attenuation(slot, bareLine) { return this.calls.attenuation(slot, bareLine); }
   lawRestitution(slot, speed) { return this.calls.law_restitution(slot, speed); }
   rig(slot, options) {
     this.#say(options);

@@ -149,7 +149,8 @@ class RecordedRun {
 
   Request request_;
   std::unique_ptr<Simulation> simulation_;
-  long steps_ = step_count(request_), every_ = steps_of_a_row(steps_), contact_every_ = steps_ / most_contact_steps + 1, done_ = 0;
+  long steps_ = step_count(request_), every_ = steps_of_a_row(steps_);
+  long contact_every_ = steps_ / most_contact_steps + 1, done_ = 0;
   Sample before_{};
   double initial_energy_ = 0, damper_loss_ = 0, field_work_ = 0, dissipated_at_impact_ = 0;
   Totals totals_;

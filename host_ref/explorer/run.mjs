@@ -55,7 +55,7 @@ export class Run {
   totals() { return this.kernel.totals(this.slot); }
   bareExtremes() { return this.kernel.lineExtremes(this.slot); }
   bareLargest() { return this.hasBare ? this.bareExtremes().largest : NaN; }
-  attenuation() { return this.hasBare ? this.kernel.attenuation(this.slot, this.slot) : NaN; }
+  attenuation() { return 1 - this.totals().largest / this.bareLargest(); }
   // Of all complete impacts: the median distance of the restitution from the law's, and how many restitutions exceed 1.
   restitutions() {
     const { data, count, width } = this.kernel.impacts(this.slot);

@@ -1,6 +1,6 @@
 // The explorer in a headless Chromium, used as a person would: sliders by the keyboard, typed numbers, clicked buttons.
 // Its results are compared with impact-sim, run by the command that the page shows: page_test.mjs CHROMIUM
-// EXPLORER.html IMPACT_SIM GOLDEN_TRAJECTORIES
+// EXPLORER.html IMPACT_SIM
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -30,6 +30,7 @@ set ylabel 'displacement of the main mass, mm'
 set key below center maxrows 1
 of(run) = $1 == run ? $3 * 1e-6 : NaN
 plot ARG2 using ($2 * 1e-4):(of(0)) skip 1 with lines linewidth 1 linecolor rgb '#808080' title 'without absorber', \
-     '' using ($2 * 1e-4):(of(3)) skip 1 with lines linewidth 1.8 linecolor rgb '#0072B2' title 'with absorber, Hunt-Crossley'
+     '' using ($2 * 1e-4):(of(3)) skip 1 with lines linewidth 1.8 linecolor rgb '#0072B2' \
+     title 'with absorber, Hunt-Crossley'
 END
 echo "Its picture: $picture"

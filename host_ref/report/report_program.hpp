@@ -1,6 +1,6 @@
 #pragma once
-// What differs between the report's programs: report-NAME OUTPUT.csv INPUT... writes one file of CSV, a header and rows.
-// report_program.cpp has the main function.
+// What differs between the report's programs: report-NAME OUTPUT.csv INPUT... writes a header and rows of CSV into one
+// file. report_program.cpp has the main function.
 
 #include <host_ref/tool/output.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-// The console and the timer of a board, on a host. Whenever the program sleeps, an interrupt comes, which takes no time.
+// A board's console and timer, on a host. Whenever the program sleeps, an interrupt comes, which takes no time.
 
 #include <board/console.hpp>
 #include <board/timer.hpp>

@@ -9,25 +9,12 @@
 namespace impact::report {
 namespace {
 
-// In units of 1e-9.
-void print_nano(double x) {
-  if (x < 0) board::print("-");
-  const double size = 1e9 * (x < 0 ? -x : x);
-  const uint32_t millions = static_cast<uint32_t>(size / 1e6), rest = static_cast<uint32_t>(size - 1e6 * millions);
-  if (millions > 0) {
-    board::print(millions);
-    for (uint32_t place = 100000; place > rest && place > 1; place /= 10) board::print("0");
-  }
-  board::print(rest);
-}
-
 void print_row(int run, int step, double x1, double peak, double dissipated) {
   board::print(static_cast<uint32_t>(run), ",", static_cast<uint32_t>(step));
+  // In units of 1e-9. The largest value, 3.5 J, is below 2^32 of them.
   const double values[] = {x1, peak, dissipated};
-  for (double value : values) {
-    board::print(",");
-    print_nano(value);
-  }
+  for (double value : values)
+    board::print(value < 0 ? ",-" : ",", static_cast<uint32_t>(1e9 * (value < 0 ? -value : value)));
   board::print("\n");
 }
 

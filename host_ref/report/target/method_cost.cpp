@@ -1,6 +1,6 @@
-// The cost of the kernel's steps with a sine drive, in the number format IMPACT_NUMERIC, for every stepper or for
-// IMPACT_NEWMARK only, also with a damping per impact. With IMPACT_WITH_PARTS there are weight, a base that shakes and
-// friction instead. tests/target/step_cost.cpp has those with a budget.
+// The cost of the kernel's steps with a sine drive, in the number format IMPACT_NUMERIC, for every stepper, also with a
+// damping per impact. With IMPACT_WITH_PARTS there are weight, a base that shakes and friction instead.
+// tests/target/step_cost.cpp has those with a budget.
 
 #include "configurations.hpp"
 #include "step_cost.hpp"
@@ -12,18 +12,10 @@ template <class Configuration, class... Listed> constexpr bool is_among(List<Lis
   return (is_same(Configuration::label.text, Listed::label.text) || ...);
 }
 
-#ifdef IMPACT_NEWMARK
-template <class Newmark> constexpr bool is_wanted = false;
-template <> constexpr bool is_wanted<IMPACT_NEWMARK> = true;
-#else
-template <class Newmark> constexpr bool is_wanted = true;
-#endif
-
 template <class Law, class Newmark, class... Parts>
 void print_unless_budgeted(Configuration<Law, Newmark, IMPACT_NUMERIC, Sine, Parts...> configuration) {
   using Measured = decltype(configuration);
-  if constexpr (is_wanted<Newmark> && !is_among<Measured>(Budgeted{} + BudgetedWithParts{}))
-    print_costs<Measured>(Measured::label.text);
+  if constexpr (!is_among<Measured>(Budgeted{} + BudgetedWithParts{})) print_costs<Measured>(Measured::label.text);
 }
 template <class OtherDrive> void print_unless_budgeted(OtherDrive) {}
 

@@ -16,6 +16,13 @@ inline host::Case hanging_case(Law law, double gravity) {
   return run;
 }
 
+// The reference's state at an instant.
+inline host::Sample reference_at(const host::Case& run, double t) {
+  host::Reference reference(run);
+  reference.advance(t);
+  return reference.sample();
+}
+
 // The largest differences of the displacements at multiples of `interval` up to `duration`. The samples of drive and
 // base are those of the run at the end of each step.
 template <class Kernel>

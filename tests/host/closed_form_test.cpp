@@ -1,7 +1,6 @@
 // One impact of two free masses in closed form: against known values, in its limits, and in the kernel's constants.
 
-#include "host_ref/reference.hpp"
-#include "kernel_test.hpp"
+#include "against_reference.hpp"
 #include "known_impacts.hpp"
 
 namespace impact::host {
@@ -207,8 +206,7 @@ TEST(DeepestPenetration, BoundsAPressedBall) {
   scene.ball_mass = 1e9;
   scene.main_stiffness = 100;
   scene.contact_stiffness = 1e6;
-  Bounds bounds{0.1, 1e-5};
-  bounds.force = 0;
+  const Bounds bounds{0.1, 1e-5, 0, 0};
   const double load = 1 / (1 / scene.main_mass + 1 / scene.ball_mass) * 100 * 0.1 / 10;
   const double linear = 2 * load / scene.contact_stiffness,
                power = std::pow(2.5 * load / scene.contact_stiffness, 2.0 / 3);
@@ -241,12 +239,9 @@ constexpr Oscillation oscillations[] = {{310, 0}, {580, 0.1}, {470, 0.5}, {400, 
 
 // Compares one step with the reference. The tolerances are those of penetration and rate.
 void expect_one_step(const Scene& scene, double of_depth, double of_rate) {
-  auto absorber = accepted<Absorber<AtRunTime, HookeNewton, Moment, NoDrive, Float64>>(scene, {0.1, 1, 0, 1}, h);
-  absorber.step();
-  Reference reference({Law::hooke_newton, scene, DriveKind::none});
-  reference.advance(h);
-  const auto found = absorber.reading();
-  const Sample exact = reference.sample();
+  using Kernel = Absorber<AtRunTime, HookeNewton, Moment, NoDrive, Float64>;
+  const auto found = after_steps(accepted<Kernel>(scene, {0.1, 1, 0, 1}, h), 1).reading();
+  const Sample exact = reference_at({Law::hooke_newton, scene, DriveKind::none}, h);
   ASSERT_GT(exact.contact_force, 0);
   EXPECT_NEAR(depth_of(scene, found), exact.penetration, of_depth);
   EXPECT_NEAR(found.v2 - found.v1, exact.v2 - exact.v1, of_rate);
@@ -300,11 +295,10 @@ TEST(ClosedFormSteps, ImpulsiveSetsAMassSwingingAsInClosedForm) {
       scene.v2 = speed;
       scene.clearance = 0.05;
       scene.x2 = scene.clearance / 2 - speed * (step - t);
-      auto absorber = accepted<Absorber<AtRunTime, Hertz, Impulsive, NoDrive, Float64>>(scene, {0.1, 4, 0, 1}, step);
-      absorber.step();
+      using Kernel = Absorber<AtRunTime, Hertz, Impulsive, NoDrive, Float64>;
+      const auto now = after_steps(accepted<Kernel>(scene, {0.1, 4, 0, 1}, step), 1).reading();
       const double kick = 2 * speed / (1 / scene.main_mass + 1 / scene.ball_mass), v1 = kick / scene.main_mass;
       const double fourth = std::pow(w * t, 4), contact = 1e-6 / t;
-      const auto now = absorber.reading();
       EXPECT_NEAR(now.x1, v1 * std::sin(w * t) / w, v1 * t * (fourth / 120 + contact)) << turn << " " << share;
       EXPECT_NEAR(now.v1, v1 * std::cos(w * t), v1 * (fourth / 24 + contact)) << turn << " " << share;
       EXPECT_NEAR(now.v2, speed - kick / scene.ball_mass, 1e-12) << turn << " " << share;
@@ -331,7 +325,7 @@ TEST(LongestStep, APressedContactVibratesAsItShouldAtTheLongestStep) {
   const double step = end_of(1e-6, 1e-2, [&](double longer) {
     return Kernel::PlanType::make(scene, bounds, longer).status == PlanStatus::ok;
   });
-  Kernel kernel(Kernel::PlanType::make(scene, bounds, step));
+  auto kernel = accepted<Kernel>(scene, bounds, step);
   Reference reference({Law::hertz, scene, DriveKind::none});
   double amplitude = 0, worst = 0;
   for (int n = 1; n <= 50; ++n) {

@@ -1,9 +1,7 @@
 // contact_force() is the force of the law at any step. The first impact of a driven rig at four rates is compared with
 // the reference, and free pairs with closed forms.
 
-#include "host_ref/closed_form.hpp"
-#include "host_ref/reference.hpp"
-#include "kernel_test.hpp"
+#include "against_reference.hpp"
 
 namespace impact {
 namespace {
@@ -66,9 +64,9 @@ Force stepped(const host::Case& run, double rate, double contact_time) {
     model.step();
     const double now = newtons(model, model.contact_force());
     if (force.peak > 0 && !(now > 0) && !model.is_touching()) break;
-    force.peak = host::larger(force.peak, now);
+    force.peak = larger(force.peak, now);
     if constexpr (Model::Contact::traits.is_instantaneous)
-      force.mean = host::larger(force.mean, newtons(model, model.mean_impact_force()));
+      force.mean = larger(force.mean, newtons(model, model.mean_impact_force()));
     else
       force.mean += now / (rate * contact_time);
   }
@@ -154,8 +152,7 @@ TYPED_TEST(ContactForces, OfABallAtRestIsItsWeight) {
     scene.gravity = 9.81;
     scene.x1 = 12.9 * 9.81 / scene.main_stiffness;
     scene.x2 = scene.x1 + scene.clearance / 2;
-    auto model = accepted<Model>(scene, bounds, 1 / rate);
-    for (int n = 0; n < 0.5 * rate; ++n) model.step();
+    const auto model = after_steps(accepted<Model>(scene, bounds, 1 / rate), std::lround(0.5 * rate));
     EXPECT_NEAR(newtons(model, model.contact_force()), 0.9 * 9.81, 0.05 * 0.9 * 9.81) << rate;
   }
 }

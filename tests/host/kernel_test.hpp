@@ -98,6 +98,12 @@ template <class Kernel> Kernel touching(Kernel absorber) {
   return absorber;
 }
 
+// The absorber after some steps.
+template <class Kernel> Kernel after_steps(Kernel absorber, long steps) {
+  for (long n = 0; n < steps; ++n) absorber.step();
+  return absorber;
+}
+
 struct Differences {
   double x1 = 0, x2 = 0;  // m
   double largest() const { return larger(x1, x2); }

@@ -96,7 +96,7 @@ TYPED_TEST_P(Outputs, ContactForceIsTheBallsChangeOfMomentum) {
       ASSERT_NEAR(si(kernel.contact_force(), kernel.force_unit()), force, std::abs(force) * 0x1p-22);
     }
     momentum -= force * h;
-    largest = host::larger(largest, std::abs(force));
+    largest = larger(largest, std::abs(force));
     touched += force != 0;
     if (kernel.is_touching() || force != 0) continue;
     // Each step in contact rounds its force and the ball's velocity to some LSBs.
@@ -154,8 +154,7 @@ TYPED_TEST(Formats, ACorrectionOutOfRangeIsClampedWithAFault) {
     EXPECT_EQ(kernel.fault(), is_velocity ? Fault::speed : Fault::displacement);
   }
   if constexpr (!std::is_same_v<TypeParam, Fixed32>) {
-    Kernel kernel = fresh;
-    for (int n = 0; n < 100; ++n) kernel.step();
+    Kernel kernel = after_steps(fresh, 100);
     const auto before = kernel.reading();
     kernel.correct(std::numeric_limits<Value>::quiet_NaN(), none);
     EXPECT_EQ(kernel.reading().x1, before.x1);
@@ -224,8 +223,7 @@ TYPED_TEST(Formats, CountsOutAreTheNearestAndClampedAtTheEnds) {
       for (int n = -1000; n <= 1000; ++n) {
         const auto x = TypeParam::sample((n * 0.11e-3 + 1e-9) / unit);
         const double exact = zero + si(x, unit) * zero / full_scale;
-        const double clamped = std::min(std::max(exact, 0.0), static_cast<double>(most));
-        ASSERT_NEAR(to_counts.of(x), clamped, 0.5 + 1e-2) << n;
+        ASSERT_NEAR(to_counts.of(x), std::clamp<double>(exact, 0, most), 0.5 + 1e-2) << n;
       }
     }
   const detail::CountsOut<TypeParam> whole({0, -0x1p31, -INT32_MAX, INT32_MAX}, 1);
@@ -243,7 +241,7 @@ TYPED_TEST(Formats, CountsInAreSamples) {
         double exact = (counts - zero) * full_scale / zero;
         // Values are clamped to the last whole count below the unit.
         const double most = (std::ceil(unit * zero / std::abs(full_scale)) - 1) * std::abs(full_scale) / zero;
-        if (std::is_same_v<TypeParam, Fixed32>) exact = std::min(std::max(exact, -most), most);
+        if (std::is_same_v<TypeParam, Fixed32>) exact = std::clamp(exact, -most, most);
         const double lsb = std::is_same_v<TypeParam, Fixed32> ? 10 * 0x1p-29 : std::abs(exact) * 0x1p-22;
         ASSERT_NEAR(si(from_counts.of(counts), unit), exact, lsb) << n << " of " << bits << " bits";
       }
@@ -280,12 +278,8 @@ template <class From, class To> bool takes_over(const From& from, To to) {
 }
 template <class Kernel> Kernel run() {
   Scene scene;
-  scene.contact_damping = 19560;
   scene.restitution = 0.7;
-  auto kernel = accepted<Kernel>(scene, Bounds{}, h);
-  EXPECT_EQ(kernel.fault(), Fault::none);
-  for (int n = 0; n < 5000; ++n) kernel.step();
-  return kernel;
+  return after_steps(accepted<Kernel>(scene, Bounds{}, h), 5000);
 }
 template <class Format, class Stepper, class... Features>
 using Saver = Absorber<AtRunTime, HuntCrossley, Stepper, Sine, Format, Features...>;

@@ -196,11 +196,8 @@ TEST(StiffStop, TakesTheMomentumOfALightPressedBallFromTheMainMass) {
   scene.x2 = -scene.clearance / 2;
   scene.contact_stiffness = 1e13;
   scene.contact_damping = 1e14;
-  const Bounds bounds{4, 7.85, 0, force};
   using Pressed = Absorber<AtRunTime, HuntCrossley, SubsteppedMoment<>, Sampled, Fixed32>;
-  const auto plan = Pressed::PlanType::make(scene, bounds, h);
-  ASSERT_EQ(plan.status, PlanStatus::ok);
-  Pressed absorber(plan);
+  auto absorber = accepted<Pressed>(scene, {4, 7.85, 0, force}, h);
   for (int i = 0; i < steps; ++i) absorber.step(absorber.sample_of(force));
   const auto at = absorber.reading();
   const double expected = force * (steps - 0.5) * h / (scene.main_mass + scene.ball_mass);
@@ -220,12 +217,9 @@ template <class ContactLaw, class Stepper> double error_after_a_turn(double stif
     scene.v2 = 0.5 + 0.02 * phase;
     host::Case run = with_stop<ContactLaw>(scene, stiffness);
     run.scene.contact_damping *= 2;
-    auto absorber = accepted<Absorber<AtRunTime, ContactLaw, Stepper, NoDrive, Float64, DryFriction>>(
-        run.scene, Bounds{0.05, 1.6}, h);
-    host::Reference reference(run);
-    for (int n = 0; n < 8; ++n) absorber.step();
-    reference.advance(8 * h);
-    worst = host::larger(worst, std::abs(absorber.reading().v2 - reference.sample().v2));
+    using Turned = Absorber<AtRunTime, ContactLaw, Stepper, NoDrive, Float64, DryFriction>;
+    const auto now = after_steps(accepted<Turned>(run.scene, {0.05, 1.6}, h), 8).reading();
+    worst = larger(worst, std::abs(now.v2 - reference_at(run, 8 * h).v2));
   }
   return worst;
 }

@@ -52,9 +52,7 @@ Pair random_pair(unsigned seed, const Kind& kind) {
 template <class Format, class Stepper, class Law = Exact>
 std::optional<double> energy_left(const Pair& pair, int longest) {
   using Kernel = Absorber<AtRunTime, Law, Stepper, NoDrive, Format>;
-  const auto plan = Kernel::PlanType::make(pair.scene, pair.bounds, pair.step);
-  if (plan.status != PlanStatus::ok) return {};
-  Kernel absorber(plan);
+  Kernel absorber(Kernel::PlanType::make(pair.scene, pair.bounds, pair.step));
   int touched = 0;
   for (int n = 0; n < most_steps && touched <= longest; ++n) {
     absorber.step();

@@ -37,12 +37,10 @@ template <class Law, class Stepper> void expect_double_up_to_the_bounds() {
     scene.v1 = -random.between(0.55, 0.97) * bounds.speed;
     scene.v2 = random.between(0.55, 0.97) * bounds.speed;
     bounds.displacement = scene.clearance + 40 * speed * h + 2 * speed * time;
-    const auto plan = Narrow::PlanType::make(scene, bounds, h);
-    const auto wide_plan = Wide::PlanType::make(scene, bounds, h);
-    if (plan.status != PlanStatus::ok || wide_plan.status != PlanStatus::ok) continue;
+    Narrow narrow(Narrow::PlanType::make(scene, bounds, h));
+    Wide wide(Wide::PlanType::make(scene, bounds, h));
+    if (narrow.fault() == Fault::plan || wide.fault() == Fault::plan) continue;
     ++accepted;
-    Narrow narrow(plan);
-    Wide wide(wide_plan);
     const double deepest = contact_terms<Law>(scene, bounds).deepest;
     double off = 0;
     bool has_met = false, have_both_met = false;
@@ -102,10 +100,9 @@ template <class Law> void expect_double_under_wide_bounds(double speed, double s
       scene.v2 = speed;
       scene.x2 = scene.x1 + 0.0099 - (i % 7) * speed * h / 7;
       const Bounds bounds{bound, 2, 0, 0};
-      const auto plan = Narrow::PlanType::make(scene, bounds, h);
-      if (plan.status != PlanStatus::ok) continue;
+      Narrow narrow(Narrow::PlanType::make(scene, bounds, h));
+      if (narrow.fault() == Fault::plan) continue;
       ++accepted;
-      Narrow narrow(plan);
       Wide wide(Wide::PlanType::make(scene, bounds, h));
       for (int n = 0; n < 3 && wide.reading().v2 == speed; ++n) narrow.step(), wide.step();
       EXPECT_NEAR(motion_of_state(narrow).v2, motion_of_state(wide).v2, 1e-3 * speed) << bound << ", " << i;
@@ -144,11 +141,12 @@ template <class Law, class Stepper, class Drive> void expect_same_bits_in_other_
         other.contact_stiffness *= force / power;
         other.contact_damping *= force / power * time / (Law::is_linear ? 1 : length);
         other.drive_amplitude *= force, other.drive_pulsation /= time;
-        const auto other_plan = Kernel::PlanType::make(
-            other, {bounds.displacement * length, bounds.speed * length / time, 0, bounds.force * force}, h * time);
-        if (other_plan.status != PlanStatus::ok) continue;  // a value outside its range
+        Kernel one = start,
+               two(Kernel::PlanType::make(
+                   other, {bounds.displacement * length, bounds.speed * length / time, 0, bounds.force * force},
+                   h * time));
+        if (two.fault() == Fault::plan) continue;  // a value outside its range
         ++compared;
-        Kernel one = start, two(other_plan);
         for (int n = 0; n < 2000; ++n) {
           one.step(), two.step();
           const auto &x = one.state(), &y = two.state();
@@ -188,12 +186,11 @@ template <class Stepper> void expect_double_with_wide_displacements(double step,
     scene.v2 = 0.3;
     scene.x2 = scene.clearance / 2 - 1e-5;
     const Bounds bounds{scene.clearance / 2 + 1e-4, 0.8, 2e-5, 0};
-    auto narrow = accepted<Absorber<AtRunTime, Hertz, Stepper, NoDrive, Fixed32>>(scene, bounds, step);
-    auto wide = accepted<Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64>>(scene, bounds, step);
-    for (int n = 0; n < static_cast<int>(1.2e-4 / step); ++n) {
-      narrow.step();
-      wide.step();
-    }
+    const auto steps = static_cast<int>(1.2e-4 / step);
+    const auto narrow =
+        after_steps(accepted<Absorber<AtRunTime, Hertz, Stepper, NoDrive, Fixed32>>(scene, bounds, step), steps);
+    const auto wide =
+        after_steps(accepted<Absorber<AtRunTime, Hertz, Stepper, NoDrive, Float64>>(scene, bounds, step), steps);
     const auto found = narrow.reading();
     const auto exact = wide.reading();
     EXPECT_EQ(narrow.fault(), Fault::none);

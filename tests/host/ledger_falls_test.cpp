@@ -83,10 +83,10 @@ template <class Kernel, class Use> int each_scene(const Use& use, Tension tensio
       if (found.request.drive == DriveKind::sampled) continue;
       if (found.request.drive == DriveKind::none) found.request.scene.drive_pulsation = 0;
       found.request.scene.tension = tension;
-      const auto plan = Kernel::PlanType::make(found.request.scene, *found.request.bounds, found.request.step);
-      if (plan.status != PlanStatus::ok) continue;
+      const Kernel kernel(Kernel::PlanType::make(found.request.scene, *found.request.bounds, found.request.step));
+      if (kernel.fault() == Fault::plan) continue;
       ++accepted;
-      use(found, plan);
+      use(found, kernel);
     }
   return accepted;
 }
@@ -98,8 +98,7 @@ template <class Format, class ContactLaw> void expect_no_fall_with_energy_consis
   using Kernel = Absorber<AtRunTime, ContactLaw, EnergyConsistent, Sine, Format, EnergyLedger, Allowance>;
   double worst = 0, worst_of_bounds = 0;
   const int accepted = each_scene<Kernel>(
-      [&](const CoupledScene& found, const auto& plan) {
-        Kernel kernel(plan);
+      [&](const CoupledScene& found, Kernel kernel) {
         double most = 0;
         for (long i = 0; i < found.steps; ++i) {
           kernel.step();
@@ -111,7 +110,7 @@ template <class Format, class ContactLaw> void expect_no_fall_with_energy_consis
             worst = larger(worst, fall / allowed);
             const double speed = found.request.bounds->speed;
             worst_of_bounds = larger(
-                worst_of_bounds, fall * plan.force_scale * plan.units.si_penetration_unit() * 2 /
+                worst_of_bounds, fall * kernel.plan.force_scale * kernel.plan.units.si_penetration_unit() * 2 /
                                      (speed * speed * (found.request.scene.main_mass + found.request.scene.ball_mass)));
           }
           most = larger(most, now);
@@ -135,8 +134,7 @@ TYPED_TEST(EnergyLedgerIn, EnergyConsistentNeverFalls) {
 // The sum is one number and never falls, since no term is negative.
 template <class Format, class ContactLaw> void expect_no_fall_with_impulsive() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Impulsive, Sine, Format, EnergyLedger>;
-  const int accepted = each_scene<Kernel>([](const CoupledScene& found, const auto& plan) {
-    Kernel kernel(plan);
+  const int accepted = each_scene<Kernel>([](const CoupledScene& found, Kernel kernel) {
     double most = 0;
     for (long i = 0; i < found.steps; ++i) {
       kernel.step();
@@ -177,10 +175,8 @@ struct InDouble : SilentFeature {
 };
 template <class Stepper, class ContactLaw> void expect_nothing_rounded() {
   using Kernel = Absorber<AtRunTime, ContactLaw, Stepper, Sine, Fixed32, EnergyLedger, InDouble>;
-  const int accepted = each_scene<Kernel>([](const CoupledScene& found, const auto& plan) {
-    Kernel kernel(plan);
-    for (long i = 0; i < found.steps; ++i) kernel.step();
-    const auto& state = kernel.state();
+  const int accepted = each_scene<Kernel>([](const CoupledScene& found, const Kernel& kernel) {
+    const auto state = after_steps(kernel, found.steps).state();
     EXPECT_NEAR(state.dissipated.total(), state.sum, 0x1p-53 * static_cast<double>(found.steps) * state.size)
         << text_of(found.request);
   });

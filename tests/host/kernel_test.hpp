@@ -73,9 +73,10 @@ template <class Kernel> void step_with(Kernel& absorber, double force, double ba
     absorber.step();
 }
 
-// How deep the ball is in either stop, m. Negative while it is apart.
+// How deep the ball is in a stop, m. Negative while it is apart.
 template <class Motion> double depth_of(const Scene& scene, const Motion& at) {
-  return std::abs(at.x2 - at.x1) - scene.clearance / 2;
+  const double y = at.x2 - at.x1;
+  return (scene.stops == Stops::right ? y : scene.stops == Stops::left ? -y : std::abs(y)) - scene.clearance / 2;
 }
 // The energy that a stop stores at this depth, J.
 inline double stored_at(const Scene& scene, double depth, bool is_linear = false) {
@@ -127,8 +128,8 @@ template <class Kernel, class Change> Differences changes(const Kernel& start, d
 }
 
 // Each number of a motion is near that of another.
-template <class Motion>
-void expect_near(const Motion& found, const std::common_type_t<Motion>& right, double place, double speed) {
+template <class Motion, class Other = Motion>
+void expect_near(const Motion& found, const Other& right, double place, double speed) {
   EXPECT_NEAR(found.x1, right.x1, place);
   EXPECT_NEAR(found.x2, right.x2, place);
   EXPECT_NEAR(found.v1, right.v1, speed);

@@ -6,10 +6,12 @@ namespace impact::host {
 namespace {
 
 struct Refused {
-  const char *arguments, *option, *value, *allowed;
+  const char *arguments, *allowed;
+  const char* refused = arguments;  // the option with its value
 };
 
-void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.option; }  // CTest's name for the case
+// CTest's name for the case: the option.
+void PrintTo(const Refused& refused, std::ostream* out) { *out << split(refused.refused, ' ')[0]; }
 
 class RefusedInput : public ImpactSim, public testing::WithParamInterface<Refused> {};
 
@@ -23,8 +25,7 @@ TEST_P(RefusedInput, IsExitCodeTwoWithOneLineAndTouchesNothing) {
   EXPECT_EQ(result.code, 2);
   EXPECT_THAT(result.out, IsEmpty());
   EXPECT_THAT(lines_of(result.err), SizeIs(1));
-  EXPECT_THAT(result.err, HasSubstr(GetParam().option));
-  EXPECT_THAT(result.err, HasSubstr(GetParam().value));
+  EXPECT_THAT(result.err, HasSubstr(std::string(GetParam().refused) + ": allowed: "));
   EXPECT_THAT(result.err, HasSubstr(GetParam().allowed));
   EXPECT_EQ(read(file("kept.csv")), "precious\n");
   EXPECT_EQ(fs::last_write_time(file("kept.csv")), time);
@@ -35,103 +36,89 @@ TEST_P(RefusedInput, IsExitCodeTwoWithOneLineAndTouchesNothing) {
 INSTANTIATE_TEST_SUITE_P(
     OneByOne, RefusedInput,
     testing::Values(
-        Refused{"--stepp 1e-3", "--stepp", "1e-3", "--step?"}, Refused{"--colour red", "--colour", "red", "--help"},
-        Refused{"scene", "scene", "", "--help"}, Refused{"-step 1", "-step", "", "--help"},
-        Refused{"--step", "--step", "without a value", "0.1 s"}, Refused{"--step=", "--step", "''", "0.1 s"},
-        Refused{"--step fast", "--step", "fast", "0.1 s"}, Refused{"--step 1e-4s", "--step", "1e-4s", "0.1 s"},
-        Refused{"--step nan", "--step", "nan", "0.1 s"}, Refused{"--x1 inf", "--x1", "inf", "1000 m"},
-        Refused{"--x1 1e999", "--x1", "1e999", "1000 m"}, Refused{"--step 0", "--step", "0", "0.1 s"},
-        Refused{"--step -1e-4", "--step", "-1e-4", "0.1 s"}, Refused{"--step 0.2", "--step", "0.2", "0.1 s"},
-        Refused{"--duration -1", "--duration", "-1", "from 0"},
-        Refused{"--duration 1e6 --step 1e-6", "--duration", "1e6", "1e9 steps"},
-        Refused{"--main-mass 0", "--main-mass", "0", "kg"}, Refused{"--ball-mass -0.3", "--ball-mass", "-0.3", "kg"},
-        Refused{"--main-stiffness -1", "--main-stiffness", "-1", "from 0"},
-        Refused{"--contact-stiffness 0", "--contact-stiffness", "0", "0.001"},
-        Refused{"--restitution 0", "--restitution", "0", "to 1"},
-        Refused{"--restitution 1.01", "--restitution", "1.01", "to 1"},
-        Refused{"--restitution 0.9 --law hertz", "--restitution", "0.9", "hertz"},
-        Refused{"--restitution 0.9 --contact-damping 5", "--contact-damping", "5", "without --restitution"},
-        Refused{"--contact-damping 5 --law hertz", "--contact-damping", "5", "hertz"},
-        Refused{"--impact-speed 1", "--impact-speed", "1", "with --restitution"},
-        Refused{"--paper-damping", "--paper-damping", "", "with --restitution"},
-        Refused{"--damping per-impact", "--damping", "per-impact", "with --restitution"},
-        Refused{"--damping exact --law hertz --restitution 1", "--damping", "exact", "--law hunt-crossley"},
-        Refused{"--damping exact --paper-damping --restitution 0.5", "--paper-damping", "", "with --damping constant"},
-        Refused{"--damping flores --restitution 0.0157", "--restitution", "0.0157", "0.0158 to 1"},
-        Refused{"--damping lee-wang --restitution 0.009", "--restitution", "0.009", "0.01 to 1"},
-        Refused{"--law newton", "--law", "newton", "hooke-newton, hertz, hunt-crossley"},
-        Refused{"--newmark euler", "--newmark", "euler", "fox-goodwin"},
-        Refused{"--numeric double", "--numeric", "double", "float64"},
-        Refused{"--stops up", "--stops", "up", "both, left, right, none"},
-        Refused{"--tension yes", "--tension", "yes", "allow, clamp"},
-        Refused{"--damping exact --restitution 1 --rig r.hpp", "--rig", "r.hpp", "--law hertz"},
-        Refused{"--k1 1e9", "--k1", "1e9", "--contact-stiffness?"},
-        Refused{"--step 0.1", "--step", "0.1", "a small part of a period of the main mass's own vibration"},
-        Refused{"--every 0", "--every", "0", "from 1"}, Refused{"--every 2.5", "--every", "2.5", "whole number"},
-        Refused{"--step 1e-3 --step 1e-3", "--step", "1e-3", "once"},
-        Refused{"--drive none --drive-pulsation 3", "--drive-pulsation", "3", "sine"},
-        Refused{"--drive-file missing", "--drive-file", "missing", "read"},
-        Refused{"--drive-file bad", "--drive-file", "bad line 2: 'x'", "a number from"},
-        Refused{"--drive-file /dev/zero", "--drive-file", "/dev/zero line 1", "at most 63 characters"},
-        Refused{"--drive-file a --duration 0.2", "--drive-file", "a with 2 lines", "each of the 2000 steps"},
-        Refused{"--drive-file missing --drive none", "--drive", "none", "without --drive-file"},
-        Refused{"--shard 1/2", "--shard", "1/2", "with --sweep"},
-        Refused{"--sweep missing --shard 3/2", "--shard", "3/2", "1 <= I <= N"},
-        Refused{"--sweep missing", "--sweep", "missing", "CSV"},
-        Refused{"--sweep missing --rig r.hpp", "--rig", "r.hpp", "without --sweep"},
-        Refused{"--plot kept.csv", "--plot", "kept.csv", "--output"},
-        Refused{"--rig ./kept.csv", "--rig", "./kept.csv", "another file than --output"},
-        Refused{"--newmark moment --step 0.05 --rig r.hpp", "--step", "0.05", "allowed: "},
-        Refused{"--part pdp-11", "--part", "pdp-11", "cortex-m0, "},
-        Refused{"--benchmark --law hertz", "--law", "hertz", "without --benchmark"},
-        Refused{"--x1 '1\n2'", "--x1", "1?2", "1000 m"}));
+        Refused{"--stepp 1e-3", "--step?"}, Refused{"--colour red", "--help"}, Refused{"scene", "--help"},
+        Refused{"-step 1", "--help", "-step"}, Refused{"--step", "0.1 s", "--step without a value"},
+        Refused{"--step=", "0.1 s", "--step ''"}, Refused{"--step fast", "0.1 s"}, Refused{"--step 1e-4s", "0.1 s"},
+        Refused{"--step nan", "0.1 s"}, Refused{"--x1 inf", "1000 m"}, Refused{"--x1 1e999", "1000 m"},
+        Refused{"--step 0", "0.1 s"}, Refused{"--step -1e-4", "0.1 s"}, Refused{"--step 0.2", "0.1 s"},
+        Refused{"--duration -1", "from 0"}, Refused{"--duration 1e6 --step 1e-6", "1e9 steps", "--duration 1e6"},
+        Refused{"--main-mass 0", "kg"}, Refused{"--ball-mass -0.3", "kg"}, Refused{"--main-stiffness -1", "from 0"},
+        Refused{"--contact-stiffness 0", "0.001"}, Refused{"--restitution 0", "to 1"},
+        Refused{"--restitution 1.01", "to 1"}, Refused{"--restitution 0.9 --law hertz", "hertz", "--restitution 0.9"},
+        Refused{"--restitution 0.9 --contact-damping 5", "without --restitution", "--contact-damping 5"},
+        Refused{"--contact-damping 5 --law hertz", "hertz", "--contact-damping 5"},
+        Refused{"--impact-speed 1", "with --restitution"},
+        Refused{"--paper-damping", "with --restitution", "--paper-damping yes"},
+        Refused{"--damping per-impact", "with --restitution"},
+        Refused{"--damping exact --law hertz --restitution 1", "--law hunt-crossley", "--damping exact"},
+        Refused{"--damping exact --paper-damping --restitution 0.5", "with --damping constant", "--paper-damping yes"},
+        Refused{"--damping flores --restitution 0.0157", "0.0158 to 1", "--restitution 0.0157"},
+        Refused{"--damping lee-wang --restitution 0.009", "0.01 to 1", "--restitution 0.009"},
+        Refused{"--law newton", "hooke-newton, hertz, hunt-crossley"}, Refused{"--newmark euler", "fox-goodwin"},
+        Refused{"--numeric double", "float64"}, Refused{"--stops up", "both, left, right, none"},
+        Refused{"--tension yes", "allow, clamp"},
+        Refused{"--damping exact --restitution 1 --rig r.hpp", "--law hertz", "--rig r.hpp"},
+        Refused{"--k1 1e9", "--contact-stiffness?"},
+        Refused{"--step 0.1", "a small part of a period of the main mass's own vibration"},
+        Refused{"--every 0", "from 1"}, Refused{"--every 2.5", "whole number"},
+        Refused{"--step 1e-3 --step 1e-3", "once", "--step 1e-3"},
+        Refused{"--drive none --drive-pulsation 3", "sine", "--drive-pulsation 3"},
+        Refused{"--drive-file missing", "read"},
+        Refused{"--drive-file bad", "a number from", "--drive-file bad line 2: 'x'"},
+        Refused{"--drive-file /dev/zero", "at most 63 characters", "--drive-file /dev/zero line 1"},
+        Refused{"--drive-file a --duration 0.2", "each of the 2000 steps", "--drive-file a with 2 lines"},
+        Refused{"--drive-file missing --drive none", "without --drive-file", "--drive none"},
+        Refused{"--shard 1/2", "with --sweep"}, Refused{"--sweep missing --shard 3/2", "1 <= I <= N", "--shard 3/2"},
+        Refused{"--sweep missing", "CSV"}, Refused{"--sweep missing --rig r.hpp", "without --sweep", "--rig r.hpp"},
+        Refused{"--plot kept.csv", "--output"}, Refused{"--rig ./kept.csv", "another file than --output"},
+        Refused{"--newmark moment --step 0.05 --rig r.hpp", "allowed: ", "--step 0.05"},
+        Refused{"--part pdp-11", "cortex-m0, "},
+        Refused{"--benchmark --law hertz", "without --benchmark", "--law hertz"},
+        Refused{"--x1 '1\n2'", "1000 m", "--x1 1?2"}));
 
 // The message names the cause: the bound that excludes the start, or what a step is too long for. It never names a
 // format that was not requested. Names of types and of other options are suggested.
 INSTANTIATE_TEST_SUITE_P(
     NamesTheCause, RefusedInput,
     testing::Values(
-        Refused{"--numeric float64 --bound-displacement 1e-3 --x1 0.01", "--bound-displacement", "0.001",
-                "--bound-displacement 0.001: allowed: 0.01 to 1e+06"},
-        Refused{"--numeric fixed32 --newmark moment --step 2.5e-2 --contact-stiffness 10 --duration 1", "--step",
-                "0.025", "--step 0.025: allowed: "},
-        Refused{"--stepper moment", "--stepper", "moment",
-                "--stepper moment: allowed: the options of --help; --newmark?"},
-        Refused{"--format fixed32", "--format", "fixed32", "--numeric?"},
-        Refused{"--law exact", "--law", "exact",
-                "--law exact: allowed: hooke-newton, hertz, hunt-crossley; --damping exact?"},
-        Refused{"--numeric energy", "--numeric", "energy", "; --newmark energy?"},
-        Refused{"--step 0.09 --drive-pulsation 100", "--step", "0.09",
-                "(a step may span at most 2.95 rad of the drive)"},
-        Refused{"--step 0.05", "--step", "0.05",
+        Refused{"--numeric float64 --bound-displacement 1e-3 --x1 0.01", ": allowed: 0.01 to 1e+06",
+                "--bound-displacement 0.001"},
+        Refused{"--numeric fixed32 --newmark moment --step 2.5e-2 --contact-stiffness 10 --duration 1",
+                ": allowed: ", "--step 0.025"},
+        Refused{"--stepper moment", ": allowed: the options of --help; --newmark?"},
+        Refused{"--format fixed32", "--numeric?"},
+        Refused{"--law exact", ": allowed: hooke-newton, hertz, hunt-crossley; --damping exact?"},
+        Refused{"--numeric energy", "; --newmark energy?"},
+        Refused{"--step 0.09 --drive-pulsation 100", "(a step may span at most 2.95 rad of the drive)", "--step 0.09"},
+        Refused{"--step 0.05",
                 "(a step must be a small part of a period of the main mass's own vibration, which has 31.6228 rad/s)"},
-        Refused{"--main-stiffness 10 --main-damping 30 --step 0.05", "--step", "0.05", "at most M/c, for the damper)"},
-        Refused{"--newmark moment --contact-stiffness 1e9 --step 1e-3", "--step", "0.001",
-                " s, and moment requires more steps in it; auto takes a stepper that suits the step)"}));
+        Refused{"--main-stiffness 10 --main-damping 30 --step 0.05", "at most M/c, for the damper)", "--step 0.05"},
+        Refused{"--newmark moment --contact-stiffness 1e9 --step 1e-3",
+                " s, and moment requires more steps in it; auto takes a stepper that suits the step)",
+                "--step 0.001"}));
 
 // Weight, friction and a base.
 INSTANTIATE_TEST_SUITE_P(
     OfAPart, RefusedInput,
     testing::Values(
-        Refused{"--gravity nan", "--gravity", "nan", "a number from -1e+06 to 1e+06 m/s^2"},
-        Refused{"--ball-friction -1", "--ball-friction", "-1", "a number from 0"},
-        Refused{"--ball-friction 1e6 --newmark moment", "--ball-friction", "1e+06", "allowed: 0 to "},
-        Refused{"--ball-friction 1e6 --newmark moment --step 1e-4", "--ball-friction", "1e+06", "allowed: 0 to "},
-        Refused{"--gravity 1 --newmark average", "--newmark", "average",
+        Refused{"--gravity nan", "a number from -1e+06 to 1e+06 m/s^2"},
+        Refused{"--ball-friction -1", "a number from 0"},
+        Refused{"--ball-friction 1e6 --newmark moment", "allowed: 0 to ", "--ball-friction 1e+06"},
+        Refused{"--ball-friction 1e6 --newmark moment --step 1e-4", "allowed: 0 to ", "--ball-friction 1e+06"},
+        Refused{"--gravity 1 --newmark average",
                 "auto, moment, moment-4, moment-8, moment-n, energy, impulsive: the classical schemes do not support "
-                "--gravity"},
-        Refused{"--base-acceleration-file bad", "--base-acceleration-file", "bad line 2: 'x'", "a number from"},
-        Refused{"--base-acceleration-file a --duration 1", "--base-acceleration-file", "a with 2 lines", ""},
+                "--gravity",
+                "--newmark average"},
+        Refused{"--base-acceleration-file bad", "a number from", "--base-acceleration-file bad line 2: 'x'"},
+        Refused{"--base-acceleration-file a --duration 1", "", "--base-acceleration-file a with 2 lines"},
         // Two lengths contradict each other unless a duration is stated.
-        Refused{"--drive-file three --base-acceleration-file a", "--base-acceleration-file", "a with 2 lines",
-                "allowed: 3, as the other file has, or else a --duration"},
-        Refused{"--drive-file a --base-acceleration-file three", "--drive-file", "a with 2 lines", "allowed: 3, "},
-        Refused{"--base-file a --base-acceleration-file a", "--base-acceleration-file", "a",
-                "only without --base-file"},
-        Refused{"--base-file none", "--base-file", "none", "a file that can be read"},
-        Refused{"--base-file a --drive-file a", "--base-file", "a", "only without --drive-file"},
-        Refused{"--bound-base-acceleration 3", "--bound-base-acceleration", "3",
-                "only with --base-acceleration-file"}));
+        Refused{"--drive-file three --base-acceleration-file a",
+                "allowed: 3, as the other file has, or else a --duration", "--base-acceleration-file a with 2 lines"},
+        Refused{"--drive-file a --base-acceleration-file three", "allowed: 3, ", "--drive-file a with 2 lines"},
+        Refused{"--base-file a --base-acceleration-file a", "only without --base-file", "--base-acceleration-file a"},
+        Refused{"--base-file none", "a file that can be read"},
+        Refused{"--base-file a --drive-file a", "only without --drive-file", "--base-file a"},
+        Refused{"--bound-base-acceleration 3", "only with --base-acceleration-file"}));
 
 // A rig at resonance that its damper limits to 1 m/s, and the same rig without a damper. An estimate of its motion
 // grows with the duration. The tool uses the values that the run reaches, for any duration, also in a sweep.
@@ -144,13 +131,12 @@ TEST_F(ImpactSim, ARigAtResonanceIsAcceptedForAnyDuration) {
   for (const char* damping : {"37.7", "0"})
     for (const char* numeric : {"fixed32", "float32", "float64"})
       for (const char* duration : {"1", "2", "5"}) {
-        const Result result = succeed(std::string(upright) + "--main-damping " + damping + " --numeric " + numeric +
-                                      " --duration " + duration);
+        succeed(std::string(upright) + "--main-damping " + damping + " --numeric " + numeric + " --duration " +
+                duration);
         scenes += std::string(damping) + "," + numeric + "," + duration + "\n";
       }
   write(file("scenes.csv"), scenes);
-  const Result sweep = succeed(std::string(upright) + "--sweep scenes.csv");
-  EXPECT_THAT(lines_of(sweep.out), SizeIs(19));
+  EXPECT_THAT(lines_of(succeed(std::string(upright) + "--sweep scenes.csv").out), SizeIs(19));
 }
 
 TEST_F(ImpactSim, ARefusalSaysThatTheBallCrossesTheClearance) {
@@ -175,10 +161,8 @@ TEST_F(ImpactSim, ARefusalNamesTheLimitOfSubSteps) {
 // A rejected command runs nothing and reads no samples. Three samples would be too few for a shorter step.
 TEST_F(ImpactSim, ARefusalReadsNoSamples) {
   write(file("three.txt"), "1\n1\n1\n");
-  const Result few =
-      run("--clearance 1e-4 --v2 -0.23 --newmark moment --gravity -9.81 --drive-file three.txt --step 1e-4 --numeric "
-          "fixed32");
-  EXPECT_EQ(few.code, 2) << few.err;
+  const std::string few = "--clearance 1e-4 --v2 -0.23 --newmark moment --gravity -9.81 --drive-file three.txt ";
+  expect_refusal(few + "--step 1e-4 --numeric fixed32", "");
   write_samples("drive.txt", 1000, [](int n) { return 10 * std::sin(0.04 * n); });
   const std::string driven =
       "--ball-friction 0.5 --drive-file drive.txt --step 1e-3 --numeric fixed32 --newmark energy ";
@@ -203,14 +187,11 @@ TEST_F(ImpactSim, ASceneAtRestRuns) {
                             "--drive-file zeros", "--drive none --base-acceleration-file zeros", "--base-file zeros",
                             "--duration 0", "--drive none --law hooke-newton --contact-damping 500 --x2 0.011",
                             "--drive none --law hooke-newton --contact-damping 1800 --main-mass 1e6 --x2 0.03",
-                            "--drive none --contact-damping 1e9 --x2 0.012"}) {
+                            "--drive none --contact-damping 1e9 --x2 0.012"})
     for (const char* numeric : {"fixed32", "float32", "float32-plain", "float64"})
-      for (const char* step : {"", " --step 1e-3"}) {
-        const Result result = succeed(std::string(scene) + " --numeric " + numeric + step);
-      }
-  }
+      for (const char* step : {"", " --step 1e-3"}) succeed(std::string(scene) + " --numeric " + numeric + step);
   write(file("scenes.csv"), "drive-amplitude,numeric\n0,fixed32\n1,fixed32\n0,float32\n10,fixed32\n");
-  const Result sweep = succeed("--sweep scenes.csv --step 1e-3");
+  succeed("--sweep scenes.csv --step 1e-3");
 }
 
 TEST_F(ImpactSim, HelpHasAShortName) { EXPECT_EQ(run("-h").out, run("--help").out); }

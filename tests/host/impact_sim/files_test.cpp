@@ -106,7 +106,7 @@ TEST_F(ImpactSim, AFullDiskLeavesTheOldFileAndNoRemains) {
 
 TEST_F(ImpactSim, PlotsWithAndWithoutAbsorber) {
   if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "no gnuplot on this machine";
-  const Result result = succeed("--newmark moment --plot 'it'\\''s a plot.svg' --output data.csv");
+  succeed("--newmark moment --plot 'it'\\''s a plot.svg' --output data.csv");
   const std::string svg = read(file("it's a plot.svg"));
   EXPECT_THAT(svg, HasSubstr("<svg"));
   EXPECT_THAT(svg, HasSubstr("without absorber"));
@@ -139,10 +139,8 @@ TEST_F(ImpactSim, ADashIsStandardInputOrOutput) {
   EXPECT_THAT(lines_of(named.out), SizeIs(52));
   EXPECT_EQ(piped.out, named.out) << piped.err;
   EXPECT_FALSE(fs::exists(file("-")));
-  const Result sweep = succeed("--sweep - --duration 0.01", "cat scenes |");
-  EXPECT_THAT(lines_of(sweep.out), SizeIs(3));
-  const Result rig = run("--duration 0.01 --output data.csv --rig -");
-  EXPECT_THAT(rig.out, StartsWith("#pragma once"));
+  EXPECT_THAT(lines_of(succeed("--sweep - --duration 0.01", "cat scenes |").out), SizeIs(3));
+  EXPECT_THAT(run("--duration 0.01 --output data.csv --rig -").out, StartsWith("#pragma once"));
   EXPECT_THAT(run("--duration 0.01 --rig -").err,
               HasSubstr("--rig -: allowed: another file than --output, which is standard output"));
   EXPECT_THAT(run("--drive-file - --base-acceleration-file -").err,
@@ -205,8 +203,7 @@ TEST_F(ImpactSim, ARigMakesTheRunsBits) {
   for (size_t i = 0; i < std::size(runs); ++i) {
     const std::string name = "rig" + std::to_string(i), options = runs[i].options;
     const bool is_sampled = options.find("--drive-file") != options.npos;
-    const Result result =
-        succeed(options + (is_sampled ? "" : " --duration 2") + " --rig " + name + ".hpp --output " + name + ".csv");
+    succeed(options + (is_sampled ? "" : " --duration 2") + " --rig " + name + ".hpp --output " + name + ".csv");
     const size_t rows = lines_of(read(file(name + ".csv"))).size();
     write(file(name + ".cpp"),
           stepping + ("#include \"" + name + ".hpp\"\nvoid " + name + "() { run<Absorber, Rig, " +
@@ -252,8 +249,7 @@ TEST_F(ImpactSim, ARigHasTheBoundsThatTheRunNeedsInEveryFormat) {
       const std::string options =
           "--main-damping 0 --main-mass 2 --main-stiffness 3200 --drive-pulsation 40 "
           "--drive-amplitude 5 --step 1e-3 --newmark moment";
-      const Result result =
-          succeed(options + " --numeric " + numeric + " --duration " + duration + " --rig rig.hpp --output run.csv");
+      succeed(options + " --numeric " + numeric + " --duration " + duration + " --rig rig.hpp --output run.csv");
       const double speed = value_in(read(file("rig.hpp")), "bounds.speed");
       if (in_fixed32 == 0) in_fixed32 = speed;
       EXPECT_EQ(speed, in_fixed32) << numeric << ", " << duration << " s";

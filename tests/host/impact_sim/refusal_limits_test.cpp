@@ -158,7 +158,6 @@ TEST(Refusal, ALimitThatIsTypedBackIsAccepted) {
     }
   }
   EXPECT_EQ(refused, 0);
-  for (const auto& [option, count] : named) RecordProperty(option, count);
   EXPECT_GT(named["step"], 50);
   EXPECT_GT(typed, 100);
   EXPECT_LE(without_a_range, commands / 100);

@@ -95,8 +95,7 @@ TEST_F(ImpactSimSweep, ShardsTogetherAreTheWhole) {
   for (const char* shard : {"3/3", "1/3", "2/3"})
     EXPECT_EQ(run(sweep + "--output joined.csv --shard " + shard).code, 0);
   EXPECT_EQ(read(file("joined.csv")), whole);
-  const Result second = run(sweep + "--shard 2/3");
-  const auto lines = lines_of(second.out);
+  const auto lines = lines_of(run(sweep + "--shard 2/3").out);
   ASSERT_THAT(lines, SizeIs(1 + 6));
   for (size_t i = 1; i < lines.size(); ++i) {
     EXPECT_EQ(std::stol(lines[i]) % 3, 2);
@@ -179,8 +178,7 @@ TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
 // The main mass oscillates by 0.5 rad per step. EnergyConsistent accepts that, and so must the mass without absorber.
 TEST_F(ImpactSimSweep, RunsWhatItsStepperTakes) {
   write(file("stiff.csv"), "main-stiffness\n1e6\n1000\n");
-  const Result result = succeed(
-      "--sweep stiff.csv --newmark energy --contact-stiffness 1e11 --step 5e-4 --duration .1 --output rows.csv");
+  succeed("--sweep stiff.csv --newmark energy --contact-stiffness 1e11 --step 5e-4 --duration .1 --output rows.csv");
   const auto rows = lines_of(read(file("rows.csv")));
   ASSERT_THAT(rows, SizeIs(3));
   for (size_t n = 1; n < rows.size(); ++n) {
@@ -218,7 +216,7 @@ TEST_F(ImpactSimSweep, QuotedCellsAndAPlusAreRead) {
   write(file("quoted.csv"),
         "\"v2\",\"clearance\", \"law\"\r\n+0.5,\"+1e-2\",\"hertz\"\r\n\"\",0.02,\"hooke-newton\"\r\n");
   const auto results = [&](const char* name) {
-    const Result result = succeed(std::string("--duration 0.1 --output rows --sweep ") + name);
+    succeed(std::string("--duration 0.1 --output rows --sweep ") + name);
     const auto rows = lines_of(read(file("rows")));
     fs::remove(file("rows"));
     EXPECT_THAT(rows, SizeIs(3));

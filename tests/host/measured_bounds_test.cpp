@@ -61,7 +61,6 @@ TEST(MeasuredBounds, AreKeptWithoutAGain) {
     } catch (const BadInput&) {  // rejected
     }
   }
-  RecordProperty("runs", static_cast<int>(runs));
   EXPECT_GT(runs, scenes / 2);
 }
 
@@ -76,7 +75,6 @@ class DeepestPenetration : public testing::TestWithParam<Law> {};
 
 TEST_P(DeepestPenetration, BoundsEveryMotionWithinItsBounds) {
   int contacts = 0;
-  double closest = 0;
   for (const Edge edge : every_edge)
     for (unsigned index = 0; index < scenes_an_edge; ++index) {
       CoupledScene found = coupled_scene(GetParam(), edge, index, index % 3 ? Parts::some : Parts::none);
@@ -98,10 +96,8 @@ TEST_P(DeepestPenetration, BoundsEveryMotionWithinItsBounds) {
       const Bounds bounds{seen * reached.displacement, seen * reached.speed, 0, 0, found.base};
       const double bound = deepest_penetration(found.request.scene, bounds, GetParam() == Law::hooke_newton, 0, 0);
       EXPECT_LE(reached.penetration, bound) << text_of(found.request);
-      closest = larger(closest, reached.penetration / bound);
     }
   EXPECT_GT(contacts, 200);
-  std::printf("  %d scenes with a contact, the deepest at %.2f of its bound\n", contacts, closest);
 }
 // A ball that starts inside a stop has stored energy, and no impact has set its damping.
 template <class ContactLaw> void expect_start_inside_to_hold() {
@@ -122,16 +118,15 @@ template <class ContactLaw> void expect_start_inside_to_hold() {
     const Bounds bounds{0.05, 1, 0, 1e-9};
     const ContactTerms terms = contact_terms<ContactLaw>(scene, bounds);
     scene.x2 = scene.clearance / 2 + terms.deepest_start * 0.999 * random.share();
-    const auto plan = Kernel::PlanType::make(scene, bounds, 1e-4);
-    if (plan.status != PlanStatus::ok) continue;
+    Kernel absorber(Kernel::PlanType::make(scene, bounds, 1e-4));
+    if (absorber.fault() == Fault::plan) continue;
     ++started;
-    Kernel absorber(plan);
     for (int step = 0; step < 400; ++step) {
       absorber.step();
       const auto now = absorber.reading();
-      const bool is_within =
-          std::abs(now.v1) <= 1 && std::abs(now.v2) <= 1 && std::abs(now.x1) <= 0.05 && std::abs(now.x2) <= 0.05;
-      if (!is_within) break;
+      Reached reached;
+      reached.see(now.x1, now.v1, now.x2, now.v2, 0);
+      if (!reached.is_within(bounds)) break;
       ASSERT_NE(absorber.fault(), Fault::penetration) << n << ' ' << step;
     }
   }

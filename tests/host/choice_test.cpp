@@ -174,13 +174,9 @@ TEST(Choice, ImpulsiveIsRefusedForALongContact) {
 // From the fewest accepted steps on, only Hooke-Newton without damping gains energy. The restitution is always within
 // the stepper's stated error, and from eight steps on within a hundredth of the law's. Sub-steps count as steps.
 TEST(Choice, MomentKeepsWhatItStates) {
-  struct Parts {
-    Stepper stepper;
-    int count;
-  };
   int accepted = 0;
   for (const Contact& contact : contacts)
-    for (const auto& [stepper, parts] : {Parts{Stepper::moment, 1}, {Stepper::moment_4, 4}, {Stepper::moment_8, 8}})
+    for (const auto& [stepper, parts] : {std::pair(Stepper::moment, 1), {Stepper::moment_4, 4}, {Stepper::moment_8, 8}})
       for (const double steps : {5.0, 5.7, 6.5, 8.0, 10.0, 13.0, 20.0, 40.0}) {
         Request request = pair_of(contact.law, contact.e, contact.tension);
         request.stepper = stepper;

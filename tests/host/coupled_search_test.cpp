@@ -213,13 +213,13 @@ TEST(FoundInAField, TheGainOfABallPlacedInItsStopIsRemovedToSecondOrder) {
 
 // A seeded search for the largest value of a function of coordinates from 0 to 1: the (1+1) evolution strategy
 // (Rechenberg 1973). When its steps are small, it restarts from the best of 12 random points.
-template <size_t n> struct Found {
-  std::array<double, n> at{};
+struct Found {
+  Everywhere at{};
   double value = -1e300;
 };
 
 // `value` returns -1e300 if it is undefined.
-template <size_t n, class Value> Found<n> search(unsigned seed, long evaluations, const Value& value) {
+template <class Value> Found search(unsigned seed, long evaluations, const Value& value) {
   constexpr int places_at_random = 12;
   constexpr double first_step = 0.2, smallest_step = 1e-3;
   Random random(seed);
@@ -229,7 +229,7 @@ template <size_t n, class Value> Found<n> search(unsigned seed, long evaluations
     for (int i = 0; i < 12; ++i) sum += random.share();
     return sum;
   };
-  Found<n> best, here;
+  Found best, here;
   double step = 0;
   int at_random = 0;
   for (long left = evaluations; left > 0; --left) {
@@ -238,21 +238,18 @@ template <size_t n, class Value> Found<n> search(unsigned seed, long evaluations
       step = first_step;
       at_random = places_at_random;
     }
-    Found<n> next = here;
-    for (double& x : next.at) {
-      if (at_random > 0) {
+    Found next = here;
+    for (double& x : next.at)
+      if (at_random > 0)
         x = random.share();
-      } else if (random.share() < 0.3) {
+      else if (random.is(0.3))
         x = std::clamp(x + step * normal(), 0.0, 1.0);
-      }
-    }
     next.value = value(next.at);
     const bool is_better = next.value >= here.value && next.value > -1e300;
-    if (at_random > 0) {
+    if (at_random > 0)
       --at_random;
-    } else {
+    else
       step *= is_better ? 1.5 : 0.9;
-    }
     if (is_better) here = next;
     if (here.value > best.value) best = here;
   }
@@ -262,8 +259,8 @@ template <size_t n, class Value> Found<n> search(unsigned seed, long evaluations
 class CoupledSearch : public testing::TestWithParam<Kind> {};
 
 TEST_P(CoupledSearch, FindsNoSceneThatGainsEnergyOrRaisesAFault) {
-  const auto worst = search<coordinates + 3>(1, number_of_runs("IMPACT_COUPLED_SEARCH", 80),
-                                             [&](const Everywhere& at) { return badness(scene_at(GetParam(), at)); });
+  const Found worst = search(1, number_of_runs("IMPACT_COUPLED_SEARCH", 80),
+                             [&](const Everywhere& at) { return badness(scene_at(GetParam(), at)); });
   const CoupledScene scene = scene_at(GetParam(), worst.at);
   std::printf("  worst %.3g of what is allowed: {", worst.value);
   for (const double x : worst.at) std::printf("%.17g, ", x);

@@ -8,9 +8,7 @@ namespace impact {
 
 // The paper's scene with weight along its axis, or level. Both masses start where the main mass hangs alone.
 inline host::Case hanging_case(Law law, double gravity) {
-  host::Case run;
-  run.law = law;
-  run.scene = paper_scene(law);
+  host::Case run{law, paper_scene(law)};
   run.scene.gravity = gravity;
   run.scene.x1 = run.scene.x2 = gravity / 1000;
   return run;

@@ -1,8 +1,6 @@
 // Impulsive gains no energy, settles, and works at both stops. stability_test.cpp has its restitution at any phase.
 
-#include "host_ref/closed_form.hpp"
-#include "host_ref/reference.hpp"
-#include "kernel_test.hpp"
+#include "against_reference.hpp"
 
 namespace impact::host {
 namespace {
@@ -21,15 +19,14 @@ template <class ContactLaw> Impact impact_of(const Scene& scene, double speed) {
 // At a step's end within an impact, a reader sees the masses as if the force rose linearly to its centroid and then
 // fell. The law's own force differs from that by these shares of the ball's displacement and speed, and an impulse at
 // the centroid by 0.32 to 0.37 and 1. Free masses against the reference, contacts of half a step to four, 64 phases.
+// outputs_test.cpp compares what is read so with the native numbers.
 template <class Format, class ContactLaw> void expect_gradual_impact(double e, double place, double change) {
   const double speed = 1;
-  Case run;
-  run.law = ContactLaw::law;
-  run.scene = elastic_scene();
-  run.scene.contact_stiffness = 1e9;
-  Impact impact = impact_of<ContactLaw>(run.scene, speed);
-  impact.contact_damping = run.scene.contact_damping = ContactLaw::is_damped ? *contact_damping(impact, e) : 0;
-  const double time = *contact_time(impact), ball = impact.reduced_mass / run.scene.ball_mass * speed,
+  Scene scene = elastic_scene();
+  scene.contact_stiffness = 1e9;
+  Impact impact = impact_of<ContactLaw>(scene, speed);
+  impact.contact_damping = scene.contact_damping = ContactLaw::is_damped ? *contact_damping(impact, e) : 0;
+  const double time = *contact_time(impact), ball = impact.reduced_mass / scene.ball_mass * speed,
                depth = ball * time * e / (1 + e);
   Differences worst;
   double worst_speed = 0;
@@ -37,10 +34,10 @@ template <class Format, class ContactLaw> void expect_gradual_impact(double e, d
     for (const double side : {-1.0, 1.0})
       for (int phase = 0; phase < 64; ++phase) {
         const double h = time / steps;
-        run.scene.v2 = side * speed;
-        run.scene.x2 = side * (run.scene.clearance / 2 - speed * h * (phase + 0.5) / 64);
-        auto absorber = accepted<Kernel<Format, ContactLaw>>(run.scene, {0.1, 2, 0.02, 1}, h);
-        Reference reference(run);
+        scene.v2 = side * speed;
+        scene.x2 = side * (scene.clearance / 2 - speed * h * (phase + 0.5) / 64);
+        auto absorber = accepted<Kernel<Format, ContactLaw>>(scene, {0.1, 2, 0.02, 1}, h);
+        Reference reference({ContactLaw::law, scene});
         for (int n = 1; n < steps + 3; ++n) {
           absorber.step();
           reference.advance(n * h);
@@ -48,12 +45,6 @@ template <class Format, class ContactLaw> void expect_gradual_impact(double e, d
           const auto right = reference.sample();
           worst.see(at, right);
           worst_speed = larger(worst_speed, std::abs(at.v2 - right.v2));
-          const auto& plan = absorber.plan;
-          const double rounding = is_double<Format> ? 1e-12 : 1e-6;
-          ASSERT_NEAR(plan.units.fraction(absorber.displacement()) * plan.displacement_unit(), at.x1, rounding);
-          ASSERT_NEAR(plan.units.fraction(absorber.ball_displacement()) * plan.displacement_unit(), at.x2, rounding);
-          ASSERT_NEAR(plan.units.fraction(absorber.velocity()) * plan.velocity_unit(), at.v1, 10 * rounding);
-          ASSERT_NEAR(plan.units.fraction(absorber.ball_velocity()) * plan.velocity_unit(), at.v2, 10 * rounding);
         }
       }
   EXPECT_LT(worst.x2, place * depth);
@@ -176,12 +167,10 @@ template <class Format, class ContactLaw> void expect_pressed_rebound(double e, 
     scene.v2 = -speed;
     auto absorber = accepted<Kernel<Format, ContactLaw, Sampled>>(scene, {1, 2 * speed, 0.01, 2 * force}, h);
     for (int i = 0; i <= steps; ++i) absorber.step(sample);
-    Reference reference({ContactLaw::law, scene, DriveKind::sampled, {0, force}, h});
-    reference.advance((steps + 1) * h);
     ASSERT_EQ(absorber.state().impacts, 1u);
     ASSERT_FALSE(absorber.is_touching());
     const auto after = absorber.reading();
-    const Sample exact = reference.sample();
+    const Sample exact = reference_at({ContactLaw::law, scene, DriveKind::sampled, {0, force}, h}, (steps + 1) * h);
     const double since = steps * h - (phase + 0.5) / 16 * h - contact / 2,
                  missed = after.v1 - after.v2 - (exact.v1 - exact.v2);
     EXPECT_NEAR(missed, 0, 0.015 * acceleration * contact) << e << " " << phase;
@@ -337,8 +326,7 @@ TYPED_TEST(ImpulsiveStep, StartsInsideAStop) {
     scene.contact_stiffness = 1e12;
     for (const double side : {1.0, -1.0}) {
       scene.x2 = side * (scene.clearance / 2 + inside);
-      auto absorber = accepted<Kernel<TypeParam, Hertz>>(scene, {}, 1e-3);
-      for (int n = 0; n < 100; ++n) absorber.step();
+      const auto absorber = after_steps(accepted<Kernel<TypeParam, Hertz>>(scene, {}, 1e-3), 100);
       EXPECT_EQ(absorber.reading().v2, 0);
       EXPECT_LE(std::abs(absorber.reading().x2), std::abs(scene.x2) + 1e-8);
       EXPECT_EQ(absorber.fault(), Fault::none);
@@ -347,8 +335,7 @@ TYPED_TEST(ImpulsiveStep, StartsInsideAStop) {
     driven.contact_stiffness = 1e10;
     driven.contact_damping = 1e9;
     driven.x2 = driven.clearance / 2 + inside;
-    auto absorber = accepted<Kernel<TypeParam, HuntCrossley, Sine>>(driven, {}, 1e-4);
-    for (int n = 0; n < 10000; ++n) absorber.step();
+    const auto absorber = after_steps(accepted<Kernel<TypeParam, HuntCrossley, Sine>>(driven, {}, 1e-4), 10000);
     EXPECT_EQ(absorber.fault(), Fault::none) << inside;
     EXPECT_LE(depth_of(driven, absorber.reading()), 1e-3) << inside;
   }

@@ -154,9 +154,7 @@ TYPED_TEST(NoPullAlone, InAnyStep) { TypeParam::expect_no_rise(); }
 // The main mass retreats so fast that the law has no force until the ball is out or pressed in again. A constant drive
 // accelerates it, or a shaken base under an upright rig. Returns the largest difference from the reference.
 template <class Stepper, class Format> double error_with_a_pulling_drive(double damping, double depth, double h) {
-  Case run;
-  run.drive = DriveKind::sampled;
-  run.scene = free_scene();
+  Case run{Law::hunt_crossley, free_scene(), DriveKind::sampled};
   run.scene.stops = Stops::right;
   run.scene.x2 = run.scene.clearance / 2 + depth;
   run.scene.contact_stiffness = 1e4;
@@ -164,9 +162,8 @@ template <class Stepper, class Format> double error_with_a_pulling_drive(double 
   run.sample_step = h;
   run.samples.assign(static_cast<size_t>(0.06 / h + 1.5), 1.0);
   run.samples[0] = 0;
-  Bounds bounds{0.03, 0.25};
-  bounds.force = 1.1;
-  return differences<Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>>(run, bounds, h, 0.06, 5e-3).largest();
+  using Pulled = Absorber<AtRunTime, HuntCrossley, Stepper, Sampled, Format>;
+  return differences<Pulled>(run, {0.03, 0.25, 0, 1.1}, h, 0.06, 5e-3).largest();
 }
 template <class Stepper, class Format> double error_upright_on_a_shaken_base(double speed_of_restitution, double h) {
   Case run;
@@ -178,11 +175,8 @@ template <class Stepper, class Format> double error_upright_on_a_shaken_base(dou
   run.scene.contact_damping = Exact::damping_ratio(0.05) * run.scene.contact_stiffness / speed_of_restitution;
   run.base_step = h;
   for (int n = 0; n * h < 1.2 + h; ++n) run.base_samples.push_back(n * h < 0.6 ? 0 : 14 * std::sin(25 * (n * h - 0.6)));
-  Bounds bounds{0.1, 3};
-  bounds.force = 0;
-  bounds.base_acceleration = 14.1;
   using Shaken = Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, BaseAcceleration>;
-  return differences<Shaken>(run, bounds, h, 1.2, 5e-3).largest();
+  return differences<Shaken>(run, {0.1, 3, 0, 0, 14.1}, h, 1.2, 5e-3).largest();
 }
 
 // In Fixed32 the ball's share of an impulse of zero may be rounded to one LSB. It does not point into the stop.

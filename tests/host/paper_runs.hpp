@@ -8,13 +8,6 @@
 
 namespace impact::host {
 
-inline Case paper_case(Law law, Tension tension = Tension::clamp) {
-  Case run;
-  run.law = law;
-  run.scene = paper_scene(law, tension);
-  return run;
-}
-
 inline Request paper_request(Law law, Stepper stepper, double step, Tension tension = Tension::clamp) {
   Request request;
   request.law = law;

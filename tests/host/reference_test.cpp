@@ -19,7 +19,7 @@ constexpr Variant variants[] = {{"hooke-newton, clamped", Law::hooke_newton, Ten
                                 {"hunt-crossley, clamped", Law::hunt_crossley, Tension::clamp},
                                 {"hunt-crossley, tension allowed", Law::hunt_crossley, Tension::allow}};
 
-Case paper_case(const Variant& variant) { return host::paper_case(variant.law, variant.tension); }
+Case paper_case(const Variant& variant) { return {variant.law, paper_scene(variant.law, variant.tension)}; }
 
 // A pair without spring, damper or drive. The ball starts 10 mm from its only stop, at `side`, and approaches it at 0.8
 // m/s.

@@ -372,10 +372,8 @@ TEST(WatchedScenes, FrictionOnABaseThatShakesFarHarder) {
   Scene scene{0.03, 1482, 0, 2e-4, 0.067, 1.2e10, 0, 0, 40, 0, 0.02, -0.005, 0.017};
   scene.restitution = 0.9;
   scene.ball_friction = 1e-5;
-  Bounds bounds{0.037, 1.23, 0, 0};
-  bounds.base_acceleration = 100;
   using Shaken = Absorber<AtRunTime, Exact, Impulsive, NoDrive, Fixed32, BaseAcceleration, DryFriction, EnergyLedger>;
-  auto absorber = accepted<Shaken>(scene, bounds, 2e-3);
+  auto absorber = accepted<Shaken>(scene, {0.037, 1.23, 0, 0, 100}, 2e-3);
   Random random;
   for (int n = 0; n < 20000; ++n) {
     broken.count = 0;
@@ -431,8 +429,7 @@ TYPED_TEST(WatchedSequences, WrapNowhere) {
   using Value = Fixed32::Value;
   constexpr bool shakes = Kernel::Field::is_sampled, rubs = Kernel::Friction::is_friction;
   Random random;
-  const auto happens = [&](double share) { return random.share() < share; };
-  const auto signed_share = [&](double least) { return (happens(0.5) ? 1 : -1) * random.wide(least, 0.999); };
+  const auto signed_share = [&](double least) { return (random.is(0.5) ? 1 : -1) * random.wide(least, 0.999); };
   long calls = 0;
   for (long i = 0; i < number_of_runs("IMPACT_WATCHED_SEQUENCES", 30000); ++i) {
     Place place;
@@ -443,7 +440,7 @@ TYPED_TEST(WatchedSequences, WrapNowhere) {
     Scene scene = drawn.request.scene;
     Bounds bounds = *drawn.request.bounds;
     const double h = drawn.request.step;
-    if (happens(0.5)) {
+    if (random.is(0.5)) {
       bounds.displacement *= random.wide(0.5, 10);
       bounds.speed *= random.wide(0.5, 10);
     }
@@ -457,17 +454,17 @@ TYPED_TEST(WatchedSequences, WrapNowhere) {
     const Plan plan = Plan::make(scene, bounds, h), other = Plan::make(other_scene, bounds, h);
     if (plan.status != PlanStatus::ok) continue;
     Kernel absorber(plan);
-    const bool is_corrected = happens(0.5), is_retuned = other.status == PlanStatus::ok && happens(0.5);
+    const bool is_corrected = random.is(0.5), is_retuned = other.status == PlanStatus::ok && random.is(0.5);
     bool has_other = false;
     auto saved = absorber.save();
     Value sample{};  // of the drive or the base
     for (int n = 0; n < 400; ++n, ++calls) {
       broken.count = 0;
-      if (happens(0.3)) sample = Fixed32::sample(signed_share(1e-3));
+      if (random.is(0.3)) sample = Fixed32::sample(signed_share(1e-3));
       const double what = random.share();
       if (is_corrected && what < 0.05)
-        absorber.correct(Fixed32::sample(happens(0.3) ? 0 : signed_share(1e-9)),
-                         Fixed32::sample(happens(0.3) ? 0 : signed_share(1e-6)));
+        absorber.correct(Fixed32::sample(random.is(0.3) ? 0 : signed_share(1e-9)),
+                         Fixed32::sample(random.is(0.3) ? 0 : signed_share(1e-6)));
       else if (is_retuned && what < 0.1)
         absorber.retune((has_other = !has_other) ? other : plan);
       else if (!has_other && what < 0.11)

@@ -11,8 +11,7 @@ constexpr double rates[] = {1e3, 5e3, 10e3, 25e3};  // Hz
 
 // A rig of 12 kg at 17 Hz, whose ball of 0.9 kg reaches its stop within 10 ms.
 template <class ContactLaw> host::Case rig(double stiffness, double damping) {
-  host::Case run;
-  run.law = ContactLaw::law;
+  host::Case run{ContactLaw::law};
   Scene& scene = run.scene;
   scene.main_mass = 12;
   scene.main_stiffness = 12 * 106.8 * 106.8;

@@ -23,9 +23,7 @@ template <class Law, class Stepper> void expect_double_up_to_the_bounds() {
     scene.main_stiffness = scene.main_mass * pulsation * pulsation;
     scene.main_damping = 0;
     scene.stops = Stops::right;
-    Bounds bounds;
-    bounds.speed = random.wide(0.05, 5);
-    bounds.force = 0;
+    Bounds bounds{0, random.wide(0.05, 5), 0, 0};
     const double speed = 2 * bounds.speed, mu = 1 / (1 / scene.main_mass + 1 / scene.ball_mass), time = steps * h;
     set_contact_time(scene, Law::is_linear, time, speed);
     scene.restitution = Law::is_damped_per_impact ? random.between(0.05, 1) : 1;
@@ -141,10 +139,8 @@ template <class Law, class Stepper, class Drive> void expect_same_bits_in_other_
         other.contact_stiffness *= force / power;
         other.contact_damping *= force / power * time / (Law::is_linear ? 1 : length);
         other.drive_amplitude *= force, other.drive_pulsation /= time;
-        Kernel one = start,
-               two(Kernel::PlanType::make(
-                   other, {bounds.displacement * length, bounds.speed * length / time, 0, bounds.force * force},
-                   h * time));
+        const Bounds other_bounds{bounds.displacement * length, bounds.speed * length / time, 0, bounds.force * force};
+        Kernel one = start, two(Kernel::PlanType::make(other, other_bounds, h * time));
         if (two.fault() == Fault::plan) continue;  // a value outside its range
         ++compared;
         for (int n = 0; n < 2000; ++n) {

@@ -261,9 +261,8 @@ TEST(FromCountsInFixed32, KeepTheSignAtTheUnit) {
 }
 
 TYPED_TEST(Formats, SamplesFromNewtons) {
-  Bounds bounds;
-  bounds.force = 12;
-  const auto kernel = accepted<Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>>(Scene{}, bounds, h);
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Moment, Sampled, TypeParam>;
+  const auto kernel = accepted<Kernel>(Scene{}, {0.1, 2, 0, 12}, h);
   for (const double newtons : {-12.0, -3.3, 0.0, 1e-3, 5.5}) {
     EXPECT_NEAR(si(kernel.sample_of(newtons), kernel.sample_unit()), newtons, 12 * 0x1p-23);
     EXPECT_NEAR(si(kernel.sample_of(static_cast<float>(newtons)), kernel.sample_unit()), newtons, 12 * 0x1p-22);

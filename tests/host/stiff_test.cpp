@@ -40,9 +40,7 @@ Bounds bounds_of(const Scene& scene) {
 
 // The damping for e = 0.68 at 0.8 m/s, for a damping ratio of 0.12, and e = 0.7.
 template <class ContactLaw> host::Case with_stop(const Scene& scene, double stiffness) {
-  host::Case run;
-  run.law = ContactLaw::law;
-  run.scene = scene;
+  host::Case run{ContactLaw::law, scene};
   run.scene.contact_stiffness = stiffness;
   const double reduced = scene.main_mass * scene.ball_mass / (scene.main_mass + scene.ball_mass);
   run.scene.contact_damping = ContactLaw::is_linear ? 0.24 * std::sqrt(stiffness * reduced)

@@ -139,8 +139,7 @@ template <class Law, class Stepper> void expect_every_damping(double step) {
   scene.v2 = 1.9;
   pair.step = step;
   scene.x2 = scene.clearance / 2 - 0.4 * scene.v2 * pair.step;
-  pair.bounds.displacement = 0.3;
-  pair.bounds.force = 1e-9;
+  pair.bounds = {0.3, 2, 0, 1e-9};
   int compared = 0;
   for (double damping = 1e-18; damping < 1e4; damping *= 1.3) {
     scene.contact_damping = damping;

@@ -74,8 +74,6 @@ TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
   const double at_ten_steps = is_linear ? 1.25 * first.restitution : error_of_moment(known.restitution);
   for (const int steps : {10, 20, 40, 80}) {
     const Errors error = steps == 10 ? first : largest_errors(known, steps);
-    std::printf("  %d steps: restitution %.1e, energy %.1e, peak force %.1e, peak penetration %.1e\n", steps,
-                error.restitution, error.lost, error.peak_force, error.peak_penetration);
     // The tolerance includes a quarter for the next order at 10 steps, and 5e-11 for the tables' ten digits.
     EXPECT_LE(error.restitution, at_ten_steps * std::pow(10.0 / steps, order) + 5e-11) << steps;
     EXPECT_LE(error.lost, 1.25 * first.lost * std::pow(10.0 / steps, order_of_ledger)) << steps;
@@ -94,16 +92,9 @@ TEST_P(FreeImpact, IsTheClosedFormToTheSchemesOrder) {
 // this damping for a ball that separates at zero force.
 Known impact_of(const char* name, Law law, double damping, double speed) {
   const Impact impact{law, 32600, damping, reduced_mass, speed};
-  return {name,
-          law,
-          Tension::clamp,
-          damping,
-          speed,
-          *restitution(impact),
-          *peak_penetration(impact),
-          *peak_force(impact),
-          *contact_time(impact),
-          *energy_lost(impact)};
+  const double e = *restitution(impact), deepest = *peak_penetration(impact), peak = *peak_force(impact);
+  const double time = *contact_time(impact), lost = *energy_lost(impact);
+  return {name, law, Tension::clamp, damping, speed, e, deepest, peak, time, lost};
 }
 std::vector<Known> impacts() {
   std::vector<Known> result{std::begin(known_impacts), std::end(known_impacts)};

@@ -1,6 +1,6 @@
 #pragma once
 // What the images run: the paper's scene under each law, stepper, number format and drive, and some with weight, a base
-// that shakes and dry friction. To measure the cost of a configuration, add it to Budgeted or BudgetedWithParts. Rows
+// that shakes and dry friction. To measure the cost of a configuration, add it to Budgeted or to a list beside it. Rows
 // in budgets.csv select those whose memory and longest path are measured.
 
 #include <stdint.h>
@@ -229,15 +229,18 @@ using BudgetedWithParts =
     List<Configuration<HuntCrossley, Moment, Fixed32, Sine, Gravity>,
          Configuration<HuntCrossley, Moment, Fixed32, Sine, BaseAcceleration>,
          Configuration<HuntCrossley, Moment, Fixed32, Sine, DryFriction>,
-         Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine, DryFriction>,
-         Configuration<HuntCrossley, Impulsive, Fixed32, Sine, DryFriction>,
          WithAllParts<Fixed32, HuntCrossley, Moment, Sine>, WithAllParts<Float32Plain, HuntCrossley, Moment, Sine>,
 #if defined(__ARM_FP)
          Configuration<HuntCrossley, Impulsive, Float32Plain, Sine>,
 #endif
          Configuration<Exact, Moment, Fixed32, Sine>>;
+// Friction that is followed within the step.
+using BudgetedWithFriction = List<Configuration<HuntCrossley, SubsteppedMoment<4>, Fixed32, Sine, DryFriction>,
+                                  Configuration<HuntCrossley, Impulsive, Fixed32, Sine, DryFriction>>;
 #if defined(IMPACT_WITH_PARTS)
 using Counted = BudgetedWithParts;
+#elif defined(IMPACT_WITH_FRICTION)
+using Counted = BudgetedWithFriction;
 #else
 using Counted = Budgeted;
 #endif

@@ -1,6 +1,6 @@
 // The cost of a step of every budgeted configuration, as rows for within_budget.sh. The compiler's inlining depends on
-// the rest of an image, so each configuration is measured in this image only. Those with parts of a scene
-// (IMPACT_WITH_PARTS) have their own image.
+// the rest of an image, so each configuration is measured in one image only. Those with parts of a scene
+// (IMPACT_WITH_PARTS) and with friction in the step (IMPACT_WITH_FRICTION) have their own.
 
 #include "step_cost.hpp"
 

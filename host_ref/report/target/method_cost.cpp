@@ -15,7 +15,8 @@ template <class Configuration, class... Listed> constexpr bool is_among(List<Lis
 template <class Law, class Newmark, class... Parts>
 void print_unless_budgeted(Configuration<Law, Newmark, IMPACT_NUMERIC, Sine, Parts...> configuration) {
   using Measured = decltype(configuration);
-  if constexpr (!is_among<Measured>(Budgeted{} + BudgetedWithParts{})) print_costs<Measured>(Measured::label.text);
+  if constexpr (!is_among<Measured>(Budgeted{} + BudgetedWithParts{} + BudgetedWithFriction{}))
+    print_costs<Measured>(Measured::label.text);
 }
 template <class OtherDrive> void print_unless_budgeted(OtherDrive) {}
 

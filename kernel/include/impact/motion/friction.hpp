@@ -58,6 +58,8 @@ struct DryFriction : ScenePart {
       Share main_ahead, ball_ahead;  // of the half of it that acts in the step ahead, in dx1 and dx2
       Share main_rate_ahead;         // the same in h v1
       Share main_shift;              // of a change of y at unchanged rates, in dx1
+      Share spring;                  // (w0 h)^2/3
+      Share at_once;  // by how much main_share is too large for an impulse at once, of which no half acts
       GainOf<typename Format::ClampedGain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
       Share excess;                     // of the main mass's momentum by an impulse over the ball's
       int spare_bits;                   // of an impulse that is no more than r
@@ -80,10 +82,10 @@ struct DryFriction : ScenePart {
     return {{scaled(full), scaled(full + at_once + constant::power_of_two(unit.position - 29)),
              scaled(main.constant_increment() / both), scaled(main.constant_start() / both),
              scaled(ball.constant_start() / both), scaled(main.constant_start() / main.e12 / both),
-             scaled(-main.e11 * main.constant_increment() / both), scaled(full > 0 ? 0.5 / full : 0),
-             scaled(momentum_ratio - 1), unit.penetration - constant::exponent_above(2 * full),
-             units.state(friction * main.constant_increment()), units.state(-friction * ball.constant_increment()),
-             friction}};
+             scaled(-main.e11 * main.constant_increment() / both), scaled(-main.e12 * main.e21 / 3),
+             scaled(1 - 1 / momentum_ratio), scaled(full > 0 ? 0.5 / full : 0), scaled(momentum_ratio - 1),
+             unit.penetration - constant::exponent_above(2 * full), units.state(friction * main.constant_increment()),
+             units.state(-friction * ball.constant_increment()), friction}};
   }
 
   template <class Format> struct State {
@@ -274,8 +276,9 @@ struct DryFriction : ScenePart {
   template <class Plan, class State> static constexpr void put_again(const Plan& plan, State& state) {
     act_at_once(plan, state, state.impulse, decltype(state.impulse){});
   }
-  // What turn() has changed: the rate at the step's end by the impulse `taken`, and x2 - x1 by `moved`.
-  template <class Value> struct Turned { Value taken, moved; };
+  // What turn() has changed: the rate at the step's end by the impulse `taken`, x2 - x1 by `moved`, and the main mass's
+  // own rate by an impulse.
+  template <class Value> struct Turned { Value taken, moved, on_main; };
   // After a step of flight in which the sliding may have turned, ended or begun. `displacement` and `rate`: of the
   // step, and at its end, with its friction; `ahead`: of the coming step, without friction.
   template <class Plan, class State, class Value, class Long>
@@ -291,13 +294,14 @@ struct DryFriction : ScenePart {
     const bool slides_at_once = before == 0 && is_positive(size(first_load) - full);
     const int way = !slides_at_once ? before : is_negative(first_load) ? -1 : 1;
     const bool back = way < 0;
-    // In that direction: friction, the rate at the end, and by how much the flight's displacement changes.
-    Value friction = mirrored(impulse, back), end = mirrored(rate, back), moved{}, more{};
+    // In that direction: friction, the rate at the end, by how much the flight's displacement changes, and that times
+    // the part of the step since then.
+    Value friction = mirrored(impulse, back), end = mirrored(rate, back), moved{}, more{}, aged{};
     if (slides_at_once) {
       more = full - friction;
       friction = full;
       end = end - more;
-      moved = -Format::value(half(more));
+      moved = aged = -Format::value(half(more));
     }
     const bool turns = way != 0 && is_negative(end);
     if (before != 0 && !turns) {
@@ -310,46 +314,59 @@ struct DryFriction : ScenePart {
       const auto left = left_after_turn<Format>(end, slope, own_bend);
       const Value bent = Format::value(left * own_bend), third = bent + bent + bent;
       turns_back = is_positive(third + third - mirrored(load, back) - full);
+      Value since_turn{};
       if (turns_back) {
         Value less = Format::value(left * (full + friction));
         if (is_positive(less + end)) less = -end;
         end = end + less;
-        moved = moved + Format::value(half(Format::value(left * less)));
+        since_turn = Format::value(half(Format::value(left * less)));
       } else {
-        // The displacement back by the friction so far.
-        moved = moved - Format::value(left * (end - Format::value(left * (Format::value(half(slope)) - bent))));
+        // Less the displacement back by the friction so far.
+        since_turn = -Format::value(left * (end - Format::value(left * (Format::value(half(slope)) - bent))));
       }
+      moved = moved + since_turn;
+      aged = aged + Format::value(left * since_turn);
     }
     moved = mirrored(moved, back);
+    // The main spring has acted on that displacement. Its impulse is made good, which changes the rate.
+    const Value spring_impulse = plan.friction.spring * mirrored(aged, back),
+                pulled = plan.friction.main_share * spring_impulse;
     Value taken = rate - mirrored(end, back), next = mirrored(full, back != turns_back);
     const bool sticks = way == 0 || (turns && !turns_back);
     if (sticks) {
-      const bool loaded_back = is_negative(load);
-      const Value beyond = mirrored(load, loaded_back) - full;
-      taken = rate;
-      next = holding(plan, load + third_rise);
+      // Without what that displacement adds to the load.
+      const Value third_pull = plan.friction.spring * (plan.friction.main_share * moved),
+                  pull = third_pull + third_pull + third_pull, held_load = load - pull,
+                  held_rise = third_rise - pull + pulled + Format::value(half(pulled));
+      const bool loaded_back = is_negative(held_load);
+      const Value beyond = mirrored(held_load, loaded_back) - full;
+      taken = rate - pulled;
+      next = holding(plan, held_load + held_rise);
       if (is_positive(beyond)) {
         if (way == 0) moved = -displacement;
-        const Value third = mirrored(third_rise, loaded_back);
+        const Value third = mirrored(held_rise, loaded_back);
         const auto since = Format::quotient(positive_part(beyond), positive_part(third + third + third));
         const Value bent = Format::value(since * third),
                     reached = Format::value(since * (beyond - bent - Format::value(half(bent)))),
                     gone = Format::value(since * Format::value(since * (Format::value(half(beyond)) - bent)));
         moved = moved + mirrored(gone, loaded_back);
-        taken = rate - mirrored(reached, loaded_back);
+        taken = taken - mirrored(reached, loaded_back);
         next = mirrored(full, loaded_back);
       } else if (way == 0 && !is_positive(size(coming) - full)) {
         stick(plan, state, impulse, ahead);
         state.impulse = next;
-        return {coming - Format::value(half(impulse + next)), moved};
+        return {coming - Format::value(half(impulse + next)), moved, {}};
       }
     }
     // From sliding one way for a whole step to sliding the other way: no friction changes by more.
     const Value most = full + full + size(more);
     taken = clamped(Passive<Value>{-most, most}, impulse_for(plan, taken));
+    const Value too_much = plan.friction.at_once * taken, on_main = spring_impulse - too_much;
+    taken = taken + plan.friction.main_share * too_much;
     move_ball(plan, state, moved);
+    plan.units.displace(state.dx1, plan.friction.main_share, on_main);
     change_to(plan, state, next, taken);
-    return {taken, moved};
+    return {taken, moved, on_main};
   }
   // The impulse that takes this rate, since one of the same size takes s of it, and 1/s is 2 - s.
   template <class Plan, class Value> static constexpr Value impulse_for(const Plan& plan, Value rate) {

@@ -129,6 +129,11 @@ template <class Model> struct FrictionImpulse {
   static constexpr Penetration half_taken(const Model& m) {
     return Friction::half_taken(m.plan, Penetration(m.state.impulse));
   }
+  // The main mass's own rate, and what the half of the last impulse that acts in the step ahead adds to it.
+  static constexpr Penetration main_rate(const Model& m) { return m.plan.units.relative(m.state.dx1) + m.rate_ahead(); }
+  static constexpr Penetration main_rate_ahead(const Model& m) {
+    return m.plan.friction.main_rate_ahead * Penetration(m.state.impulse);
+  }
   static constexpr void count_slid([[maybe_unused]] Model& m, [[maybe_unused]] Penetration displacement) {
     if constexpr (Model::counts_sliding_distance) {
       const auto half_displacement = work(Format::value(Format::constant(0.5)), displacement);
@@ -198,10 +203,18 @@ template <class Model> struct FrictionImpulse {
   // Both masses lose the work of the impulse that the step began with, and what the change at its end takes.
   [[gnu::noinline]] static constexpr auto turn(Model& m, const Flight& flight) {
     count_loss(m, m.state.impulse, flight.displacement);
-    [[maybe_unused]] Penetration before{};
-    if constexpr (Model::counts_sliding_distance) before = rubbing_rate(m) - rubbed_ahead(m);
+    [[maybe_unused]] Penetration before{}, main_before{};
+    if constexpr (Model::counts_sliding_distance) {
+      before = rubbing_rate(m) - rubbed_ahead(m);
+      main_before = main_rate(m) + main_rate_ahead(m);
+    }
     const auto by = Friction::turn(m.plan, m.state, flight.displacement, sliding_rate(m), m.displacement_ahead());
     count_change(m, flight, by.taken, by.moved, before, rubbing_rate(m) + rubbed_ahead(m));
+    if constexpr (Model::counts_sliding_distance) {
+      const Penetration main =
+          Format::value(half(main_before)) + Format::value(half(main_rate(m) - main_rate_ahead(m)));
+      count_loss(m, -by.on_main, main + m.plan.friction.excess * main);
+    }
     return by;
   }
   // The exact loss by a change at the step's end: an impulse works at the average of the rates before and after it, and

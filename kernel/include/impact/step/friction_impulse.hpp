@@ -28,7 +28,7 @@ template <class Model> struct FrictionImpulse {
 
   // The sliding rate at which friction does work.
   static constexpr Penetration rubbing_rate(const Model& m) {
-    Penetration main = m.plan.units.relative(m.state.dx1) + m.rate_ahead(), sliding = m.relative_rate(false);
+    Penetration main = m.main_rate(), sliding = m.relative_rate(false);
     if constexpr (Contact::traits.keeps_force) {
       const Penetration main_carried = m.plan.contact.dx1_share * m.state.contact.force,
                         ball_carried = m.plan.contact.dx2_share * m.state.contact.force;
@@ -129,8 +129,7 @@ template <class Model> struct FrictionImpulse {
   static constexpr Penetration half_taken(const Model& m) {
     return Friction::half_taken(m.plan, Penetration(m.state.impulse));
   }
-  // The main mass's own rate, and what the half of the last impulse that acts in the step ahead adds to it.
-  static constexpr Penetration main_rate(const Model& m) { return m.plan.units.relative(m.state.dx1) + m.rate_ahead(); }
+  // What the half of the last impulse that acts in the step ahead adds to the main mass's rate.
   static constexpr Penetration main_rate_ahead(const Model& m) {
     return m.plan.friction.main_rate_ahead * Penetration(m.state.impulse);
   }
@@ -206,13 +205,13 @@ template <class Model> struct FrictionImpulse {
     [[maybe_unused]] Penetration before{}, main_before{};
     if constexpr (Model::counts_sliding_distance) {
       before = rubbing_rate(m) - rubbed_ahead(m);
-      main_before = main_rate(m) + main_rate_ahead(m);
+      main_before = m.main_rate() + main_rate_ahead(m);
     }
     const auto by = Friction::turn(m.plan, m.state, flight.displacement, sliding_rate(m), m.displacement_ahead());
     count_change(m, flight, by.taken, by.moved, before, rubbing_rate(m) + rubbed_ahead(m));
     if constexpr (Model::counts_sliding_distance) {
       const Penetration main =
-          Format::value(half(main_before)) + Format::value(half(main_rate(m) - main_rate_ahead(m)));
+          Format::value(half(main_before)) + Format::value(half(m.main_rate() - main_rate_ahead(m)));
       count_loss(m, -by.on_main, main + m.plan.friction.excess * main);
     }
     return by;

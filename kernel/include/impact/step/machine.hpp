@@ -72,6 +72,10 @@ template <class Source, class... Features> struct Machine : Source {
     return ahead;
   }
   constexpr Penetration rate_ahead() const { return rate_ahead_without_field() - Field::main_rate(plan, state); }
+  // h v1, with that half of friction's last impulse which acts in the coming step.
+  [[gnu::always_inline]] constexpr Penetration main_rate() const {
+    return plan.units.relative(state.dx1) + rate_ahead();
+  }
   // The rate of penetration.
   constexpr Penetration relative_rate(bool left) const {
     return mirrored(

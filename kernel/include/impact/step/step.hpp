@@ -176,7 +176,7 @@ template <class Model> struct Step {
       if (state.contact.phase == Phase::apart)
         approach.rate_before =
             approach.rate_at_start() +
-            mirrored(plan.contact.start_rate.bend(plan.units.displacement(main_travel), main_rate(m), change.half),
+            mirrored(plan.contact.start_rate.bend(plan.units.displacement(main_travel), m.main_rate(), change.half),
                      left);
     }
     if constexpr (traits.sees_change) increment = increment + change.to_end;
@@ -254,7 +254,7 @@ template <class Model> struct Step {
       approach.increment = minus_mirrored(increment, left);
     }
     if constexpr (traits.is_instantaneous) {
-      approach.main_rate = mirrored(main_rate(m), left);
+      approach.main_rate = mirrored(m.main_rate(), left);
       if constexpr (feels_friction)
         approach.main_rate = approach.main_rate + mirrored(plan.friction.main_rate_ahead * state.impulse, left);
     }
@@ -307,10 +307,6 @@ template <class Model> struct Step {
         m.record_contact(seen);
       }
     }
-  }
-  // The rate of the main mass at the step's end.
-  [[gnu::always_inline]] static constexpr Penetration main_rate(const Model& m) {
-    return m.plan.units.relative(m.state.dx1) + m.rate_ahead();
   }
   template <class Units> static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
     if (!is_positive(approach.penetration) || !is_positive(approach.travel) ||

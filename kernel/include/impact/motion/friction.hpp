@@ -59,7 +59,7 @@ struct DryFriction : ScenePart {
       Share main_rate_ahead;         // the same in h v1
       Share main_shift;              // of a change of y at unchanged rates, in dx1
       Share spring;                  // (w0 h)^2/3
-      Share at_once;  // by how much main_share is too large for an impulse at once, of which no half acts
+      Share main_surplus;            // by how much main_share is too large for an impulse of which no half acts ahead
       GainOf<typename Format::ClampedGain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
       Share excess;                     // of the main mass's momentum by an impulse over the ball's
       int spare_bits;                   // of an impulse that is no more than r
@@ -361,7 +361,7 @@ struct DryFriction : ScenePart {
     // From sliding one way for a whole step to sliding the other way: no friction changes by more.
     const Value most = full + full + size(more);
     taken = clamped(Passive<Value>{-most, most}, impulse_for(plan, taken));
-    const Value too_much = plan.friction.at_once * taken, on_main = spring_impulse - too_much;
+    const Value too_much = plan.friction.main_surplus * taken, on_main = spring_impulse - too_much;
     taken = taken + plan.friction.main_share * too_much;
     move_ball(plan, state, moved);
     plan.units.displace(state.dx1, plan.friction.main_share, on_main);

@@ -103,16 +103,17 @@ build_host() {
   cmake --build build -j "$(nproc)"
 }
 
-# Two beside each other, so that no core waits for a target's last image or test.
+# Two beside each other, with half of the cores each, so that no core waits for a target's last image or test.
 test_targets() {
   mkdir -p build/target
+  export CMAKE_BUILD_PARALLEL_LEVEL=$((($(nproc) + 1) / 2))
   echo "$targets" | tr ' ' '\n' | xargs -P 2 -I NAME sh -c \
     'sh toolchains/bootstrap.sh target NAME >build/target/NAME.log 2>&1; result=$?; cat build/target/NAME.log; exit $result'
 }
 
 test_target() {
   cmake -S . -B "build/target/$1" -DCMAKE_TOOLCHAIN_FILE="toolchains/$1.cmake"
-  cmake --build "build/target/$1" -j "$(nproc)"
+  cmake --build "build/target/$1"
   run_tests "build/target/$1"
 }
 

@@ -94,6 +94,28 @@ TYPED_TEST(Faults, AHitDeeperThanItsBound) {
   expect_fault_of<TypeParam>(HuntCrossley{}, AverageAcceleration{}, scene, bounds, Fault::penetration);
 }
 
+// Nothing is clamped: the contact goes on as it does without that bound.
+template <class Stepper> void expect_to_go_on_deeper() {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Stepper, Sine, Float64>;
+  Scene scene;
+  scene.v2 = 1.5;
+  auto deeper = accepted<Kernel>(scene, {0.1, 2, 1e-3, 10}, 1e-3),
+       free = accepted<Kernel>(scene, {0.1, 2, 0, 10}, 1e-3);
+  for (int n = 0; n < 200; ++n) {
+    deeper.step();
+    free.step();
+    ASSERT_NEAR(deeper.reading().x2, free.reading().x2, 1e-12) << n;
+  }
+  EXPECT_EQ(deeper.fault(), Fault::penetration);
+  EXPECT_EQ(free.fault(), Fault::none);
+}
+TEST(AHitDeeperThanItsBound, GoesOn) {
+  expect_to_go_on_deeper<Moment>();
+  expect_to_go_on_deeper<SubsteppedMoment<4>>();
+  expect_to_go_on_deeper<EnergyConsistent>();
+  expect_to_go_on_deeper<AverageAcceleration>();
+}
+
 // A quantity that is 1 % beyond its bound raises a fault in that step, and one that just reaches the bound does not.
 // `of` is the exact quantity as a share of its bound, which the format has within `error`.
 template <class Kernel, class Share>

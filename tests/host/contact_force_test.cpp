@@ -113,6 +113,31 @@ TYPED_TEST(ContactForces, OfAResolvedContactAreTheLawsOwnAtEveryRate) {
   expect_forces<TypeParam, HuntCrossley, AverageAcceleration>(hunt_crossley, 20);
 }
 
+// Friction turns at the impact, and takes up to 2 R h in its step. In the contact it changes the impulse 2 mu V by up
+// to R tc, 1.5 % of it.
+TYPED_TEST(ContactForces, ContainNoFriction) {
+  using Model = Absorber<AtRunTime, HuntCrossley, SubsteppedMoment<>, NoDrive, TypeParam, ContactForce, DryFriction>;
+  constexpr double step = 1e-3, friction = 60;
+  Scene scene = elastic_scene();
+  scene.main_mass = 12;
+  scene.ball_mass = 0.9;
+  scene.contact_stiffness = 1e10;
+  scene.ball_friction = friction;
+  scene.v2 = 0.8;
+  const double mu = 12 * 0.9 / 12.9;
+  for (const double gap : {0.1, 0.3, 0.5, 0.7}) {
+    scene.x2 = scene.clearance / 2 - gap * scene.v2 * step;
+    auto model = accepted<Model>(scene, bounds, step);
+    double impulse = 0;
+    for (int n = 0; n < 3; ++n) {
+      model.step();
+      impulse += newtons(model, model.contact_force()) * step;
+    }
+    const double speed = std::sqrt(scene.v2 * scene.v2 - 2 * friction / mu * gap * scene.v2 * step);
+    EXPECT_NEAR(impulse / (2 * mu * speed), 1, 0.015) << gap;
+  }
+}
+
 // Impacts from the largest speed of the bounds down to 1 % of it, with restitutions from 1 down to 0.05. The bounds are
 // those of impact_force.hpp.
 template <class Format, class ContactLaw> void expect_closed_form(double stiffness, double damping) {

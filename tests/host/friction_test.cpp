@@ -169,6 +169,66 @@ TYPED_TEST(FrictionIn, SlidesFromTheStartBeforeTheLoadFalls) {
     }
 }
 
+// A ball within a step of a stop, in a machine that turns by `turn` in a step. In a step friction takes between `least`
+// and `most` of the speed of 1 m/s.
+struct NearAStop {
+  static constexpr double step = 1e-3;
+  Scene scene = undriven_scene();
+  Bounds bounds;
+
+  NearAStop(Random& random, double stiffness, double turn, double least, double most) {
+    const double heading = random.between(0, 6.28), swing = step / turn;
+    scene.main_mass = 1;
+    scene.ball_mass = random.wide(0.05, 5);
+    scene.main_stiffness = turn * turn / (step * step);
+    scene.clearance = 0.1;
+    scene.contact_stiffness = stiffness;
+    scene.contact_damping = 0;
+    scene.v1 = std::cos(heading);
+    scene.v2 = std::sin(heading);
+    const double rate = scene.v2 - scene.v1, gap = random.between(0, 1) * std::abs(rate) * step;
+    scene.x1 = random.between(-0.3, 0.3) * swing;
+    scene.x2 = scene.x1 + std::copysign(scene.clearance / 2 - gap, rate);
+    scene.ball_friction = scene.ball_mass / (1 + scene.ball_mass) / step * random.wide(least, most);
+    bounds.speed = 4 / std::sqrt(std::min(1.0, scene.ball_mass));
+    bounds.displacement = 4 * swing + scene.clearance;
+  }
+};
+// The errors of the speeds after two steps, in ascending order, in m/s.
+template <class Stepper, class Format>
+std::vector<double> errors_near_a_stop(double stiffness, double turn, double least, double most) {
+  using Kernel = Absorber<AtRunTime, HuntCrossley, Stepper, NoDrive, Format, DryFriction>;
+  Random random(7);
+  std::vector<double> errors;
+  for (int i = 0; i < 300; ++i) {
+    const NearAStop made(random, stiffness, turn, least, most);
+    Kernel absorber(Kernel::PlanType::make(made.scene, made.bounds, made.step));
+    if (absorber.fault() == Fault::plan) continue;
+    const auto now = after_steps(absorber, 2).reading();
+    const host::Sample right = reference_at({Law::hunt_crossley, made.scene, host::DriveKind::none}, 2 * made.step);
+    errors.push_back(larger(std::abs(now.v1 - right.v1), std::abs(now.v2 - right.v2)));
+  }
+  EXPECT_GT(errors.size(), 200u);
+  std::sort(errors.begin(), errors.end());
+  return errors;
+}
+// What the main spring does to friction's displacement in and after a contact is made good (flight.md). Otherwise the
+// errors would be 40 times as large with sub-steps, and 7 times with Impulsive.
+TEST(Friction, ActsAsExactlyInAStepWithAContact) {
+  const auto resolved = errors_near_a_stop<SubsteppedMoment<>, Float64>(1e9, 0.08, 0.01, 0.1);
+  EXPECT_LT(resolved[resolved.size() * 9 / 10], 1e-6);
+  const auto impulsive = errors_near_a_stop<Impulsive, Float64>(1e15, 0.06, 0.01, 0.1);
+  EXPECT_LT(impulsive[impulsive.size() / 2], 1e-6);
+}
+// A ball that friction stops inside a stop, where a flight that it turned back would not end, does not pass the face
+// without a contact. Otherwise it would be thrown back at up to its own speed.
+TYPED_TEST(FrictionIn, StopsNoBallInsideAStopUnseen) {
+  const auto resolved = errors_near_a_stop<SubsteppedMoment<>, TypeParam>(1e9, 0.08, 0.3, 5);
+  EXPECT_LT(resolved.back(), 5e-3);
+  const auto impulsive = errors_near_a_stop<Impulsive, TypeParam>(1e15, 0.06, 0.3, 5);
+  EXPECT_LT(impulsive.back(), 5e-3);
+}
+
 // In the contact friction acts over twice the depth, not over the way to the centroid and back: impulsive.md.
 template <class ContactLaw> double worst_rebound(double contact_stiffness, double contact_damping) {
   constexpr double step = 1e-3, end = 0.08;

@@ -270,14 +270,14 @@ struct DryFriction : ScenePart {
     return holding(plan, left + left);
   }
   // Removes the impulse at the step's end, which is to be made anew, and makes it again.
-  template <class Plan, class State> static constexpr void take_back(const Plan& plan, State& state) {
-    act_at_once(plan, state, -state.impulse, decltype(state.impulse){});
+  template <class Plan, class State> [[gnu::noinline]] static constexpr void take_back(const Plan& plan, State& state) {
+    push_by(plan, state, -state.impulse);
   }
-  template <class Plan, class State> static constexpr void put_again(const Plan& plan, State& state) {
-    act_at_once(plan, state, state.impulse, decltype(state.impulse){});
+  template <class Plan, class State> [[gnu::noinline]] static constexpr void put_again(const Plan& plan, State& state) {
+    push_by(plan, state, state.impulse);
   }
-  // What turn() has changed: the rate at the step's end by the impulse `taken`, x2 - x1 by `moved`, and the main mass's
-  // own rate by an impulse.
+  // What a change at the step's end has done: to the rate by the impulse `taken`, to x2 - x1 by `moved`, and to the
+  // main mass's own rate by an impulse.
   template <class Value> struct Turned { Value taken, moved, on_main; };
   // After a step of flight in which the sliding may have turned, ended or begun. `displacement` and `rate`: of the
   // step, and at its end, with its friction; `ahead`: of the coming step, without friction.
@@ -361,22 +361,21 @@ struct DryFriction : ScenePart {
     // From sliding one way for a whole step to sliding the other way: no friction changes by more.
     const Value most = full + full + size(more);
     taken = clamped(Passive<Value>{-most, most}, impulse_for(plan, taken));
-    const Value too_much = plan.friction.main_surplus * taken, on_main = spring_impulse - too_much;
-    taken = taken + plan.friction.main_share * too_much;
-    move_ball(plan, state, moved);
-    plan.units.displace(state.dx1, plan.friction.main_share, on_main);
-    change_to(plan, state, next, taken);
-    return {taken, moved, on_main};
+    const Turned<Value> by = make_good(plan, state, taken, moved, spring_impulse);
+    change_to(plan, state, next, by.taken);
+    return by;
+  }
+  // The same after an impact at an instant, for a rate and a displacement that friction takes since then. `aged`: that
+  // displacement times the part of the step since then.
+  template <class Plan, class State, class Value>
+  static constexpr Turned<Value> turn_at_impact(const Plan& plan, State& state, Value rate, Value moved, Value aged) {
+    const Turned<Value> by = make_good(plan, state, impulse_for(plan, rate), moved, Value(plan.friction.spring * aged));
+    push_by(plan, state, by.taken);
+    return by;
   }
   // The impulse that takes this rate, since one of the same size takes s of it, and 1/s is 2 - s.
   template <class Plan, class Value> static constexpr Value impulse_for(const Plan& plan, Value rate) {
     return rate + (rate - half_taken(plan, rate) - half_taken(plan, rate));
-  }
-  // Changes the rates by `impulse`, and x2 - x1 by `moved` at unchanged rates.
-  template <class Plan, class State, class Value>
-  [[gnu::noinline]] static constexpr void act_at_once(const Plan& plan, State& state, Value impulse, Value moved) {
-    move_ball(plan, state, moved);
-    push_by(plan, state, impulse);
   }
 
  private:
@@ -389,6 +388,16 @@ struct DryFriction : ScenePart {
       left = Format::quotient(positive_part(Format::value(left * third) - end), positive_part(third + third - slope));
     }
     return left;
+  }
+  // Changes x2 - x1 by `moved`. Makes good on the main mass what its spring did meanwhile, and by how much `taken`
+  // moves it too far. What is left of `taken` has yet to act.
+  template <class Plan, class State, class Value>
+  static constexpr Turned<Value> make_good(const Plan& plan, State& state, Value taken, Value moved,
+                                           Value spring_impulse) {
+    const Value too_much = plan.friction.main_surplus * taken, on_main = spring_impulse - too_much;
+    move_ball(plan, state, moved);
+    plan.units.displace(state.dx1, plan.friction.main_share, on_main);
+    return {taken + plan.friction.main_share * too_much, moved, on_main};
   }
   // Changes x2 - x1 and leaves the common centre of both masses and their rates.
   template <class Plan, class State, class Value>

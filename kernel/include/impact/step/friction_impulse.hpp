@@ -106,7 +106,7 @@ template <class Model> struct FrictionImpulse {
     m.state.slid.add(Friction::dissipated(m.plan, m.state, rubbing_rate(m)));
   }
 
-  // The functions up to slide_or_turn() are for a contact that follows friction within the step.
+  // The functions up to flies_on() are for a contact that follows friction within the step.
 
   // A flight: the displacement of sliding, and at its end the main mass's position and, for the ledger, what friction
   // works against.
@@ -148,14 +148,18 @@ template <class Model> struct FrictionImpulse {
     rubbing.half_by_full = m.plan.friction.half_by_full;
     rubbing.slides = mirrored(Friction::slides(m.plan, m.state.impulse), left);
   }
-  // A ball that has turned before it met its stop: the flight ends with the friction since then. Returns true if it
-  // does not meet the stop at all.
+  // Ends a flight with the friction since its sliding has turned, ended or begun: a flight that meets no stop, or of a
+  // ball that has turned before it met one. Returns true if the ball now meets none. One that friction has stopped
+  // inside a stop meets it.
   [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, const Flight& flight) {
     const bool is_apart = m.state.contact.phase == Phase::apart;
     if (!acts(m) || !(is_apart || Contact::traits.is_instantaneous)) return false;
-    const bool left = is_apart ? m.ball_is_left() : m.contact_is_left();
-    if (mirrored(Friction::slides(m.plan, m.state.impulse), left) >= 0 || !is_positive(mirrored(sliding_rate(m), left)))
-      return false;
+    if (!is_apart || m.is_beyond_stop()) {
+      const bool left = is_apart ? m.ball_is_left() : m.contact_is_left();
+      if (mirrored(Friction::slides(m.plan, m.state.impulse), left) >= 0 ||
+          !is_positive(mirrored(sliding_rate(m), left)))
+        return false;
+    }
     [[maybe_unused]] const Penetration impulse = m.state.impulse;
     const auto by = turn(m, flight);
     if (is_apart && !m.is_beyond_stop()) return true;
@@ -180,11 +184,10 @@ template <class Model> struct FrictionImpulse {
       count_loss(m, m.state.impulse, against);
       if (m.state.contact.is_at_rest)
         for (int quarter = 0; quarter < 4; ++quarter) count_loss(m, rubbing.half_late, against);
-      const Penetration before = rubbing_rate(m) - rubbed_ahead(m),
-                        impulse = Friction::impulse_for(m.plan, mirrored(rubbing.taken, left)),
-                        moved = mirrored(rubbing.moved, left);
-      Friction::act_at_once(m.plan, m.state, impulse, moved);
-      count_change(m, flight, impulse, moved, before, rubbing_rate(m) - rubbed_ahead(m));
+      const AtEnd before = at_end(m);
+      const auto by = Friction::turn_at_impact(m.plan, m.state, mirrored(rubbing.taken, left),
+                                               mirrored(rubbing.moved, left), mirrored(rubbing.aged, left));
+      count_change(m, flight, by, before, at_end(m));
     } else {
       count_quarter(m, rubbing.quarter);
       if (rubbing.has_turned) count_loss(m, m.state.impulse, -rubbing.displacement);
@@ -202,34 +205,47 @@ template <class Model> struct FrictionImpulse {
   // Both masses lose the work of the impulse that the step began with, and what the change at its end takes.
   [[gnu::noinline]] static constexpr auto turn(Model& m, const Flight& flight) {
     count_loss(m, m.state.impulse, flight.displacement);
-    [[maybe_unused]] Penetration before{}, main_before{};
-    if constexpr (Model::counts_sliding_distance) {
-      before = rubbing_rate(m) - rubbed_ahead(m);
-      main_before = m.main_rate() + main_rate_ahead(m);
-    }
+    const AtEnd before = at_end(m);
     const auto by = Friction::turn(m.plan, m.state, flight.displacement, sliding_rate(m), m.displacement_ahead());
-    count_change(m, flight, by.taken, by.moved, before, rubbing_rate(m) + rubbed_ahead(m));
-    if constexpr (Model::counts_sliding_distance) {
-      const Penetration main =
-          Format::value(half(main_before)) + Format::value(half(m.main_rate() - main_rate_ahead(m)));
-      count_loss(m, -by.on_main, main + m.plan.friction.excess * main);
-    }
+    count_change(m, flight, by, before, at_end_of_change(m));
     return by;
+  }
+  // For the ledger: the rates that friction works against at the step's end, and the main mass's own. Half of the
+  // impulse that the step began with has yet to act, or half of the next one has acted.
+  struct AtEnd {
+    Penetration rubbing{}, main{};
+  };
+  static constexpr AtEnd at_end([[maybe_unused]] const Model& m) {
+    if constexpr (Model::counts_sliding_distance)
+      return {rubbing_rate(m) - rubbed_ahead(m), m.main_rate() + main_rate_ahead(m)};
+    else
+      return {};
+  }
+  static constexpr AtEnd at_end_of_change([[maybe_unused]] const Model& m) {
+    if constexpr (Model::counts_sliding_distance)
+      return {rubbing_rate(m) + rubbed_ahead(m), m.main_rate() - main_rate_ahead(m)};
+    else
+      return {};
   }
   // The exact loss by a change at the step's end: an impulse works at the average of the rates before and after it, and
   // a change of x2 - x1 at the average of the load.
+  template <class Turned>
   [[gnu::noinline]] static constexpr void count_change([[maybe_unused]] Model& m, [[maybe_unused]] const Flight& flight,
-                                                       [[maybe_unused]] Penetration impulse,
-                                                       [[maybe_unused]] Penetration moved,
-                                                       [[maybe_unused]] Penetration before,
-                                                       [[maybe_unused]] Penetration after) {
+                                                       [[maybe_unused]] const Turned& by,
+                                                       [[maybe_unused]] const AtEnd& before,
+                                                       [[maybe_unused]] const AtEnd& after) {
     if constexpr (Model::counts_sliding_distance) {
       Long shift = m.state.x1 - flight.x1;
-      m.plan.units.displace(shift, m.plan.friction.main_share, Penetration(Format::value(half(moved))));
+      m.plan.units.displace(shift, m.plan.friction.main_share, Penetration(Format::value(half(by.moved))));
       const auto by_spring = Format::term(m.plan.stiffness, m.plan.units.position(shift));
-      count_loss(m, impulse, Format::value(half(before)) + Format::value(half(after)));
-      count_loss(m, moved, flight.load + m.plan.units.increment_of_rate(by_spring));
+      const Penetration main = average(before.main, after.main);
+      count_loss(m, by.taken, average(before.rubbing, after.rubbing));
+      count_loss(m, by.moved, flight.load + m.plan.units.increment_of_rate(by_spring));
+      count_loss(m, -by.on_main, main + m.plan.friction.excess * main);
     }
+  }
+  static constexpr Penetration average(Penetration one, Penetration other) {
+    return Format::value(half(one)) + Format::value(half(other));
   }
   // Counts an impulse or displacement of up to 4 r. A ball that has broken loose may have moved by more, if the load
   // has risen to 25 r within a step. The rest is not counted.
@@ -244,20 +260,24 @@ template <class Model> struct FrictionImpulse {
       m.state.slid.add(quarter + quarter);
     }
   }
+  [[gnu::always_inline]] static constexpr bool slides_on(Model& m, const Flight& flight) {
+    if (!Friction::slides_on(m.plan, m.state, m.state.dx2)) return false;
+    count_slid(m, mirrored(flight.displacement, is_negative(m.state.impulse)));
+    return true;
+  }
   [[gnu::always_inline]] static constexpr void slide_or_turn(Model& m, const Flight& flight) {
-    if (Friction::slides_on(m.plan, m.state, m.state.dx2))
-      count_slid(m, mirrored(flight.displacement, is_negative(m.state.impulse)));
-    else
-      turn(m, flight);
+    if (acts(m) && !slides_on(m, flight)) turn(m, flight);
   }
 
-  // At the end of a step in flight.
+  // At the end of a step in flight. False if the sliding turns, ends or begins: for turns_before_stop().
+  [[gnu::always_inline]] static constexpr bool flies_on(Model& m, Long main_travel) {
+    return !acts(m) || slides_on(m, flight_of(m, main_travel));
+  }
+  // At the end of a step in flight, for a contact that does not feel friction.
   [[gnu::always_inline]] static constexpr void after_flight([[maybe_unused]] Model& m,
                                                             [[maybe_unused]] Long main_travel) {
-    if (!acts(m)) return;
-    if constexpr (Friction::is_friction && Contact::traits.feels_friction) {
-      slide_or_turn(m, flight_of(m, main_travel));
-    } else if constexpr (Friction::is_friction) {
+    if constexpr (Friction::is_friction) {
+      if (!acts(m)) return;
       [[maybe_unused]] Penetration rate{};
       if constexpr (Model::counts_sliding_distance) rate = rubbing_rate(m);
       if (!Friction::slides_on(m.plan, m.state, m.state.dx2))

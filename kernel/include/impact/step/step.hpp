@@ -41,6 +41,8 @@ template <class Model> struct Step {
   };
   using SeenChange = typename detail::Either<traits.starts_from_rate, ChangeFromStart, ChangeAtEnd>::Type;
 
+  static constexpr bool feels_friction = Friction::is_friction && traits.feels_friction;
+
   // `force` and `acceleration` are the samples at the step's end, for a sampled drive and a sampled field.
   static constexpr void step(Model& m, Value force, Value acceleration) {
     if (m.is_refused()) return;
@@ -51,7 +53,9 @@ template <class Model> struct Step {
     m.add_at_once(main_travel, force, acceleration, false);
     const Increment increment = fly(m, main_travel, force, acceleration);  // of dx1
     // If the flight meets a stop, the range is checked after the contact.
-    if (m.state.contact.phase != Phase::apart || m.is_beyond_stop()) {
+    bool meets_stop = m.state.contact.phase != Phase::apart || m.is_beyond_stop();
+    if constexpr (feels_friction) meets_stop = meets_stop || !FrictionStep::flies_on(m, main_travel);
+    if (meets_stop) {
       SeenChange change{};
       if constexpr (traits.sees_change || Model::records) {
         const auto of_drive = m.state.drive.change(m.plan.drive, drive_before);
@@ -61,7 +65,7 @@ template <class Model> struct Step {
       }
       contact(m, increment, main_travel, change);
     } else {
-      FrictionStep::after_flight(m, main_travel);
+      if constexpr (!feels_friction) FrictionStep::after_flight(m, main_travel);
       clamp_if_out_of_range(m);
     }
     m.record_step();
@@ -127,7 +131,7 @@ template <class Model> struct Step {
         else if (rubbing.has_turned)
           Friction::put_again(m.plan, m.state);
         else
-          FrictionStep::after_flight(m, main_travel);
+          FrictionStep::slide_or_turn(m, flight);
       }
     } else if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
@@ -144,7 +148,6 @@ template <class Model> struct Step {
   using FromStart = typename detail::Either<traits.starts_from_rate, ApproachFromStart<InField, Value>, InField>::Type;
   using Unrecorded =
       typename detail::Either<traits.is_instantaneous, ApproachAtInstant<InField, Value>, FromStart>::Type;
-  static constexpr bool feels_friction = Friction::is_friction && traits.feels_friction;
   using Rubbed = typename detail::Either<feels_friction, RubbedApproach<Unrecorded, Format>, Unrecorded>::Type;
   using StopApproach = typename detail::Either<Model::records, RecordedApproach<Rubbed>, Rubbed>::Type;
 

@@ -317,6 +317,7 @@ struct Impulsive {
       step.taken = turned + by.rate + given_back;
       step.moved =
           -Penetration(Format::value(t * bare(Penetration(Format::value(half(turned)) + by.moment + given_back))));
+      step.aged = Penetration(Format::value(t * bare(step.moved)));
     }
     // A ball at rest on its stop is held without friction.
     static constexpr void stick(Rubbing<Format>& step) {

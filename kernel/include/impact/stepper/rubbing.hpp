@@ -30,10 +30,11 @@ template <class Format> struct Rubbing {
   Penetration displacement;  // of the flight, if it has turned
   GainOf<typename Format::ClampedGain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
   typename Format::Energy quarter;  // with sub-steps: of what friction dissipates in this step, over R
-  // With a contact that takes no time: what it prevents of the flight's displacement, and how friction changes rate and
-  // penetration at the step's end. For the ledger of a ball that has turned before it comes to rest: half of what its
-  // displacement differs from that of a flight with the last friction alone.
-  Penetration prevented, taken, moved, half_late;
+  // With a contact that takes no time: what it prevents of the flight's displacement, how friction changes rate and
+  // penetration at the step's end, and the latter times the part of the step since the impact. For the ledger of a ball
+  // that has turned before it comes to rest: half of what its displacement differs from that of a flight with the last
+  // friction alone.
+  Penetration prevented, taken, moved, aged, half_late;
 };
 
 // A quarter of an impulse of up to 4 r, over r.

@@ -111,6 +111,13 @@ template <class Format, int most> struct ImpulseSums {
     change(plan, impulse);
     return w - before;
   }
+  // What the main spring has done to a displacement that grew with the square of the time. `aged`: that displacement
+  // times the part of the step in which it grew.
+  constexpr void pull(const Plan& plan, Penetration aged) {
+    const Recoil moved(plan.main_x * Recoil(Format::moved(aged, -plan.travel_bits)));
+    const Recoil acceleration(plan.strides[0].by_x_to_u * moved);
+    by_flow.add(Recoil(Format::value(acceleration * Format::short_constant(1.0 / 3))), plan.flow_bits);
+  }
   // To the coordinates of the other stop.
   [[gnu::always_inline]] constexpr void cross() {
     x.negate();

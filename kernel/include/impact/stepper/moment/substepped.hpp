@@ -234,6 +234,8 @@ template <int named = 0> struct SubsteppedMoment {
       const Penetration start_rate = begins ? step.rate_before : step_rate;
       Penetration by_spring = start_rate - step.rate;
       if constexpr (Seen::is_in_field) by_spring = by_spring + units.increment_of_rate(step.ball_increment);
+      if constexpr (Seen::is_rubbed)
+        by_spring = by_spring - (step.rubbing->force - step.rubbing->main_share * step.rubbing->force);
       Flight free(trial, step.rate, trial - at, start_rate, plan.quartic * by_spring + plan.drive_quartic * step.bend);
       int left = 1 << plan.sums.exponent;  // sub-steps to the step's end
       if (begins) skip_flight(plan, free, left, at);
@@ -322,7 +324,7 @@ template <int named = 0> struct SubsteppedMoment {
         sums.cross();
         if constexpr (Seen::is_rubbed) friction.cross();
       }
-      if constexpr (Seen::is_rubbed) friction.end();
+      if constexpr (Seen::is_rubbed) friction.end(plan);
       StepReaction reaction{};
       reaction.main.j1 = Recoil(sums.x.value());
       reaction.by_flow = sums.by_flow;
@@ -374,11 +376,13 @@ template <int named = 0> struct SubsteppedMoment {
     };
     // Friction in the sub-steps. The flight contains the one that the step began with; the rest acts here.
     template <bool is_counted> struct Friction {
-      PartRubbing<Format> part;    // of a sub-step
-      Penetration assumed, force;  // over a step: the flight's, and that of `part` with all its bits
-      Penetration due;             // n times what of their difference is below an LSB and has yet to act
-      Penetration rate;            // at the last sub-step's end
-      Recoil taken;                // of the rate so far
+      PartRubbing<Format> part;  // of a sub-step
+      // Over a step, as what they take of the rate without the main spring: the full one, the flight's, and that of
+      // `part` with all its bits.
+      Penetration full, assumed, force;
+      Penetration due;   // n times what of their difference is below an LSB and has yet to act
+      Penetration rate;  // at the last sub-step's end
+      Recoil taken;      // of the rate so far
       Rubbing<Format>* step;
       typename Format::Energy quarter;  // as step->quarter
       bool acts;
@@ -389,11 +393,17 @@ template <int named = 0> struct SubsteppedMoment {
         acts = is_positive(step->full);
         if (!acts) return;
         const bool back = is_negative(step->force);
-        force = assumed = step->force;
-        part.full = plan.part * step->full;
+        full = step->full + spring_part(plan, step->full);
+        force = assumed = step->force + spring_part(plan, step->force);
+        part.full = plan.part * full;
         part.force = mirrored(plan.part * mirrored(force, back), back);
         part.slides = step->slides;
         fly(at_rate, displacement);
+      }
+      // What the main spring gives back of a constant friction in a step: (w0 h)^2/12 of the main mass's share.
+      constexpr Penetration spring_part(const Plan& plan, Penetration friction) const {
+        const Penetration half_of_it = plan.quartic * (step->main_share * friction);
+        return half_of_it + half_of_it;
       }
       // To the coordinates of the other stop.
       constexpr void cross() {
@@ -442,7 +452,7 @@ template <int named = 0> struct SubsteppedMoment {
         const auto by = part.template follow<true>(rate, at_rate, bow);
         rate = at_rate - by.rate;
         force = part.slides == 0 ? Penetration(Format::times(part.force, 1 << plan.sums.exponent))
-                                 : mirrored(step->full, part.slides < 0);
+                                 : mirrored(full, part.slides < 0);
         if (!is_positive(by.rate) && !is_negative(by.rate)) return;
         const Penetration moment = plan.part * by.moment, moved = rate_in_a_part(plan, by.moment);
         taken = taken + sums.take(plan.sums, by.rate, moment);
@@ -458,22 +468,25 @@ template <int named = 0> struct SubsteppedMoment {
       constexpr void leave(const Plan& plan, Sums& sums, const Flight& free, int k, Penetration at) {
         if (!acts) return;
         const auto share = Format::parts(k, plan.sums.exponent, plan.part);
-        PartRubbing<Format> rest{Format::value(share * step->full), Format::value(share * force), part.slides};
+        PartRubbing<Format> rest{Format::value(share * full), Format::value(share * force), part.slides};
         const Penetration change = Format::value(share * (force - assumed));
-        taken = taken + sums.take(plan.sums, change, Format::value(half(Format::value(share * change))));
+        const Penetration first = Format::value(half(Format::value(share * change)));
+        taken = taken + sums.take(plan.sums, change, first);
         const Penetration end = free.rate - sums.rate(plan.sums);
         count_so_far(free.end - sums.displacement(plan.sums) - at);
         const auto by = rest.follow(rate, end);
-        taken = taken + sums.take(plan.sums, by.rate, Format::value(share * by.moment));
+        const Penetration last = Format::value(share * by.moment);
+        taken = taken + sums.take(plan.sums, by.rate, last);
+        sums.pull(plan.sums, Penetration(Format::value(share * bare(first + last))));
         count(by.rate, by.lost_at);
         part.slides = rest.slides;
         rate = end - by.rate;
       }
-      constexpr void end() const {
+      constexpr void end(const Plan& plan) const {
         if (!acts) return;
         step->meets_stop = true;
         step->slides = part.slides;
-        step->force = force;
+        step->force = force - spring_part(plan, force);
         step->quarter = quarter;
       }
     };

@@ -72,6 +72,10 @@ struct Fixed32Units {
   static constexpr bool resolves(double change, int exponent) { return change > constant::power_of_two(exponent - 31); }
 
   int64_t gap;
+  // The distance of the masses from which on a step looks for a touch, as the upper word of a state. Its twelve low
+  // bits are 0, so that one instruction of RISC-V loads it. It is less by one LSB, since the upper words of a negative
+  // difference may be off by one.
+  int32_t touch_from;
   int position_exponent, displacement_shift, damped_shift, increment_shift, push_shift, penetration_shift,
       penetration_exponent, force_bits;
   struct {
@@ -79,11 +83,14 @@ struct Fixed32Units {
     int32_t speed, penetration;        // of a displacement's Value and of a penetration's
   } limits;                            // StateLimits, rounded up
 
-  static constexpr Fixed32Units make(const UnitExponents& e, double gap, const StateLimits& limits, double, double) {
+  static constexpr Fixed32Units make(const UnitExponents& e, double gap, double touch_from, const StateLimits& limits,
+                                     double, double) {
     const auto raw = [](double limit, int exponent) {
       return static_cast<int32_t>(constant::smaller(limit * constant::power_of_two(31 - exponent) + 0.999, INT32_MAX));
     };
+    const double least = constant::larger(touch_from * constant::power_of_two(31 - e.position), -0x1p30);
     return {static_cast<int64_t>(gap * constant::power_of_two(63 - e.position)),
+            (static_cast<int32_t>(least) - 1) & ~0xfff,
             e.position,
             32 - (e.position - e.displacement),
             32 - (e.position - e.damped),
@@ -246,15 +253,11 @@ struct Fixed32Units {
     const auto upper = static_cast<uint32_t>((relative_displacement - Long{gap}).raw >> 32);
     return (upper + (UINT32_C(1) << (penetration_shift - 1))) >> (penetration_shift - 1) >> 1 == 0;
   }
-  // Compares only upper words, without the gap's twelve low bits, so that one instruction of RISC-V loads it. True if
-  // x2 - x1 > gap, and sometimes up to 2^12 LSBs of a position before.
-  constexpr bool beyond_stop(Long x2, Long x1) const {
-    return upper_difference(x2, x1) >= (static_cast<int32_t>(gap >> 32) & ~0xfff);
-  }
-  // For both stops. The upper words of a negative difference may be off by one.
-  constexpr bool beyond_stops(Long x2, Long x1) const {
+  // Compares only upper words. True at touch_from or beyond, and sometimes up to 2^12 LSBs of a position before.
+  constexpr bool may_touch(Long x2, Long x1) const { return upper_difference(x2, x1) >= touch_from; }
+  constexpr bool may_touch_either(Long x2, Long x1) const {
     const int32_t apart = upper_difference(x2, x1);
-    return (apart ^ apart >> 31) >= ((static_cast<int32_t>(gap >> 32) - 1) & ~0xfff);
+    return (apart ^ apart >> 31) >= touch_from;
   }
   // True if w - other > least, or for a negative sign if it is below -least. Compares only upper words, with an error
   // of up to two LSBs towards false.

@@ -107,14 +107,16 @@ template <class RealType, template <class> class State, class OscillatorType> st
     }
 
     Long gap;                          // m
+    Real touch_from;                   // the distance of the masses from which on a step looks for a touch, m
     Real per_second, step, of_forces;  // 1/s, s, N
     struct {
       Real main, ball, displacement, speed, penetration;
     } limits;  // StateLimits
 
-    static constexpr Units make(const UnitExponents&, double gap, const StateLimits& limits, double step,
-                                double force_unit) {
+    static constexpr Units make(const UnitExponents&, double gap, double touch_from, const StateLimits& limits,
+                                double step, double force_unit) {
       return {state(gap),
+              static_cast<Real>(touch_from),
               static_cast<Real>(1 / step),
               static_cast<Real>(step),
               static_cast<Real>(force_unit),
@@ -195,12 +197,12 @@ template <class RealType, template <class> class State, class OscillatorType> st
     constexpr Penetration<Value> penetration(Long relative_displacement) const {
       return Penetration<Value>(relative_displacement.value_beyond(gap));
     }
-    constexpr bool beyond_stop(Long x2, Long x1) const { return x2.sum - x1.sum >= gap.sum; }
+    constexpr bool may_touch(Long x2, Long x1) const { return x2.sum - x1.sum >= touch_from; }
+    constexpr bool may_touch_either(Long x2, Long x1) const { return size(x2.sum - x1.sum) >= touch_from; }
     static constexpr bool is_beyond(Long w, Long other, Long sign, Position<Value> least) {
       return impact::mirrored(w.sum - other.sum, sign.is_negative()) > least;
     }
     static constexpr bool fits(Long) { return true; }
-    constexpr bool beyond_stops(Long x2, Long x1) const { return size(x2.sum - x1.sum) >= gap.sum; }
     static constexpr Value clamped(Value x, Value) { return x; }
     static constexpr Value clamped_sum(Value x, Value y) { return x + y; }
     constexpr Long stop(Long main, bool left) const { return main - mirrored(gap, !left); }

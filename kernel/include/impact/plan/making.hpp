@@ -278,8 +278,12 @@ template <class Plan> class PlanMaking {
     const LinearFlow &flow = basis.flow, &ball = basis.ball;
     const ContactTerms& terms = basis.terms;
     const double h = terms.step;
-    const double gap = scene.stops == Stops::none ? Format::Units::out_of_reach(exponents) : largest.gap;
-    const auto units = Format::Units::make(exponents, gap, largest.limits, h, terms.force_unit);
+    const bool has_stop = scene.stops != Stops::none;
+    const double gap = has_stop ? largest.gap : Format::Units::out_of_reach(exponents);
+    // In a step the largest acceleration turns a ball around that has touched a stop, and takes it this far away.
+    double turned = 0;
+    if (Contact::traits.finds_grazing && has_stop) turned = h * h / 2 * (terms.pressing + terms.field + terms.rubbing);
+    const auto units = Format::Units::make(exponents, gap, gap - turned, largest.limits, h, terms.force_unit);
     Plan plan{};
     plan.status = PlanStatus::ok;
     plan.step = h;

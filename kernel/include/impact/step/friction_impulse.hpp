@@ -148,13 +148,16 @@ template <class Model> struct FrictionImpulse {
     rubbing.half_by_full = m.plan.friction.half_by_full;
     rubbing.slides = mirrored(Friction::slides(m.plan, m.state.impulse), left);
   }
+  static constexpr bool may_have_grazed(const Model& m) {
+    return acts(m) && m.state.contact.phase == Phase::apart && m.may_touch() && !m.is_inside_a_stop();
+  }
   // Ends a flight with the friction since its sliding has turned, ended or begun: a flight that meets no stop, or of a
   // ball that has turned before it met one. Returns true if the ball now meets none. One that friction has stopped
   // inside a stop meets it.
   [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, const Flight& flight) {
     const bool is_apart = m.state.contact.phase == Phase::apart;
     if (!acts(m) || !(is_apart || Contact::traits.is_instantaneous)) return false;
-    if (!is_apart || m.is_beyond_stop()) {
+    if (!is_apart || m.is_inside_a_stop()) {
       const bool left = is_apart ? m.ball_is_left() : m.contact_is_left();
       if (mirrored(Friction::slides(m.plan, m.state.impulse), left) >= 0 ||
           !is_positive(mirrored(sliding_rate(m), left)))
@@ -162,7 +165,7 @@ template <class Model> struct FrictionImpulse {
     }
     [[maybe_unused]] const Penetration impulse = m.state.impulse;
     const auto by = turn(m, flight);
-    if (is_apart && !m.is_beyond_stop()) return true;
+    if (is_apart && !m.is_inside_a_stop()) return true;
     Friction::take_back(m.plan, m.state);
     rubbing.has_turned = true;
     rubbing.displacement = flight.displacement + by.moved;
@@ -269,9 +272,10 @@ template <class Model> struct FrictionImpulse {
     if (acts(m) && !slides_on(m, flight)) turn(m, flight);
   }
 
-  // At the end of a step in flight. False if the sliding turns, ends or begins: for turns_before_stop().
+  // At the end of a step in flight. False if the sliding turns, ends or begins: for turns_before_stop(). So it does if
+  // the ball turns around at a stop.
   [[gnu::always_inline]] static constexpr bool flies_on(Model& m, Long main_travel) {
-    return !acts(m) || slides_on(m, flight_of(m, main_travel));
+    return acts(m) ? slides_on(m, flight_of(m, main_travel)) : !m.may_touch();
   }
   // At the end of a step in flight, for a contact that does not feel friction.
   [[gnu::always_inline]] static constexpr void after_flight([[maybe_unused]] Model& m,

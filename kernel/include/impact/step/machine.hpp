@@ -84,10 +84,11 @@ template <class Source, class... Features> struct Machine : Source {
 
   [[gnu::always_inline]] constexpr bool has_both_stops() const { return plan.left_stop && plan.right_stop; }
   constexpr bool contact_is_left() const { return has_both_stops() ? state.is_left() : plan.left_stop; }
-  constexpr bool is_beyond_stop() const {
+  // True if the ball is inside a stop, or so close that it may have touched it within the step.
+  constexpr bool may_touch() const {
     const auto &x1 = state.x1, &x2 = state.x2;
-    if (has_both_stops()) return plan.units.beyond_stops(x2, x1);
-    return plan.left_stop ? plan.units.beyond_stop(x1, x2) : plan.units.beyond_stop(x2, x1);
+    if (has_both_stops()) return plan.units.may_touch_either(x2, x1);
+    return plan.left_stop ? plan.units.may_touch(x1, x2) : plan.units.may_touch(x2, x1);
   }
   // The stop that the ball can touch: with two stops, the one on its side.
   constexpr bool ball_is_left() const {
@@ -96,11 +97,9 @@ template <class Source, class... Features> struct Machine : Source {
   constexpr Penetration depth_in(bool left) const {
     return plan.units.penetration(mirrored(state.x2 - state.x1, left));
   }
-  // The penetration, or 0 if the ball is outside both stops. The check is necessary: in Fixed32 the difference of the
-  // positions wraps modulo 2^64, and a ball far from the only stop would seem deep inside it.
-  constexpr Penetration depth_beyond_stop() const {
-    return is_beyond_stop() ? depth_in(ball_is_left()) : Penetration{};
-  }
+  // The first check is necessary: in Fixed32 the difference of the positions wraps modulo 2^64, and a ball far from the
+  // only stop would seem deep inside it.
+  constexpr bool is_inside_a_stop() const { return may_touch() && is_positive(depth_in(ball_is_left())); }
 
   // The displacements for a reader. Those of the state lack or anticipate a part of what an impact under way does.
   constexpr Long main_position() const {

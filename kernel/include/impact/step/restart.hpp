@@ -39,7 +39,7 @@ template <class Model> struct Restart {
     state.dx2 = m.plan.dx2;
     state.drive = decltype(state.drive)::start(m.plan.drive);
     if constexpr (Field::is_sampled) Field::begin(m.plan, state);
-    if (is_positive(m.depth_beyond_stop())) {
+    if (m.is_inside_a_stop()) {
       state.at_left = m.ball_is_left();
       state.contact.start(m.plan.contact, m.plan.units, standing(m, state.at_left));
     }
@@ -79,7 +79,7 @@ template <class Model> struct Restart {
   }
   // Places the ball at the face of its stop if a correction has moved it inside without a contact.
   static constexpr void push_out(Model& m) {
-    if (is_positive(m.depth_beyond_stop())) m.state.x2 = m.plan.units.stop(m.state.x1, m.ball_is_left());
+    if (m.is_inside_a_stop()) m.state.x2 = m.plan.units.stop(m.state.x1, m.ball_is_left());
   }
 };
 

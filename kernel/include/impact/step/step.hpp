@@ -4,9 +4,10 @@
 //
 //     x1 += dx1        dx1 -= stiffness x1 + damping dx1 - s        x2 += dx2
 //
-// with the new x1 and the old dx1 on the right. If the ball is then inside a stop, the contact (stepper/contact.hpp)
-// computes the impulse J0 and the moment J1 of its force in the step, to which both masses respond. Dry friction acts
-// at the step's end, or within it if the contact feels_friction. compiler.hpp explains hints for compilers.
+// with the new x1 and the old dx1 on the right. If the ball is then inside a stop, or has touched one in between, the
+// contact (stepper/contact.hpp) computes the impulse J0 and the moment J1 of its force in the step, to which both
+// masses respond. Dry friction acts at the step's end, or within it if the contact feels_friction. compiler.hpp
+// explains hints for compilers.
 
 #include <impact/compiler.hpp>
 #include <impact/step/friction_impulse.hpp>
@@ -53,8 +54,11 @@ template <class Model> struct Step {
     m.add_at_once(main_travel, force, acceleration, false);
     const Increment increment = fly(m, main_travel, force, acceleration);  // of dx1
     // If the flight meets a stop, the range is checked after the contact.
-    bool meets_stop = m.state.contact.phase != Phase::apart || m.is_beyond_stop();
-    if constexpr (feels_friction) meets_stop = meets_stop || !FrictionStep::flies_on(m, main_travel);
+    bool meets_stop = m.state.contact.phase != Phase::apart;
+    if constexpr (feels_friction)
+      meets_stop = meets_stop || m.is_inside_a_stop() || !FrictionStep::flies_on(m, main_travel);
+    else
+      meets_stop = meets_stop || m.may_touch();
     if (meets_stop) {
       SeenChange change{};
       if constexpr (traits.sees_change || Model::records) {
@@ -122,17 +126,23 @@ template <class Model> struct Step {
     StopRubbing rubbing{};
     if constexpr (feels_friction) {
       const auto flight = FrictionStep::flight_of(m, main_travel);
-      if (!FrictionStep::turns_before_stop(m, rubbing, flight)) {
+      // A grazing touch is before the ball turns.
+      if (FrictionStep::may_have_grazed(m)) {
+        solve_rubbed_contact(m, increment, main_travel, change, rubbing);
+        if (!rubbing.meets_stop) rubbing = {};
+      }
+      if (!rubbing.meets_stop) {
+        if (FrictionStep::turns_before_stop(m, rubbing, flight)) return clamp_if_out_of_range(m);
         if (rubbing.has_turned)
           increment = increment - Format::term(m.plan.stiffness, m.plan.units.position(m.state.x1 - flight.x1));
-        solve_contact(m, increment, main_travel, change, rubbing);
-        if (rubbing.meets_stop)
-          FrictionStep::after_stop(m, rubbing, flight);
-        else if (rubbing.has_turned)
-          Friction::put_again(m.plan, m.state);
-        else
-          FrictionStep::slide_or_turn(m, flight);
+        solve_rubbed_contact(m, increment, main_travel, change, rubbing);
       }
+      if (rubbing.meets_stop)
+        FrictionStep::after_stop(m, rubbing, flight);
+      else if (rubbing.has_turned)
+        Friction::put_again(m.plan, m.state);
+      else
+        FrictionStep::slide_or_turn(m, flight);
     } else if constexpr (Friction::is_friction) {
       const Long flight = Field::ball_travel(m.plan, m.state) - main_travel, distance = m.state.x2 - m.state.x1;
       solve_contact(m, increment, main_travel, change, rubbing);
@@ -154,6 +164,10 @@ template <class Model> struct Step {
   struct NoRubbing {};
   using StopRubbing = typename detail::Either<feels_friction, Rubbing<Format>, NoRubbing>::Type;
 
+  [[gnu::noinline]] static constexpr void solve_rubbed_contact(Model& m, Increment increment, Long main_travel,
+                                                               SeenChange change, StopRubbing& rubbing) {
+    solve_contact(m, increment, main_travel, change, rubbing);
+  }
   [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Increment increment, Long main_travel,
                                                              SeenChange change, [[maybe_unused]] StopRubbing& rubbing) {
     const auto& plan = m.plan;
@@ -162,13 +176,15 @@ template <class Model> struct Step {
     const bool left = m.contact_is_left();
     if constexpr (traits.keeps_force) apply_kept_force(m, mirrored(state.contact.force, left));
     StopApproach approach{};
-    if (!find_contact(m, approach, left)) return clamp_if_out_of_range(m);
+    const bool is_inside = find_contact(m, approach, left);
+    if (!traits.finds_grazing && !is_inside) return clamp_if_out_of_range(m);
     if constexpr (traits.reads_rate || Model::records) approach.rate = m.relative_rate(left);
     if constexpr (feels_friction) {
       FrictionStep::enter(m, rubbing, left);
       approach.rubbing = &rubbing;
       if (FrictionStep::acts(m)) approach.rate = approach.rate - mirrored(FrictionStep::half_taken(m), left);
     }
+    if (!is_inside && !is_negative(approach.rate)) return clamp_if_out_of_range(m);
     Penetration displacement = m.displacement_flown(main_travel);
     if constexpr (feels_friction)
       if (rubbing.has_turned) displacement = rubbing.displacement;
@@ -312,6 +328,12 @@ template <class Model> struct Step {
     }
   }
   template <class Units> static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
+    if constexpr (traits.finds_grazing) {
+      if (is_positive(approach.penetration - approach.travel)) return approach.rate;
+      const SlowTouch<Format> touch(changes_much<Format>(approach.rate, approach.travel), approach.penetration,
+                                    approach.rate, approach.travel, units.increment_of_rate(approach.increment));
+      if (touch.exists) return touch.rate;
+    }
     if (!is_positive(approach.penetration) || !is_positive(approach.travel) ||
         is_positive(approach.penetration - approach.travel))
       return approach.rate;

@@ -50,6 +50,8 @@ struct ContactTraits {
   bool keeps_force = false;         // `force` acts in the next step too, by the plan's dx1_next, dx2_next, and has a
                                     // share in the displacements of the coming one, dx1_share and dx2_share
   bool puts_back = false;           // a ball that is inside goes back to its stop before the touch
+  bool finds_grazing = false;       // solve() also sees a ball that is outside at the step's end, and may have touched
+                                    // within it
   bool feels_friction = false;      // follows dry friction within the step (stepper/rubbing.hpp)
   bool knows_displacement = false;  // its force is constant in a step: record.displacement tells the work to rounding
 };

@@ -21,6 +21,7 @@
 #include <impact/numeric/formula.hpp>
 #include <impact/scene.hpp>
 #include <impact/stepper/contact.hpp>
+#include <impact/stepper/free_flight.hpp>
 #include <impact/stepper/response.hpp>
 #include <impact/stepper/touch.hpp>
 
@@ -129,7 +130,7 @@ struct Impulsive {
 
     static constexpr ContactTraits traits = [] {
       ContactTraits own;
-      own.is_instantaneous = own.sees_change = own.knows_displacement = own.feels_friction = true;
+      own.is_instantaneous = own.sees_change = own.knows_displacement = own.finds_grazing = own.feels_friction = true;
       return own;
     }();
 
@@ -200,14 +201,21 @@ struct Impulsive {
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
       const bool has_rested = is_at_rest && phase == Phase::touching;
+      const Value slower = travel - rate;
+      // A ball with a rate into the stop at the step's start, and out of it at the end. A parabola has the rate `travel
+      // + slower` at the start, and the flight's may be larger by its bend. The ball may have touched in the last step,
+      // with the centroid of the force in this one.
+      const bool turns_back = is_negative(rate) && is_positive(travel + slower + Format::value(half(slower))) &&
+                              !has_rested && (phase == Phase::touching || !is_positive(before));
       is_at_rest = 0;
-      phase = Phase::apart;
-      if (!is_positive(trial)) return {{}, {}, rate};
-      phase = Phase::touching;
-      // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
-      if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
-        return rest_on_stop(plan, trial, depth, {}, weight, support(plan, units, trial - bare(depth), rate), step);
-      if (!is_positive(rate)) return {{}, {}, rate};
+      phase = is_positive(trial) ? Phase::touching : Phase::apart;
+      if (!turns_back) {
+        if (!is_positive(trial)) return {{}, {}, rate};
+        // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
+        if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
+          return rest_on_stop(plan, trial, depth, {}, weight, support(plan, units, trial - bare(depth), rate), step);
+        if (!is_positive(rate)) return {{}, {}, rate};
+      }
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
@@ -217,38 +225,55 @@ struct Impulsive {
         main_part = main_part - bare(step.rubbing->main_share * step.rubbing->force);
         acceleration = acceleration - bare(step.rubbing->force);
       }
-      const Value pace = is_positive(travel) ? travel : rate;
-      const auto divisor = Format::divisor(without_sign(pace));
       const Value half_acceleration = Format::value(half(acceleration)),
                   bend = Format::beyond_rounding(travel - rate + half_acceleration);
       // Drive and spring change the acceleration in the step. At the touch the rate is `speed`, and the acceleration
-      // `pressing`.
-      const auto since_touch = divisor.share(without_sign(trial));
+      // `pressing`. `pace` is about that rate.
       const Value half_change = plan.acceleration * step.half_change,
-                  half_jerk = half_change + Format::value(half(plan.turn * Value(step.main_rate))),
-                  later = Format::value(since_touch * half_jerk), average = acceleration - later,
-                  pressing = average - later, by_chord = Format::value(since_touch * average),
-                  curvature = Format::value(divisor.ratio(half_acceleration));
-      Value speed = rate - by_chord + Format::value((by_chord - Format::value(since_touch * by_chord)) * curvature);
-      if (is_positive(before)) {
-        const Value half_more = Format::within_a_quarter(Format::value(before * curvature));
-        speed = speed - half_more - half_more;
+                  half_jerk = half_change + Format::value(half(plan.turn * Value(step.main_rate)));
+      const bool is_slow = turns_back || (!is_positive(before) && changes_much<Format>(step.rate, step.travel));
+      const SlowTouch<Format> slow(is_slow, step.penetration, step.rate, step.travel, Penetration(acceleration));
+      if (turns_back && !slow.exists) return {{}, {}, rate};
+      Value pace = slow.rate, speed = pace;
+      auto divisor = slow.by_pace;
+      auto since_touch = slow.at;
+      if (!slow.exists) {
+        pace = is_positive(travel) ? travel : rate;
+        divisor = Format::divisor(without_sign(pace));
+        since_touch = divisor.share(without_sign(trial));
       }
-      if (!is_positive(speed)) speed = pace;
+      const Value later = Format::value(since_touch * half_jerk), average = acceleration - later,
+                  pressing = average - later;
+      if (!slow.exists) {
+        const Value by_chord = Format::value(since_touch * average),
+                    curvature = Format::value(divisor.ratio(half_acceleration));
+        speed = rate - by_chord + Format::value((by_chord - Format::value(since_touch * by_chord)) * curvature);
+        if (is_positive(before)) {
+          const Value half_more = Format::within_a_quarter(Format::value(before * curvature));
+          speed = speed - half_more - half_more;
+        }
+        if (!is_positive(speed)) speed = pace;
+      }
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
       depth = Penetration(bounce.depth);
       // All factors may be small compared with their unit, which has room for the pressing force at the bounds.
       const auto unit = Format::own_unit(Format::spare_bits(pressing, bounce.reach, rate, travel));
       const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(pressing) * unit.own(bounce.reach));
       const Value half_rate = Format::value(half(rate));
-      if (!is_positive(pressed - Format::value(own_rate * half(own_rate)))) {
+      if (turns_back || !is_positive(pressed - Format::value(own_rate * half(own_rate)))) {
         // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
-        const Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace))),
-                    beyond = trial - bounce.depth -
-                             (plan.rebound.way * Format::value(bounce.depth * Format::value(divisor.ratio(hastened))));
-        if (!is_positive(beyond)) return {{}, {}, rate};
-        const auto chord = divisor.share(without_sign(beyond));
-        const auto t = Format::moved_share(chord, divisor.ratio(above_chord<Format>(chord, bend, half_acceleration)));
+        Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace)));
+        if (slow.exists) hastened = no_less(hastened, -pace);
+        const Value more = Format::value(bounce.depth * Format::value(divisor.ratio(hastened))),
+                    beyond = trial - bounce.depth - (plan.rebound.way * more);
+        if (!turns_back && !is_positive(beyond)) return {{}, {}, rate};
+        auto t = since_touch;
+        if (slow.exists) {
+          t = Format::moved_share(t, divisor.ratio(beyond - trial + Format::value(half(more))));
+        } else {
+          t = divisor.share(without_sign(beyond));
+          t = Format::moved_share(t, divisor.ratio(above_chord<Format>(t, bend, half_acceleration)));
+        }
         const Instant at(plan, t, rate, acceleration, main_part, half_change, half_jerk);
         const Value touch_rate = at.rate - plan.rebound.pressed_rate(bounce.share, hastened);
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));

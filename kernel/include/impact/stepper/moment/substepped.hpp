@@ -9,8 +9,8 @@
 #include <impact/law/resolution.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/scene.hpp>
+#include <impact/stepper/free_flight.hpp>
 #include <impact/stepper/moment.hpp>
-#include <impact/stepper/moment/free_flight.hpp>
 #include <impact/stepper/moment/impulse_sums.hpp>
 #include <impact/stepper/touch.hpp>
 
@@ -203,7 +203,7 @@ template <int named = 0> struct SubsteppedMoment {
 
     static constexpr ContactTraits traits = [] {
       ContactTraits own;
-      own.sees_change = own.starts_from_rate = own.crosses_cavity = own.feels_friction = true;
+      own.sees_change = own.starts_from_rate = own.crosses_cavity = own.finds_grazing = own.feels_friction = true;
       return own;
     }();
 
@@ -238,7 +238,8 @@ template <int named = 0> struct SubsteppedMoment {
         by_spring = by_spring - (step.rubbing->force - step.rubbing->main_share * step.rubbing->force);
       Flight free(trial, step.rate, trial - at, start_rate, plan.quartic * by_spring + plan.drive_quartic * step.bend);
       int left = 1 << plan.sums.exponent;  // sub-steps to the step's end
-      if (begins) skip_flight(plan, free, left, at);
+      StepReaction reaction{};
+      if (begins && !skip_flight(plan, free, left, at)) return reaction;
       Sums sums{};  // the effect of the impulses so far
       [[maybe_unused]] Friction<Seen::is_recorded> friction{};
       if constexpr (Seen::is_rubbed) {
@@ -325,7 +326,6 @@ template <int named = 0> struct SubsteppedMoment {
         if constexpr (Seen::is_rubbed) friction.cross();
       }
       if constexpr (Seen::is_rubbed) friction.end(plan);
-      StepReaction reaction{};
       reaction.main.j1 = Recoil(sums.x.value());
       reaction.by_flow = sums.by_flow;
       reaction.ball = {sums.w, Recoil(sums.y.value())};
@@ -344,6 +344,15 @@ template <int named = 0> struct SubsteppedMoment {
     }
 
    private:
+    // The number of sub-steps to the step's end, at a point of the flight that is inside; 0 for the end, or for none.
+    [[gnu::always_inline]] static constexpr int some_inside(const Plan& plan, const Flight& free) {
+      if (is_positive(free.end) || !free.turns_back()) return 0;
+      const int n = 1 << plan.sums.exponent;
+      int k = Format::parts_of(Format::value(free.turning_point()), plan.sums.exponent, plan.part);
+      for (int last = k + 1; k <= last && k < n; ++k)
+        if (k > 0 && is_positive(free.at(Format::parts(k, plan.sums.exponent, plan.part)))) return k;
+      return 0;
+    }
     // A penetration in a sub-step's unit, clamped, and back.
     static constexpr Penetration raised(const Plan& plan, Penetration penetration) {
       return Penetration(Format::raised(penetration, plan.depth_bits));
@@ -490,12 +499,14 @@ template <int named = 0> struct SubsteppedMoment {
         step->quarter = quarter;
       }
     };
-    // Advances to the start of the sub-step in which the ball touches. It is found by bisection. If there are many
-    // sub-steps, those at the cubic's touch are tried first.
-    static constexpr void skip_flight(const Plan& plan, const Flight& free, int& left, Penetration& at) {
-      if (is_positive(at) || !is_positive(free.end)) return;
-      int inside = 0, guess = 0;  // `left` where the ball is inside; where it may touch
-      if (plan.sums.exponent > 4) {
+    // Advances to the start of the sub-step in which the ball touches, and returns false if it does not. It is found by
+    // bisection. If there are many sub-steps, those at the cubic's touch are tried first.
+    [[gnu::noinline]] static constexpr bool skip_flight(const Plan& plan, const Flight& free, int& left,
+                                                        Penetration& at) {
+      if (is_positive(at)) return true;
+      int inside = some_inside(plan, free), guess = 0;  // `left` where the ball is inside; where it may touch
+      if (inside == 0 && !is_positive(free.end)) return false;
+      if (inside == 0 && plan.sums.exponent > 4) {
         const auto divisor = Format::divisor(without_sign(free.end - at));
         const auto u = divisor.share(without_sign(free.end));
         const Value earlier = earlier_than_chord<Format>(divisor, u, free.bend, free.half_acceleration);
@@ -512,6 +523,7 @@ template <int named = 0> struct SubsteppedMoment {
           at = there;
         }
       }
+      return true;
     }
   };
 };

@@ -201,11 +201,13 @@ struct Impulsive {
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
       const bool has_rested = is_at_rest && phase == Phase::touching;
-      const Value slower = travel - rate;
+      const Value slower = Format::clamped_difference(travel, rate);
       // A ball with a rate into the stop at the step's start, and out of it at the end. A parabola has the rate `travel
       // + slower` at the start, and the flight's may be larger by its bend. The ball may have touched in the last step,
       // with the centroid of the force in this one.
-      const bool turns_back = is_negative(rate) && is_positive(travel + slower + Format::value(half(slower))) &&
+      const bool turns_back = is_negative(rate) &&
+                              is_positive(Format::value(quarter(travel)) + Format::value(quarter(slower)) +
+                                          Format::value(eighth(slower))) &&
                               !has_rested && (phase == Phase::touching || !is_positive(before));
       is_at_rest = 0;
       phase = is_positive(trial) ? Phase::touching : Phase::apart;
@@ -231,7 +233,8 @@ struct Impulsive {
       // `pressing`. `pace` is about that rate.
       const Value half_change = plan.acceleration * step.half_change,
                   half_jerk = half_change + Format::value(half(plan.turn * Value(step.main_rate)));
-      const bool is_slow = turns_back || (!is_positive(before) && changes_much<Format>(step.rate, step.travel));
+      const bool is_slow =
+          turns_back || (!is_positive(before) && is_positive(slower) && changes_much<Format>(step.rate, step.travel));
       const SlowTouch<Format> slow(is_slow, step.penetration, step.rate, step.travel, Penetration(acceleration));
       if (turns_back && !slow.exists) return {{}, {}, rate};
       Value pace = slow.rate, speed = pace;

@@ -68,7 +68,7 @@ template <class Format> struct SlowTouch {
     const bool turns_back = !is_positive(rate_at_end);
     Value depth = end, slowing = flight.slowing(), half_there = Format::value(half(rate_at_end));
     if (turns_back) {
-      if (!is_positive(slowing)) return;
+      if (!flight.turns_back()) return;
       at = flight.turning_point();
       depth = flight.at(at);
       slowing = Format::value(half(-flight.acceleration_at(at)));
@@ -81,8 +81,12 @@ template <class Format> struct SlowTouch {
     const Value half_pace = unit.common(Format::value(Format::root_of_product(positive_part(square_of_half))));
     if (!is_positive(half_pace)) return;
     by_pace = Format::divisor(without_sign(half_pace + half_pace));
-    at = turns_back ? Format::moved_share(at, by_pace.ratio(depth + depth))
-                    : Format::divisor(without_sign(half_there + half_pace)).share(without_sign(depth));
+    if (turns_back) {
+      const auto half_of_it = by_pace.ratio(depth);
+      at = Format::moved_share(Format::moved_share(at, half_of_it), half_of_it);
+    } else {
+      at = Format::divisor(without_sign(half_there + half_pace)).share(without_sign(depth));
+    }
     at = Format::moved_share(at, by_pace.ratio(flight.at(at)));
     rate = flight.rate_at(at);
     exists = is_positive(rate);

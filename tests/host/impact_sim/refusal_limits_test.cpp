@@ -54,18 +54,22 @@ Command with_printed_bounds(Command command, const std::string& allowed) {
   return command;
 }
 
-// A folder with sample files. Their names state their number of samples.
-const std::string& folder() {
-  static const std::string made = [] {
-    std::string name = (std::filesystem::temp_directory_path() / "refusal_limits_test.XXXXXX").string();
-    name = std::string(mkdtemp(name.data())) + "/";
+// A folder with sample files, for as long as the test runs. Their names state their number of samples.
+struct SampleFolder {
+  std::string path = (std::filesystem::temp_directory_path() / "refusal_limits_test.XXXXXX").string();
+
+  SampleFolder() {
+    path = std::string(mkdtemp(path.data())) + "/";
     for (const int lines : {0, 1, 3, 20, 1000}) {
-      std::ofstream file(name + std::to_string(lines));
+      std::ofstream file(path + std::to_string(lines));
       for (int n = 0; n < lines; ++n) file << 0.1 * (n % 7 - 3) << "\n";
     }
-    return name;
-  }();
-  return made;
+  }
+  ~SampleFolder() { std::filesystem::remove_all(path); }
+};
+const std::string& folder() {
+  static const SampleFolder made;
+  return made.path;
 }
 
 Command random_command(Random& random) {

@@ -29,6 +29,7 @@ template <class Real> constexpr Real afresh(Real x) { return x; }
 template <class Real> constexpr Real difference(Real x, Real y) { return x - y; }
 template <class Real> constexpr bool is_positive(Real x) { return x > 0; }
 template <class Real> constexpr bool is_negative(Real x) { return x < 0; }
+template <class Real> constexpr bool is_more(Real x, Real y) { return x > y; }
 // x, or 0 if x is negative. On a microcontroller a comparison of floats takes longer than a look at the sign bit. A NaN
 // becomes 0, or stays a NaN there.
 template <class Real> constexpr Real positive_part(Real x) {

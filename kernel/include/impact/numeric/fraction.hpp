@@ -146,6 +146,7 @@ constexpr Signed<31> difference(Unsigned<31> x, Unsigned<31> y) {
 }
 template <int bits> constexpr bool is_positive(Signed<bits> x) { return x.raw > 0; }
 template <int bits> constexpr bool is_negative(Signed<bits> x) { return x.raw < 0; }
+template <int bits> constexpr bool is_more(Signed<bits> x, Signed<bits> y) { return x.raw > y.raw; }
 template <int bits> constexpr Unsigned<bits> positive_part(Signed<bits> x) {
   return {static_cast<uint32_t>(opaque(x.raw > 0 ? x.raw : 0))};
 }

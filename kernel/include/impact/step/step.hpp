@@ -176,15 +176,16 @@ template <class Model> struct Step {
     const bool left = m.contact_is_left();
     if constexpr (traits.keeps_force) apply_kept_force(m, mirrored(state.contact.force, left));
     StopApproach approach{};
-    const bool is_inside = find_contact(m, approach, left);
-    if (!traits.finds_grazing && !is_inside) return clamp_if_out_of_range(m);
+    if (!find_contact(m, approach, left) && !traits.finds_grazing) return clamp_if_out_of_range(m);
     if constexpr (traits.reads_rate || Model::records) approach.rate = m.relative_rate(left);
     if constexpr (feels_friction) {
       FrictionStep::enter(m, rubbing, left);
       approach.rubbing = &rubbing;
       if (FrictionStep::acts(m)) approach.rate = approach.rate - mirrored(FrictionStep::half_taken(m), left);
     }
-    if (!is_inside && !is_negative(approach.rate)) return clamp_if_out_of_range(m);
+    if constexpr (traits.finds_grazing)
+      if (!is_positive(approach.penetration) && !is_negative(approach.rate) && state.contact.phase == Phase::apart)
+        return clamp_if_out_of_range(m);
     Penetration displacement = m.displacement_flown(main_travel);
     if constexpr (feels_friction)
       if (rubbing.has_turned) displacement = rubbing.displacement;

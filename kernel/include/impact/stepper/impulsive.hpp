@@ -200,24 +200,18 @@ struct Impulsive {
       constexpr bool is_in_field = Seen::is_in_field;
       Value weight{};
       if constexpr (is_in_field) weight = plan.weight * step.ball_increment;
-      const bool has_rested = is_at_rest && phase == Phase::touching;
-      const Value slower = Format::clamped_difference(travel, rate);
-      // A ball with a rate into the stop at the step's start, and out of it at the end. A parabola has the rate `travel
-      // + slower` at the start, and the flight's may be larger by its bend. The ball may have touched in the last step,
-      // with the centroid of the force in this one.
-      const bool turns_back = is_negative(rate) &&
-                              is_positive(Format::value(quarter(travel)) + Format::value(quarter(slower)) +
-                                          Format::value(eighth(slower))) &&
-                              !has_rested && (phase == Phase::touching || !is_positive(before));
+      const bool has_touched = phase == Phase::touching, has_rested = is_at_rest && has_touched,
+                 goes_in = is_positive(rate);
       is_at_rest = 0;
-      phase = is_positive(trial) ? Phase::touching : Phase::apart;
-      if (!turns_back) {
-        if (!is_positive(trial)) return {{}, {}, rate};
-        // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
-        if (has_rested && !(is_positive(rate) && is_positive(travel - rate + Format::value(quarter(rate)))))
-          return rest_on_stop(plan, trial, depth, {}, weight, support(plan, units, trial - bare(depth), rate), step);
-        if (!is_positive(rate)) return {{}, {}, rate};
-      }
+      const bool is_inside = is_positive(trial);
+      phase = is_inside ? Phase::touching : Phase::apart;
+      // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
+      if (has_rested && is_inside && !(goes_in && is_positive(travel - rate + Format::value(quarter(rate)))))
+        return rest_on_stop(plan, trial, depth, {}, weight, support(plan, units, trial - bare(depth), rate), step);
+      // There is an impact if the ball is inside with a rate into the stop, or if the load has turned it around.
+      if (!(phase == Phase::touching && goes_in) &&
+          (goes_in || has_rested || (!has_touched && is_positive(before)) || !turns_around(travel, rate)))
+        return {{}, {}, rate};
       Value main_part = plan.acceleration * step.increment, acceleration = main_part;
       if constexpr (is_in_field) {
         main_part = plan.acceleration * (step.increment - step.ball_increment);
@@ -233,21 +227,20 @@ struct Impulsive {
       // `pressing`. `pace` is about that rate.
       const Value half_change = plan.acceleration * step.half_change,
                   half_jerk = half_change + Format::value(half(plan.turn * Value(step.main_rate)));
-      const bool is_slow =
-          turns_back || (!is_positive(before) && is_positive(slower) && changes_much<Format>(step.rate, step.travel));
+      const bool is_slow = !goes_in || (!is_more(Format::value(eighth(rate)), travel - rate) && !is_positive(before));
       const SlowTouch<Format> slow(is_slow, step.penetration, step.rate, step.travel, Penetration(acceleration));
-      if (turns_back && !slow.exists) return {{}, {}, rate};
+      if (is_slow && !slow.exists) return {{}, {}, rate};
       Value pace = slow.rate, speed = pace;
       auto divisor = slow.by_pace;
       auto since_touch = slow.at;
-      if (!slow.exists) {
+      if (!is_slow) {
         pace = is_positive(travel) ? travel : rate;
         divisor = Format::divisor(without_sign(pace));
         since_touch = divisor.share(without_sign(trial));
       }
       const Value later = Format::value(since_touch * half_jerk), average = acceleration - later,
                   pressing = average - later;
-      if (!slow.exists) {
+      if (!is_slow) {
         const Value by_chord = Format::value(since_touch * average),
                     curvature = Format::value(divisor.ratio(half_acceleration));
         speed = rate - by_chord + Format::value((by_chord - Format::value(since_touch * by_chord)) * curvature);
@@ -263,15 +256,15 @@ struct Impulsive {
       const auto unit = Format::own_unit(Format::spare_bits(pressing, bounce.reach, rate, travel));
       const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(pressing) * unit.own(bounce.reach));
       const Value half_rate = Format::value(half(rate));
-      if (turns_back || !is_positive(pressed - Format::value(own_rate * half(own_rate)))) {
+      if (!is_more(pressed, Format::value(own_rate * half(own_rate))) || !goes_in) {
         // Until the centroid the ball moves on by its depth, and by the effect of the pressing force.
         Value hastened = unit.common_clamped(Format::signed_quotient(pressed, unit.own(pace)));
-        if (slow.exists) hastened = no_less(hastened, -pace);
+        if (is_slow) hastened = no_less(hastened, -pace);
         const Value more = Format::value(bounce.depth * Format::value(divisor.ratio(hastened))),
                     beyond = trial - bounce.depth - (plan.rebound.way * more);
-        if (!turns_back && !is_positive(beyond)) return {{}, {}, rate};
+        if (!is_positive(beyond) && goes_in) return {{}, {}, rate};
         auto t = since_touch;
-        if (slow.exists) {
+        if (is_slow) {
           t = Format::moved_share(t, divisor.ratio(beyond - trial + Format::value(half(more))));
         } else {
           t = divisor.share(without_sign(beyond));
@@ -282,9 +275,9 @@ struct Impulsive {
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
         const Value impulse =
             clamped(plan, units, plan.fades ? asked : no_more(asked, at.undamped(plan, t, step.damped)));
-        const bool is_inside = is_positive(Format::value(half(trial)) - Format::value(t * impulse));
-        if (!is_inside || is_positive(impulse - half_rate)) {
-          if (!is_inside) phase = Phase::apart;
+        const bool stays_inside = is_more(Format::value(half(trial)), Format::value(t * impulse));
+        if (!stays_inside || is_more(impulse, half_rate)) {
+          if (!stays_inside) phase = Phase::apart;
           if constexpr (Seen::is_rubbed) {
             const auto tau = divisor.share(without_sign(bounce.reach)),
                        quarter_of_e = Format::constant(0.25) - half(without_sign(bounce.loss));
@@ -307,6 +300,14 @@ struct Impulsive {
       return support_impulse(plan, force, {}, inside - before);
     }
 
+    // True for a ball with a rate into the stop at the step's start, and out of it at the end. A parabola has the rate
+    // `travel + slower` at the start, and the flight's may be larger by its bend. The ball may have touched in the last
+    // step, with the centroid of the force in this one.
+    static constexpr bool turns_around(Value travel, Value rate) {
+      const Value slower = Format::clamped_difference(travel, rate);
+      return is_positive(Format::value(quarter(travel)) + Format::value(quarter(slower)) +
+                         Format::value(eighth(slower)));
+    }
     // The force that prevents `displacement`, and half of the rate after it.
     struct Support {
       Value force, half_rate;
@@ -323,7 +324,7 @@ struct Impulsive {
       if constexpr (Seen::is_rubbed) stick(*step.rubbing);
       const Value last = is_positive(support.half_rate) ? support.half_rate : Value{};
       is_at_rest = 1;
-      depth = Penetration(left_inside(is_positive(trial - from) ? from : trial, weight, last, last));
+      depth = Penetration(left_inside(is_more(trial, from) ? from : trial, weight, last, last));
       return support_impulse(plan, support.force, last, displacement);
     }
     // Dry friction after an impact, t before the step's end: against the rebound, and again forward if the ball comes
@@ -370,10 +371,10 @@ struct Impulsive {
       const auto unit = Format::own_unit(Format::spare_bits(weight, depth, impulse, more));
       const Value price = Format::value(unit.own(weight) * unit.own(depth)),
                   paid = Format::value(unit.own(impulse) * unit.own(more));
-      if (!is_positive(price - paid)) return Value{};
+      if (!is_more(price, paid)) return Value{};
       return depth - Format::value(depth * Format::quotient(positive_part(paid), positive_part(price)));
     }
-    static constexpr Value no_more(Value x, Value most) { return is_positive(x - most) ? most : x; }
+    static constexpr Value no_more(Value x, Value most) { return is_more(x, most) ? most : x; }
     static constexpr Value clamped(const Plan& plan, const Units& units, Value impulse) {
       return Format::value(positive_part(units.clamped(impulse, plan.largest_impulse)));
     }

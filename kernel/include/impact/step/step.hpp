@@ -164,8 +164,8 @@ template <class Model> struct Step {
   struct NoRubbing {};
   using StopRubbing = typename detail::Either<feels_friction, Rubbing<Format>, NoRubbing>::Type;
 
-  [[gnu::noinline]] static constexpr void solve_rubbed_contact(Model& m, Increment increment, Long main_travel,
-                                                               SeenChange change, StopRubbing& rubbing) {
+  static constexpr void solve_rubbed_contact(Model& m, Increment increment, Long main_travel, SeenChange change,
+                                             StopRubbing& rubbing) {
     solve_contact(m, increment, main_travel, change, rubbing);
   }
   [[gnu::always_inline]] static constexpr void solve_contact(Model& m, Increment increment, Long main_travel,

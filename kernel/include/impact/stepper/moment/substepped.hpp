@@ -501,8 +501,7 @@ template <int named = 0> struct SubsteppedMoment {
     };
     // Advances to the start of the sub-step in which the ball touches, and returns false if it does not. It is found by
     // bisection. If there are many sub-steps, those at the cubic's touch are tried first.
-    [[gnu::noinline]] static constexpr bool skip_flight(const Plan& plan, const Flight& free, int& left,
-                                                        Penetration& at) {
+    static constexpr bool skip_flight(const Plan& plan, const Flight& free, int& left, Penetration& at) {
       if (is_positive(at)) return true;
       int inside = some_inside(plan, free), guess = 0;  // `left` where the ball is inside; where it may touch
       if (inside == 0 && !is_positive(free.end)) return false;

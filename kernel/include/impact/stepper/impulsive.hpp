@@ -208,7 +208,8 @@ struct Impulsive {
       // If the rate at the step's start is more than half of that at its end, a correction has moved the ball.
       if (has_rested && is_inside && !(goes_in && is_positive(travel - rate + Format::value(quarter(rate)))))
         return rest_on_stop(plan, trial, depth, {}, weight, support(plan, units, trial - bare(depth), rate), step);
-      // There is an impact if the ball is inside with a rate into the stop, or if the load has turned it around.
+      // There is an impact if the ball is inside with a rate into the stop, or if the load has turned it around. Such a
+      // ball may have touched in the last step, with the centroid of the force in this one.
       if (!(phase == Phase::touching && goes_in) &&
           (goes_in || has_rested || (!has_touched && is_positive(before)) || !turns_around(travel, rate)))
         return {{}, {}, rate};
@@ -301,8 +302,7 @@ struct Impulsive {
     }
 
     // True for a ball with a rate into the stop at the step's start, and out of it at the end. A parabola has the rate
-    // `travel + slower` at the start, and the flight's may be larger by its bend. The ball may have touched in the last
-    // step, with the centroid of the force in this one.
+    // `travel + slower` at the start, and the flight's may be larger by its bend.
     static constexpr bool turns_around(Value travel, Value rate) {
       const Value slower = Format::clamped_difference(travel, rate);
       return is_positive(Format::value(quarter(travel)) + Format::value(quarter(slower)) +

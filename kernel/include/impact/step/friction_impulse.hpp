@@ -148,16 +148,21 @@ template <class Model> struct FrictionImpulse {
     rubbing.half_by_full = m.plan.friction.half_by_full;
     rubbing.slides = mirrored(Friction::slides(m.plan, m.state.impulse), left);
   }
-  static constexpr bool may_have_grazed(const Model& m) {
-    return acts(m) && m.state.contact.phase == Phase::apart && m.may_touch() && !m.is_inside_a_stop();
+  // True if the ball was in contact at the step's start, or is inside a stop at its end.
+  static constexpr bool meets_stop(const Model& m) {
+    return m.state.contact.phase != Phase::apart || m.is_inside_a_stop();
+  }
+  // False for a contact that goes on from the last step, and follows the ball itself.
+  static constexpr bool flies_first(const Model& m) {
+    return acts(m) && (m.state.contact.phase == Phase::apart || Contact::traits.is_instantaneous);
   }
   // Ends a flight with the friction since its sliding has turned, ended or begun: a flight that meets no stop, or of a
   // ball that has turned before it met one. Returns true if the ball now meets none. One that friction has stopped
   // inside a stop meets it.
-  [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, const Flight& flight) {
+  [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, const Flight& flight,
+                                                            bool meets) {
     const bool is_apart = m.state.contact.phase == Phase::apart;
-    if (!acts(m) || !(is_apart || Contact::traits.is_instantaneous)) return false;
-    if (!is_apart || m.is_inside_a_stop()) {
+    if (meets) {
       const bool left = is_apart ? m.ball_is_left() : m.contact_is_left();
       if (mirrored(Friction::slides(m.plan, m.state.impulse), left) >= 0 ||
           !is_positive(mirrored(sliding_rate(m), left)))

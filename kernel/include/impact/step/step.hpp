@@ -126,13 +126,15 @@ template <class Model> struct Step {
     StopRubbing rubbing{};
     if constexpr (feels_friction) {
       const auto flight = FrictionStep::flight_of(m, main_travel);
+      const bool meets = FrictionStep::meets_stop(m);
       // A grazing touch is before the ball turns.
-      if (FrictionStep::may_have_grazed(m)) {
+      if (!meets && FrictionStep::acts(m) && m.may_touch()) {
         solve_rubbed_contact(m, increment, main_travel, change, rubbing);
         if (!rubbing.meets_stop) rubbing = {};
       }
       if (!rubbing.meets_stop) {
-        if (FrictionStep::turns_before_stop(m, rubbing, flight)) return clamp_if_out_of_range(m);
+        if (FrictionStep::flies_first(m) && FrictionStep::turns_before_stop(m, rubbing, flight, meets))
+          return clamp_if_out_of_range(m);
         if (rubbing.has_turned)
           increment = increment - Format::term(m.plan.stiffness, m.plan.units.position(m.state.x1 - flight.x1));
         solve_rubbed_contact(m, increment, main_travel, change, rubbing);
@@ -329,18 +331,17 @@ template <class Model> struct Step {
     }
   }
   template <class Units> static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
+    if (is_positive(approach.penetration - approach.travel)) return approach.rate;
+    const auto acceleration = units.increment_of_rate(approach.increment);
     if constexpr (traits.finds_grazing) {
-      if (is_positive(approach.penetration - approach.travel)) return approach.rate;
       const SlowTouch<Format> touch(changes_much<Format>(approach.rate, approach.travel), approach.penetration,
-                                    approach.rate, approach.travel, units.increment_of_rate(approach.increment));
+                                    approach.rate, approach.travel, acceleration);
       if (touch.exists) return touch.rate;
     }
-    if (!is_positive(approach.penetration) || !is_positive(approach.travel) ||
-        is_positive(approach.penetration - approach.travel))
-      return approach.rate;
+    if (!is_positive(approach.penetration) || !is_positive(approach.travel)) return approach.rate;
     const auto divisor = Format::divisor(without_sign(approach.travel));
     return rate_at_touch<Format>(divisor, divisor.share(without_sign(approach.penetration)), approach.travel,
-                                 approach.rate, units.increment_of_rate(approach.increment), 0);
+                                 approach.rate, acceleration, 0);
   }
   // The range check of a flight, with the friction that acts at its end.
   [[gnu::always_inline]] static constexpr void clamp_if_out_of_range(Model& m) {

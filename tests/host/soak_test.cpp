@@ -196,5 +196,36 @@ TEST(Fixed32Damper, TakesItsShareOfASmallVibration) {
   }
 }
 
+// A free vibration of 1e-4 of the bounds with w0 h = 0.6, which the README's limits name. The spring's force is rounded
+// to at most four times what an LSB of a position changes in it. The drift is the random sum of these roundings.
+TEST(Fixed32Spring, LetsASmallVibrationDriftByItsRoundingOnly) {
+  const double h = 1e-3;
+  constexpr long steps = 100000, runs = 60;
+  double largest = 0, sum = 0, expected = 0;
+  for (long run = 0; run < runs; ++run) {
+    const auto of_run = static_cast<double>(run);
+    const double w0 = 0.6 / h * (1 + 0.01 * std::sin(7 * of_run)), amplitude = 1e-5;
+    Scene scene;
+    scene.drive_amplitude = scene.contact_damping = scene.main_damping = 0;
+    scene.main_stiffness = scene.main_mass * w0 * w0;
+    scene.x1 = scene.x2 = amplitude * std::cos(of_run);
+    scene.v1 = -amplitude * w0 * std::sin(of_run);
+    auto absorber =
+        accepted<Absorber<AtRunTime, Hertz, EnergyConsistent, NoDrive, Fixed32>>(scene, {0.1, 0.1 * w0, 0, 0}, h);
+    for (long n = 0; n < steps; ++n) absorber.step();
+    const auto now = absorber.reading();
+    const double drift = std::hypot(now.x1, now.v1 / w0) / amplitude - 1, lsb = absorber.displacement_unit() * 0x1p-31;
+    ASSERT_EQ(absorber.fault(), Fault::none);
+    largest = host::larger(largest, std::abs(drift));
+    sum += drift * drift;
+    // An error of the displacement per step over sin(w0 h) is one of the amplitude, and half of its square counts.
+    expected = 4 * 0.29 * lsb * 2 * (1 - std::cos(w0 * h)) / std::sin(w0 * h) * std::sqrt(steps / 2.0) / amplitude;
+  }
+  std::printf("  the amplitude drifts by up to %.3g, by %.3g on average, with %.3g expected\n", largest,
+              std::sqrt(sum / runs), expected);
+  EXPECT_LE(largest, 0.08);
+  EXPECT_LE(std::sqrt(sum / runs), 1.3 * expected);  // 60 random numbers: 3 of their deviations
+}
+
 }  // namespace
 }  // namespace impact

@@ -152,7 +152,7 @@ template <class Model> struct FrictionImpulse {
   static constexpr bool meets_stop(const Model& m) {
     return m.state.contact.phase != Phase::apart || m.is_inside_a_stop();
   }
-  // False for a contact that goes on from the last step, and follows the ball itself.
+  // False without friction, and for a contact that goes on from the last step and follows the ball itself.
   static constexpr bool flies_first(const Model& m) {
     return acts(m) && (m.state.contact.phase == Phase::apart || Contact::traits.is_instantaneous);
   }

@@ -194,6 +194,76 @@ TEST(Touch, OfASlowBallThatTurnsBeforeIsNone) {
   expect_no_touch<SubsteppedMoment<>, Fixed32>();
 }
 
+// Undriven masses with a friction that changes the rate in a step by more than the impact does.
+template <class Format> struct RubbedTouches : testing::Test {};
+using Formats = testing::Types<Fixed32, Float32, Float64>;
+TYPED_TEST_SUITE(RubbedTouches, Formats);
+
+// Friction stops a slow ball soon after its touch, in a contact from a hundredth of a step to four steps.
+TYPED_TEST(RubbedTouches, GainNoEnergy) {
+  const double h = 1e-3;
+  Random random(5);
+  int accepted_scenes = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double speed = random.wide(1e-3, 1e-2), contact = h * random.wide(0.01, 4);
+    Scene scene;
+    scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = scene.contact_damping = 0;
+    scene.main_stiffness = random.is(0.3) ? 0 : random.wide(100, 1e4);
+    scene.main_mass = scene.ball_mass = 1;
+    set_contact_time(scene, false, contact, speed);
+    scene.ball_friction = random.wide(1.5, 30) * speed / (2 * h);
+    scene.v2 = speed;
+    scene.x2 = scene.clearance / 2 - random.wide(0.001, 1) * speed * h;
+    using Kernel = Absorber<AtRunTime, Hertz, Impulsive, NoDrive, TypeParam, DryFriction>;
+    const auto plan = Kernel::PlanType::make(scene, {0.05, 0.3, 0, 0}, h);
+    if (plan.status != PlanStatus::ok) continue;
+    ++accepted_scenes;
+    Kernel absorber(plan);
+    for (int step = 0; step < 20; ++step) {
+      absorber.step();
+      ASSERT_LE(host::mechanical_energy(scene, absorber.reading()), 1.001 * speed * speed / 2)
+          << "step " << step << ", k = " << scene.main_stiffness << ", R = " << scene.ball_friction
+          << ", k1 = " << scene.contact_stiffness << ", v2 = " << speed << ", x2 = " << scene.x2;
+    }
+  }
+  EXPECT_GT(accepted_scenes, 1000);
+}
+// The rebound sticks before it has left the stop. In the next step the ball is held against what moves it in flight.
+TYPED_TEST(RubbedTouches, HoldAReboundThatSticksInsideItsStop) {
+  Scene scene = scene_of(0.11411567307073851, 94144.889144510104, 0, 0.020799377044272288, 0.0001431165227637078,
+                         99695953334.103058, 0, 0, 0);
+  scene.x1 = 2.8992640449065979e-06, scene.v1 = 0.0015951653300899696;
+  scene.x2 = 7.445470089900839e-05, scene.v2 = 0.0031485560737288792;
+  scene.stops = Stops::right, scene.ball_friction = 0.56098988968743746;
+  auto absorber = accepted<Absorber<AtRunTime, Hertz, Impulsive, NoDrive, TypeParam, DryFriction>>(
+      scene, {0.00021827289409246276, 0.022509864449987441, 0, 0}, 6.7027778204720805e-05);
+  absorber.step();
+  const double start = host::mechanical_energy(scene, absorber.reading());
+  absorber.step();
+  EXPECT_LE(host::mechanical_energy(scene, absorber.reading()), (1 + 1e-4) * start);
+}
+// Friction holds the ball just before its stop while the main mass vibrates.
+TYPED_TEST(RubbedTouches, OfAHeldBallAreNone) {
+  for (const double h : {1e-3, 1e-4})
+    for (const double gap : {1e-8, 1e-7, 5e-7, 2e-6}) {
+      Scene scene = scene_of(1, 1000, 0, 0.3, 0.02, 1e10, 5e9, 0, 0);
+      scene.ball_friction = 20;
+      scene.x1 = -0.05;
+      scene.x2 = -0.04 - gap;
+      const auto absorber = after_steps(
+          accepted<Absorber<AtRunTime, HuntCrossley, Impulsive, NoDrive, TypeParam, DryFriction, ImpactLog>>(
+              scene, {0.1, 4, 0, 0}, h),
+          static_cast<int>(0.16 / h));
+      EXPECT_EQ(absorber.state().impacts, 0u) << gap << " m, " << h << " s";
+    }
+}
+// The log has the rate at touch of the flight with its friction.
+TYPED_TEST(RubbedTouches, AreLoggedAtTheirRate) {
+  const double h = 1e-3;
+  const auto worst = slow_errors<Impulsive, TypeParam, HuntCrossley, DryFriction>(1e16, h, 1, 1);
+  EXPECT_LT(worst.logged, 2e-5 + 0.09 * 55 * 55 * h * h);
+}
+
 // An impact on a main mass whose damper stops it within a few steps. Moment includes the damper, up to c h/M = 1, the
 // most that a plan accepts. The error of the main mass's displacement is of third order.
 

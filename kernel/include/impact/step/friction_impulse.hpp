@@ -203,10 +203,12 @@ template <class Model> struct FrictionImpulse {
     if (rubbing.slides != 0) {
       Friction::slide_on(m.plan, m.state, is_negative(sliding_rate(m)));
     } else {
+      bool is_on_stop = m.state.contact.phase != Phase::apart;
+      // An impact at an instant leaves the ball in flight, even if it ends the step inside its stop.
+      if constexpr (Contact::traits.is_instantaneous) is_on_stop = m.state.contact.is_at_rest;
       const Penetration next =
-          m.state.contact.phase != Phase::apart
-              ? Friction::holding(m.plan, mirrored(rubbing.force, left))
-              : Friction::holding_in_flight(m.plan, m.state, m.plan.units.relative(m.displacement_ahead()));
+          is_on_stop ? Friction::holding(m.plan, mirrored(rubbing.force, left))
+                     : Friction::holding_in_flight(m.plan, m.state, m.plan.units.relative(m.displacement_ahead()));
       Friction::change_to(m.plan, m.state, next, Penetration{});
     }
   }

@@ -185,9 +185,13 @@ template <class Model> struct Step {
       approach.rubbing = &rubbing;
       if (FrictionStep::acts(m)) approach.rate = approach.rate - mirrored(FrictionStep::half_taken(m), left);
     }
-    if constexpr (traits.finds_grazing)
-      if (!is_positive(approach.penetration) && !is_negative(approach.rate) && state.contact.phase == Phase::apart)
+    if constexpr (traits.finds_grazing) {
+      bool may_graze = is_negative(approach.rate);
+      // With friction it slides into the stop first.
+      if constexpr (feels_friction) may_graze = may_graze && (rubbing.slides > 0 || !FrictionStep::acts(m));
+      if (!is_positive(approach.penetration) && !may_graze && state.contact.phase == Phase::apart)
         return clamp_if_out_of_range(m);
+    }
     Penetration displacement = m.displacement_flown(main_travel);
     if constexpr (feels_friction)
       if (rubbing.has_turned) displacement = rubbing.displacement;
@@ -285,6 +289,8 @@ template <class Model> struct Step {
     [[maybe_unused]] const auto rate = approach.rate;
     if constexpr (Friction::is_friction && traits.keeps_force)
       approach.rate = rate - mirrored(Format::value(half(state.impulse)), left);
+    [[maybe_unused]] Penetration rubbed{};  // what friction takes of the flight's rate
+    if constexpr (feels_friction) rubbed = approach.rubbing->force;
     auto reaction = contact.solve(plan.contact, plan.units, approach);
     reload_state<Model>(state);
     plan.contact.response.apply(plan.units, state, reaction, left);
@@ -307,7 +313,7 @@ template <class Model> struct Step {
       seen.knows_displacement = traits.knows_displacement;
       if (begins) {
         if (!traits.sees_change) approach.increment = approach.increment + minus_mirrored(to_end, left);
-        seen.rate_at_touch = touch_rate(plan.units, approach);
+        seen.rate_at_touch = touch_rate(plan.units, approach, rubbed);
       }
       m.record_contact(seen);
     }
@@ -330,9 +336,10 @@ template <class Model> struct Step {
       }
     }
   }
-  template <class Units> static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach) {
+  template <class Units>
+  static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach, Penetration rubbed) {
     if (is_positive(approach.penetration - approach.travel)) return approach.rate;
-    const auto acceleration = units.increment_of_rate(approach.increment);
+    const Penetration acceleration = units.increment_of_rate(approach.increment) - rubbed;
     if constexpr (traits.finds_grazing) {
       const SlowTouch<Format> touch(changes_much<Format>(approach.rate, approach.travel), approach.penetration,
                                     approach.rate, approach.travel, acceleration);

@@ -254,7 +254,7 @@ struct Impulsive {
       const auto bounce = plan.rebound.at(units.clamped(speed, plan.largest_rate));
       depth = Penetration(bounce.depth);
       // All factors may be small compared with their unit, which has room for the pressing force at the bounds.
-      const auto unit = Format::own_unit(Format::spare_bits(pressing, bounce.reach, rate, travel));
+      const auto unit = Format::own_unit(Format::spare_bits(pressing, bounce.reach, rate, pace));
       const Value own_rate = unit.own(rate), pressed = Format::value(unit.own(pressing) * unit.own(bounce.reach));
       const Value half_rate = Format::value(half(rate));
       if (!is_more(pressed, Format::value(own_rate * half(own_rate))) || !goes_in) {
@@ -272,6 +272,9 @@ struct Impulsive {
           t = Format::moved_share(t, divisor.ratio(above_chord<Format>(t, bend, half_acceleration)));
         }
         const Instant at(plan, t, rate, acceleration, main_part, half_change, half_jerk);
+        // Without an impact the sliding has turned in flight: the load has turned the ball before its force would.
+        if constexpr (Seen::is_rubbed)
+          if (!goes_in && !is_positive(at.rate)) return {{}, {}, rate};
         const Value touch_rate = at.rate - plan.rebound.pressed_rate(bounce.share, hastened);
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
         const Value impulse =

@@ -165,6 +165,8 @@ template <class Model> struct Step {
 
   struct NoRubbing {};
   using StopRubbing = typename detail::Either<feels_friction, Rubbing<Format>, NoRubbing>::Type;
+  // What friction takes of a flight's rate.
+  using RubbedInFlight = typename detail::Either<feels_friction, Penetration, NoRubbing>::Type;
 
   static constexpr void solve_rubbed_contact(Model& m, Increment increment, Long main_travel, SeenChange change,
                                              StopRubbing& rubbing) {
@@ -289,7 +291,7 @@ template <class Model> struct Step {
     [[maybe_unused]] const auto rate = approach.rate;
     if constexpr (Friction::is_friction && traits.keeps_force)
       approach.rate = rate - mirrored(Format::value(half(state.impulse)), left);
-    [[maybe_unused]] Penetration rubbed{};  // what friction takes of the flight's rate
+    [[maybe_unused]] RubbedInFlight rubbed{};
     if constexpr (feels_friction) rubbed = approach.rubbing->force;
     auto reaction = contact.solve(plan.contact, plan.units, approach);
     reload_state<Model>(state);
@@ -337,9 +339,11 @@ template <class Model> struct Step {
     }
   }
   template <class Units>
-  static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach, Penetration rubbed) {
+  static constexpr Penetration touch_rate(const Units& units, const Approach<Value>& approach,
+                                          [[maybe_unused]] RubbedInFlight rubbed) {
     if (is_positive(approach.penetration - approach.travel)) return approach.rate;
-    const Penetration acceleration = units.increment_of_rate(approach.increment) - rubbed;
+    Penetration acceleration = units.increment_of_rate(approach.increment);
+    if constexpr (feels_friction) acceleration = acceleration - rubbed;
     if constexpr (traits.finds_grazing) {
       const SlowTouch<Format> touch(changes_much<Format>(approach.rate, approach.travel), approach.penetration,
                                     approach.rate, approach.travel, acceleration);

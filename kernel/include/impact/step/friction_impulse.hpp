@@ -152,6 +152,10 @@ template <class Model> struct FrictionImpulse {
   static constexpr bool meets_stop(const Model& m) {
     return m.state.contact.phase != Phase::apart || m.is_inside_a_stop();
   }
+  // True if the ball slides into its stop, and may have touched it and turned. One that friction holds does not.
+  static constexpr bool may_graze(const Model& m) {
+    return acts(m) && m.may_touch() && mirrored(Friction::slides(m.plan, m.state.impulse), m.ball_is_left()) > 0;
+  }
   // False without friction, and for a contact that goes on from the last step and follows the ball itself.
   static constexpr bool flies_first(const Model& m) {
     return acts(m) && (m.state.contact.phase == Phase::apart || Contact::traits.is_instantaneous);

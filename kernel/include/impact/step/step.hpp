@@ -128,7 +128,7 @@ template <class Model> struct Step {
       const auto flight = FrictionStep::flight_of(m, main_travel);
       const bool meets = FrictionStep::meets_stop(m);
       // A grazing touch is before the ball turns.
-      if (!meets && FrictionStep::acts(m) && m.may_touch()) {
+      if (!meets && FrictionStep::may_graze(m)) {
         solve_rubbed_contact(m, increment, main_travel, change, rubbing);
         if (!rubbing.meets_stop) rubbing = {};
       }
@@ -187,13 +187,9 @@ template <class Model> struct Step {
       approach.rubbing = &rubbing;
       if (FrictionStep::acts(m)) approach.rate = approach.rate - mirrored(FrictionStep::half_taken(m), left);
     }
-    if constexpr (traits.finds_grazing) {
-      bool may_graze = is_negative(approach.rate);
-      // With friction it slides into the stop first.
-      if constexpr (feels_friction) may_graze = may_graze && (rubbing.slides > 0 || !FrictionStep::acts(m));
-      if (!is_positive(approach.penetration) && !may_graze && state.contact.phase == Phase::apart)
+    if constexpr (traits.finds_grazing)
+      if (!is_positive(approach.penetration) && !is_negative(approach.rate) && state.contact.phase == Phase::apart)
         return clamp_if_out_of_range(m);
-    }
     Penetration displacement = m.displacement_flown(main_travel);
     if constexpr (feels_friction)
       if (rubbing.has_turned) displacement = rubbing.displacement;

@@ -272,9 +272,11 @@ struct Impulsive {
           t = Format::moved_share(t, divisor.ratio(above_chord<Format>(t, bend, half_acceleration)));
         }
         const Instant at(plan, t, rate, acceleration, main_part, half_change, half_jerk);
-        // Without an impact the sliding has turned in flight: the load has turned the ball before its force would.
+        // Without an impact the sliding has turned in flight: the load has turned the ball before its force would. A
+        // ball that friction holds does not move.
         if constexpr (Seen::is_rubbed)
-          if (!goes_in && !is_positive(at.rate)) return {{}, {}, rate};
+          if (!goes_in && (!is_positive(at.rate) || (step.rubbing->slides <= 0 && is_positive(step.rubbing->full))))
+            return {{}, {}, rate};
         const Value touch_rate = at.rate - plan.rebound.pressed_rate(bounce.share, hastened);
         const Value asked = at.rate - Format::value(bounce.loss * Format::value(positive_part(touch_rate)));
         const Value impulse =

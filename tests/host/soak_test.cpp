@@ -205,8 +205,7 @@ TEST(Fixed32Spring, LetsASmallVibrationDriftByItsRoundingOnly) {
   for (long run = 0; run < runs; ++run) {
     const auto of_run = static_cast<double>(run);
     const double w0 = 0.6 / h * (1 + 0.01 * std::sin(7 * of_run)), amplitude = 1e-5;
-    Scene scene;
-    scene.drive_amplitude = scene.contact_damping = scene.main_damping = 0;
+    Scene scene = elastic_scene();
     scene.main_stiffness = scene.main_mass * w0 * w0;
     scene.x1 = scene.x2 = amplitude * std::cos(of_run);
     scene.v1 = -amplitude * w0 * std::sin(of_run);

@@ -206,8 +206,7 @@ TYPED_TEST(RubbedTouches, GainNoEnergy) {
   int accepted_scenes = 0;
   for (int i = 0; i < 2000; ++i) {
     const double speed = random.wide(1e-3, 1e-2), contact = h * random.wide(0.01, 4);
-    Scene scene;
-    scene.drive_amplitude = scene.drive_pulsation = scene.main_damping = scene.contact_damping = 0;
+    Scene scene = elastic_scene();
     scene.main_stiffness = random.is(0.3) ? 0 : random.wide(100, 1e4);
     scene.main_mass = scene.ball_mass = 1;
     set_contact_time(scene, false, contact, speed);

@@ -149,7 +149,7 @@ template <class Model> struct FrictionImpulse {
     rubbing.slides = mirrored(Friction::slides(m.plan, m.state.impulse), left);
   }
   // True if the ball was in contact at the step's start, or is inside a stop at its end.
-  static constexpr bool meets_stop(const Model& m) {
+  static constexpr bool touches_at_either_end(const Model& m) {
     return m.state.contact.phase != Phase::apart || m.is_inside_a_stop();
   }
   // True if the ball slides into its stop, and may have touched it and turned. One that friction holds does not.
@@ -164,9 +164,9 @@ template <class Model> struct FrictionImpulse {
   // ball that has turned before it met one. Returns true if the ball now meets none. One that friction has stopped
   // inside a stop meets it.
   [[gnu::noinline]] static constexpr bool turns_before_stop(Model& m, Rubbing<Format>& rubbing, const Flight& flight,
-                                                            bool meets) {
+                                                            bool touches) {
     const bool is_apart = m.state.contact.phase == Phase::apart;
-    if (meets) {
+    if (touches) {
       const bool left = is_apart ? m.ball_is_left() : m.contact_is_left();
       if (mirrored(Friction::slides(m.plan, m.state.impulse), left) >= 0 ||
           !is_positive(mirrored(sliding_rate(m), left)))

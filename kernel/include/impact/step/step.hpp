@@ -126,14 +126,14 @@ template <class Model> struct Step {
     StopRubbing rubbing{};
     if constexpr (feels_friction) {
       const auto flight = FrictionStep::flight_of(m, main_travel);
-      const bool meets = FrictionStep::meets_stop(m);
+      const bool touches = FrictionStep::touches_at_either_end(m);
       // A grazing touch is before the ball turns.
-      if (!meets && FrictionStep::may_graze(m)) {
+      if (!touches && FrictionStep::may_graze(m)) {
         solve_rubbed_contact(m, increment, main_travel, change, rubbing);
         if (!rubbing.meets_stop) rubbing = {};
       }
       if (!rubbing.meets_stop) {
-        if (FrictionStep::flies_first(m) && FrictionStep::turns_before_stop(m, rubbing, flight, meets))
+        if (FrictionStep::flies_first(m) && FrictionStep::turns_before_stop(m, rubbing, flight, touches))
           return clamp_if_out_of_range(m);
         if (rubbing.has_turned)
           increment = increment - Format::term(m.plan.stiffness, m.plan.units.position(m.state.x1 - flight.x1));

@@ -42,8 +42,8 @@ std::string limit_of_step(const Settled& settled, double longest) {
       if (const std::string limit = limit_of_crossing(request); !limit.empty()) return limit;
       if (request.stepper == Stepper::impulsive &&
           Impulsive::is_instant(resolution(request), Impulsive::longest_main_phase))
-        return "with friction the main mass may turn by at most " + short_text(Impulsive::longest_phase_with_friction) +
-               " rad in a step";
+        return "with friction a step may be at most " + short_text(Impulsive::longest_phase_with_friction) +
+               " rad of the main mass's own vibration and " + short_text(Impulsive::largest_fading) + " M/c";
       return "a contact lasts " + short_text(resolution(request).contact_time) + " s, and " +
              std::string(name_of(request.stepper)) +
              " requires more steps in it; auto takes a stepper that suits the step";

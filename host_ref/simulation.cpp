@@ -27,8 +27,11 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
     if (contact.field_share > Impulsive::largest_field_share)
       return beyond("the share that weight and base add to an impact's speed is ", contact.field_share,
                     Impulsive::largest_field_share);
-    if (!Impulsive::steps(contact).holds(h))
-      return beyond("with friction w0 h is ", contact.main_pulsation * h, Impulsive::longest_phase_with_friction);
+    if (!Impulsive::steps(contact).holds(h)) {
+      if (contact.main_pulsation * h > Impulsive::longest_phase_with_friction)
+        return beyond("with friction w0 h is ", contact.main_pulsation * h, Impulsive::longest_phase_with_friction);
+      return beyond("with friction c h/M is ", contact.main_fading * h, Impulsive::largest_fading);
+    }
     return "a contact is long enough for several steps";
   }
   const bool is_divided = choice == Choice::sub_steps;

@@ -256,19 +256,22 @@ TYPED_TEST(RubbedTouches, OfAHeldBallAreNone) {
       EXPECT_EQ(absorber.state().impacts, 0u) << gap << " m, " << h << " s";
     }
 }
-// The scene of the README's limit.
-TYPED_TEST(RubbedTouches, MayGainBesideAStrongMainDamper) {
+// Of 120000 random scenes this one gained most, 78 % at c h/M = 0.74. A plan allows 0.1.
+TYPED_TEST(RubbedTouches, AreRejectedBesideAStrongMainDamper) {
   Scene scene = scene_of(11.971221067898071, 1727391.7192864576, 7082.8403580412069, 252.02731747637375,
                          0.00027829881541611398, 9616154446361326, 0, 0, 0);
   scene.x1 = 8.009084432227609e-05, scene.v1 = 0.0020441219752651623;
   scene.x2 = 0.00021904545832869066, scene.v2 = 0.0011126824597903638;
   scene.stops = Stops::right, scene.ball_friction = 154.12656150412698;
-  auto absorber = accepted<Absorber<AtRunTime, Hertz, Impulsive, NoDrive, TypeParam, DryFriction>>(
-      scene, {0.0014681304156103022, 0.14392464677434247, 0, 0, 0}, 0.0012580549558173363);
+  const Bounds own_bounds{0.0014681304156103022, 0.14392464677434247, 0, 0, 0};
+  const double limit = 0.1 * scene.main_mass / scene.main_damping;
+  using Kernel = Absorber<AtRunTime, Hertz, Impulsive, NoDrive, TypeParam, DryFriction>;
+  EXPECT_EQ(Kernel::PlanType::make(scene, own_bounds, 1.001 * limit).status, PlanStatus::steps_per_contact);
+  auto absorber = accepted<Kernel>(scene, own_bounds, 0.999 * limit);
   const double start = host::mechanical_energy(scene, absorber.reading());
-  for (int step = 0; step < 60; ++step) {
+  for (int step = 0; step < 600; ++step) {
     absorber.step();
-    ASSERT_LE(host::mechanical_energy(scene, absorber.reading()), 1.785 * start);
+    ASSERT_LE(host::mechanical_energy(scene, absorber.reading()), 1.0021 * start);
   }
 }
 // The log has the rate at touch of the flight with its friction.

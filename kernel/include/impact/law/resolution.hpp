@@ -18,6 +18,7 @@ struct Resolution {
   double shortest_part;       // s; the moment-fitted step's error depends on the steps in it, for e from 0.05 to 1
   double main_phase;          // rad, how far the main oscillator advances during the contact
   double main_pulsation;      // w0, rad/s
+  double main_fading;         // c/M, 1/s
   double pulsation, damping;  // omega, rad/s, and c/mu, 1/s, at the deepest penetration
   double lasting_damping;     // c/mu, 1/s, where the stop alone balances the pressing force; per impact anywhere
   double crossing;            // s, from stop to stop; `never` for one stop
@@ -61,6 +62,7 @@ constexpr Resolution resolution_of(const Scene& scene, const Bounds& bounds, con
   const double press = largest_acceleration(scene, bounds, constant::larger(scene.drive_amplitude, bounds.force));
   contact.main_phase = w0 * contact.contact_time;
   contact.main_pulsation = w0;
+  contact.main_fading = scene.main_damping / scene.main_mass;
   contact.has_friction = scene.ball_friction > 0;
   if (!ContactLaw::is_linear && !ContactLaw::is_damped_per_impact) contact.lasting_damping = terms.damping_under(press);
   contact.field_share = (1 + scene.ball_mass / scene.main_mass) * field * contact.contact_time / terms.largest_rate;

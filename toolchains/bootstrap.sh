@@ -11,7 +11,8 @@ export CMAKE_GENERATOR=Ninja
 
 targets="cortex-m0 cortex-m3 cortex-m4f cortex-m7f rv32imac rp2350-riscv"
 
-# What is needed, as a file or command that shows that it is there, and the Debian package that brings it.
+# What `host`, `report` or `test` needs, as a file or command that shows that it is there, and the Debian package that
+# brings it. `host` is what this machine's own programs are built with.
 requirements() {
   cat <<END
 g++ g++
@@ -20,6 +21,9 @@ ninja ninja-build
 /usr/include/eigen3/Eigen/Core libeigen3-dev
 /usr/include/gtest/gtest.h libgtest-dev
 /usr/include/gmock/gmock.h libgmock-dev
+END
+  [ "$1" != host ] || return 0
+  cat <<END
 arm-none-eabi-g++ gcc-arm-none-eabi
 riscv64-unknown-elf-g++ gcc-riscv64-unknown-elf
 qemu-system-arm qemu-system-arm
@@ -99,8 +103,7 @@ run_tests() {
 }
 
 build_host() {
-  cmake -S . -B build -DCMAKE_BUILD_TYPE=Release
-  cmake --build build -j "$(nproc)"
+  cmake -S . -B build -DCMAKE_BUILD_TYPE=Release && cmake --build build -j "$(nproc)"
 }
 
 # Two beside each other, with half of the cores each, so that no core waits for a target's last image or test.
@@ -155,9 +158,16 @@ case ${1-} in
     make_report
     ;;
   test)
-    install_packages test
-    build_host
+    command -v apt-get >/dev/null || install_packages test
+    install_packages host
+    mkdir -p build
+    echo "bootstrap: the other packages are installed meanwhile, see build/packages.log"
+    install_packages test >build/packages.log 2>&1 &
     result=0
+    build_host || result=1
+    wait $! || { cat build/packages.log >&2 && exit 1; }
+    [ $result = 0 ] || exit 1
+    build_host  # with what the packages have brought
     run_tests build || result=1
     test_targets || result=1
     exit $result

@@ -40,10 +40,12 @@ std::string limit_of_step(const Settled& settled, double longest) {
              short_text(request.bounds->speed) + " m/s, except with " + std::string(name_of(Stepper::moment_n));
     case PlanStatus::steps_per_contact:
       if (const std::string limit = limit_of_crossing(request); !limit.empty()) return limit;
+      if (sub_steps(request) > 1 && request.step > resolution(request).longest_with_friction())
+        return "with friction a step may be at most " + short_text(largest_fading_with_friction) + " M/c";
       if (request.stepper == Stepper::impulsive &&
           Impulsive::is_instant(resolution(request), Impulsive::longest_main_phase))
         return "with friction a step may be at most " + short_text(Impulsive::longest_phase_with_friction) +
-               " rad of the main mass's own vibration and " + short_text(Impulsive::largest_fading) + " M/c";
+               " rad of the main mass's own vibration and " + short_text(largest_fading_with_friction) + " M/c";
       return "a contact lasts " + short_text(resolution(request).contact_time) + " s, and " +
              std::string(name_of(request.stepper)) +
              " requires more steps in it; auto takes a stepper that suits the step";

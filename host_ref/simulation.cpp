@@ -22,6 +22,9 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
   const auto beyond = [](const std::string& what, double value, double most) {
     return what + rough_text(value) + " and may be at most " + rough_text(most);
   };
+  const auto beyond_fading = [&] {
+    return beyond("with friction c h/M is ", contact.main_fading * h, largest_fading_with_friction);
+  };
   if (choice == Choice::impulsive) {
     if (contact.main_phase > longest_instant) return beyond("w0 tc is ", contact.main_phase, longest_instant);
     if (contact.field_share > Impulsive::largest_field_share)
@@ -30,7 +33,7 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
     if (!Impulsive::steps(contact).holds(h)) {
       if (contact.main_pulsation * h > Impulsive::longest_phase_with_friction)
         return beyond("with friction w0 h is ", contact.main_pulsation * h, Impulsive::longest_phase_with_friction);
-      return beyond("with friction c h/M is ", contact.main_fading * h, Impulsive::largest_fading);
+      return beyond_fading();
     }
     return "a contact is long enough for several steps";
   }
@@ -40,6 +43,7 @@ std::string reason_against(Choice choice, const Resolution& contact, const Reque
                steps = n * contact.shortest_part / h,
                longest = is_divided ? SubsteppedMoment<>::longest_phase : Moment::longest_phase;
   if (turn > longest) return beyond("w0 h is ", turn, longest);
+  if (is_divided && h > contact.longest_with_friction()) return beyond_fading();
   if (is_divided && h > SubsteppedMoment<>::longest_across(contact))
     return "the ball can cross the clearance too often in a step";
   if (steps < Moment::precise_steps)

@@ -11,6 +11,9 @@
 
 namespace impact {
 
+// Dry friction within a step is right to first order in c h/M of the main damper: kernel/docs/flight.md.
+inline constexpr double largest_fading_with_friction = 0.1;
+
 struct Resolution {
   bool is_linear, has_friction;
   double contact_time;        // s
@@ -26,6 +29,10 @@ struct Resolution {
   double swing;               // m, of the main mass by an impact at Bounds::speed: mu V/M, over its pulsation
 
   constexpr double steps_per_contact(double step) const { return contact_time / step; }
+  // The longest step that follows dry friction within it, s. It is finite without a damper.
+  constexpr double longest_with_friction() const {
+    return largest_fading_with_friction / constant::larger(has_friction ? main_fading : 0, 1e-6);
+  }
 };
 
 // The steps of a stepper that takes any contact, s.

@@ -40,15 +40,13 @@ struct Impulsive {
   static constexpr bool is_instant(const Resolution& contact, double main_phase) {
     return contact.main_phase <= main_phase && contact.field_share <= largest_field_share;
   }
-  // Dry friction requires a load that is nearly linear in a step, and a response that contains the main damper:
-  // kernel/docs/flight.md.
+  // Dry friction takes its load as linear in a step: kernel/docs/flight.md.
   static constexpr double longest_phase_with_friction = 0.5;
   static constexpr Range steps(const Resolution& contact) {
     if (!is_instant(contact, longest_main_phase)) return {0, 0};
-    if (!contact.has_friction) return any_step;
-    const double most_per_second =
-        constant::larger(contact.main_pulsation / longest_phase_with_friction, contact.main_fading / largest_fading);
-    return {0, 1 / constant::larger(most_per_second, 1)};
+    const double longest = constant::smaller(any_step.most, contact.longest_with_friction());
+    if (!(contact.has_friction && contact.main_pulsation * longest > longest_phase_with_friction)) return {0, longest};
+    return {0, longest_phase_with_friction / contact.main_pulsation};
   }
 
   template <class Format, class ContactLaw> struct Contact : ContactDefaults {

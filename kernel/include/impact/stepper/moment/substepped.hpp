@@ -54,7 +54,8 @@ template <int named = 0> struct SubsteppedMoment {
                    constant::larger(contact.crossing / fewest_steps_across, often));
   }
   static constexpr Range steps(const Resolution& contact) {
-    return {0, constant::smaller(most * Moment::steps(contact).most, longest_across(contact))};
+    return {0, constant::smaller(constant::smaller(most * Moment::steps(contact).most, longest_across(contact)),
+                                 contact.longest_with_friction())};
   }
   static constexpr double restitution_error(const Resolution& contact, double step) {
     return Moment::restitution_error(contact, step / parts_for(contact, step));

@@ -58,7 +58,7 @@ struct DryFriction : ScenePart {
       Share main_ahead, ball_ahead;  // of the half of it that acts in the step ahead, in dx1 and dx2
       Share main_rate_ahead;         // the same in h v1
       Share main_shift;              // of a change of y at unchanged rates, in dx1
-      Share spring;                  // (w0 h)^2/3
+      Share spring, damper;          // (w0 h)^2/3, and 1 - exp(-c h/M)
       Share main_surplus;            // by how much main_share is too large for an impulse of which no half acts ahead
       GainOf<typename Format::ClampedGain, unit::Penetration, unit::Number> half_by_full;  // 1/(2 r)
       Share excess;                     // of the main mass's momentum by an impulse over the ball's
@@ -83,9 +83,10 @@ struct DryFriction : ScenePart {
              scaled(main.constant_increment() / both), scaled(main.constant_start() / both),
              scaled(ball.constant_start() / both), scaled(main.constant_start() / main.e12 / both),
              scaled(-main.e11 * main.constant_increment() / both), scaled(-main.e12 * main.e21 / 3),
-             scaled(1 - 1 / momentum_ratio), scaled(full > 0 ? 0.5 / full : 0), scaled(momentum_ratio - 1),
-             unit.penetration - constant::exponent_above(2 * full), units.state(friction * main.constant_increment()),
-             units.state(-friction * ball.constant_increment()), friction}};
+             scaled(main.damping()), scaled(1 - 1 / momentum_ratio), scaled(full > 0 ? 0.5 / full : 0),
+             scaled(momentum_ratio - 1), unit.penetration - constant::exponent_above(2 * full),
+             units.state(friction * main.constant_increment()), units.state(-friction * ball.constant_increment()),
+             friction}};
   }
 
   template <class Format> struct State {
@@ -286,6 +287,7 @@ struct DryFriction : ScenePart {
     using Format = typename Plan::FormatType;
     const Value full = plan.friction.full, coming = plan.units.relative(ahead);
     const Value impulse = state.impulse;
+    const Long by_drive = ahead - (state.dx2 - state.dx1);  // what the coming step's sample is expected to add
     // What friction works against at the step's end, and a sixth of its change in the step.
     const Value load = coming - displacement, bend = displacement - rate + Format::value(half(load - impulse)),
                 third_rise = bend + bend, first_load = load - third_rise - third_rise - third_rise;
@@ -328,11 +330,11 @@ struct DryFriction : ScenePart {
       aged = aged + Format::value(left * since_turn);
     }
     moved = mirrored(moved, back);
-    // The main spring has acted on that displacement. Its impulse is made good, which changes the rate.
-    const Value spring_impulse = plan.friction.spring * mirrored(aged, back),
-                pulled = plan.friction.main_share * spring_impulse;
+    // Spring and damper of the main mass have acted on that displacement. Their impulse is made good, which changes the
+    // rate.
+    const Value main_pull = pull_of(plan, moved, mirrored(aged, back)), pulled = plan.friction.main_share * main_pull;
     Value taken = rate - mirrored(end, back), next = mirrored(full, back != turns_back);
-    const bool sticks = way == 0 || (turns && !turns_back);
+    bool sticks = way == 0 || (turns && !turns_back);
     if (sticks) {
       // Without what that displacement adds to the load.
       const Value third_pull = plan.friction.spring * (plan.friction.main_share * moved),
@@ -341,8 +343,8 @@ struct DryFriction : ScenePart {
       const bool loaded_back = is_negative(held_load);
       const Value beyond = mirrored(held_load, loaded_back) - full;
       taken = rate - pulled;
-      next = holding(plan, held_load + held_rise);
       if (is_positive(beyond)) {
+        sticks = false;
         if (way == 0) moved = -displacement;
         const Value third = mirrored(held_rise, loaded_back);
         const auto since = Format::quotient(positive_part(beyond), positive_part(third + third + third));
@@ -353,6 +355,7 @@ struct DryFriction : ScenePart {
         taken = taken - mirrored(reached, loaded_back);
         next = mirrored(full, loaded_back);
       } else if (way == 0 && !is_positive(size(coming) - full)) {
+        next = holding(plan, held_load + held_rise);
         stick(plan, state, impulse, ahead);
         state.impulse = next;
         return {coming - Format::value(half(impulse + next)), moved, {}};
@@ -361,15 +364,21 @@ struct DryFriction : ScenePart {
     // From sliding one way for a whole step to sliding the other way: no friction changes by more.
     const Value most = full + full + size(more);
     taken = clamped(Passive<Value>{-most, most}, impulse_for(plan, taken));
-    const Turned<Value> by = make_good(plan, state, taken, moved, spring_impulse);
-    change_to(plan, state, next, by.taken);
+    const Turned<Value> by = make_good(plan, state, taken, moved, main_pull);
+    if (sticks) {
+      push_by(plan, state, by.taken);
+      Long coming_displacement = state.dx2 - state.dx1;
+      coming_displacement.advance(by_drive);
+      next = holding_in_flight(plan, state, plan.units.relative(coming_displacement));
+    }
+    change_to(plan, state, next, sticks ? Value{} : by.taken);
     return by;
   }
   // The same after an impact at an instant, for a rate and a displacement that friction takes since then. `aged`: that
   // displacement times the part of the step since then.
   template <class Plan, class State, class Value>
   static constexpr Turned<Value> turn_at_impact(const Plan& plan, State& state, Value rate, Value moved, Value aged) {
-    const Turned<Value> by = make_good(plan, state, impulse_for(plan, rate), moved, Value(plan.friction.spring * aged));
+    const Turned<Value> by = make_good(plan, state, impulse_for(plan, rate), moved, pull_of(plan, moved, aged));
     push_by(plan, state, by.taken);
     return by;
   }
@@ -389,12 +398,15 @@ struct DryFriction : ScenePart {
     }
     return left;
   }
-  // Changes x2 - x1 by `moved`. Makes good on the main mass what its spring did meanwhile, and by how much `taken`
-  // moves it too far. What is left of `taken` has yet to act.
+  // The impulse of the main mass's spring and damper while x2 - x1 changed by `moved`.
+  template <class Plan, class Value> static constexpr Value pull_of(const Plan& plan, Value moved, Value aged) {
+    return plan.friction.spring * aged + plan.friction.damper * moved;
+  }
+  // Changes x2 - x1 by `moved`. Makes good on the main mass what its spring and damper did meanwhile, `main_pull`, and
+  // by how much `taken` moves it too far. What is left of `taken` has yet to act.
   template <class Plan, class State, class Value>
-  static constexpr Turned<Value> make_good(const Plan& plan, State& state, Value taken, Value moved,
-                                           Value spring_impulse) {
-    const Value too_much = plan.friction.main_surplus * taken, on_main = spring_impulse - too_much;
+  static constexpr Turned<Value> make_good(const Plan& plan, State& state, Value taken, Value moved, Value main_pull) {
+    const Value too_much = plan.friction.main_surplus * taken, on_main = main_pull - too_much;
     move_ball(plan, state, moved);
     plan.units.displace(state.dx1, plan.friction.main_share, on_main);
     return {taken + plan.friction.main_share * too_much, moved, on_main};

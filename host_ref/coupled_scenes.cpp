@@ -219,15 +219,15 @@ std::string text_of(const Request& request) {
 
 CoupledRun run_coupled(const CoupledScene& found) {
   CoupledRun result;
-  const Outcome outcome = make_simulation(found.request);
-  if (!outcome.simulation) return result;
+  const auto simulation = simulation_of(found.request);
+  if (!simulation) return result;
   result.is_accepted = true;
   const Scene& scene = found.request.scene;
   const double h = found.request.step, size = found.request.bounds->force, largest_base = found.base;
   const DriveKind drive = found.request.drive;
   const bool is_in_field = largest_base > 0 || scene.gravity < 0 || scene.gravity > 0;
   double dissipated = 0, rubbed = 0, work = 0, most_work = 0, force = 0, base = 0;
-  Sample now = outcome.simulation->state();
+  Sample now = simulation->state();
   for (long i = 0; i < found.steps; ++i) {
     const double t = static_cast<double>(i) * h;
     Force on_main;
@@ -236,9 +236,9 @@ CoupledRun run_coupled(const CoupledScene& found) {
     force = on_main.at_end;
     // The base has other random numbers than the drive, and moves against the main mass.
     const double next_base = -share_of(found.samples, scene, now, t, i + found.steps) * largest_base;
-    outcome.simulation->step(force, next_base);
+    simulation->step(force, next_base);
     const Sample before = now;
-    now = outcome.simulation->state();
+    now = simulation->state();
     const double mass = scene.main_mass, ball = scene.ball_mass;
     if (is_in_field) {
       const double field = scene.gravity - base, next_field = scene.gravity - next_base;
@@ -261,7 +261,7 @@ CoupledRun run_coupled(const CoupledScene& found) {
     dissipated = larger(dissipated, now.energy_dissipated);
     result.rubbed_back = larger(result.rubbed_back, (rubbed - now.friction_dissipated) / scale);
     rubbed = now.friction_dissipated;
-    if (outcome.simulation->fault()) {
+    if (simulation->fault()) {
       result.has_fault = true;
       break;
     }

@@ -175,6 +175,12 @@ Outcome make_simulation(const Request& request) {
   return {std::move(made.planned.simulation), {}, made.request, description(made.request, made.is_automatic)};
 }
 
+std::unique_ptr<Simulation> simulation_of(const Request& request) {
+  Request asked = request;
+  if (!refusal_of_parts(request).field.empty() || !state_true_restitution(asked)) return nullptr;
+  return settled(asked).planned.simulation;
+}
+
 std::optional<Request> widened(const Request& asked, const Outcome& outcome) {
   const Bounds stated = asked.bounds.value_or(open_bounds);
   const auto passed = open_bound_passed(outcome.simulation->fault(), stated);

@@ -152,6 +152,8 @@ struct Outcome {
 // Makes a plan and a simulation. An open bound becomes 1.5 times the largest value of a float64 run of `duration`. That
 // run must stay within the bounds of its own plan.
 Outcome make_simulation(const Request& request);
+// The same simulation, or null if the request is refused. The reason is not sought, for which many plans are made.
+std::unique_ptr<Simulation> simulation_of(const Request& request);
 
 // The request for another attempt with twice the bounds, if the run has passed a bound that was found, else nothing. A
 // motion over many impacts is chaotic, so formats may reach different values.

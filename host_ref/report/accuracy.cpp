@@ -107,13 +107,13 @@ class StepLength {
     Request request = request_;
     request.stepper = stepper;
     request.numeric = numeric;
-    if (!make_simulation(request).simulation) return {};
+    if (!simulation_of(request)) return {};
     const auto per_interval = static_cast<size_t>(steps_per_interval_);
     std::vector<double> all(per_interval * intervals);
     const long steps = steps_per_interval_ * intervals;
     bool is_sound = true;
     const Run run = timed_run(
-        request.scene.x1, steps_per_interval_, [&] { return make_simulation(request).simulation; },
+        request.scene.x1, steps_per_interval_, [&] { return simulation_of(request); },
         [&](const auto& simulation, std::vector<double>& x1) {
           is_sound = is_sound && simulation->run(steps, nullptr, all.data()) == steps;
           for (size_t i = 0; i < intervals; ++i) x1[i] = all[(i + 1) * per_interval - 1];

@@ -23,8 +23,7 @@ void write_table(Output& output, const std::vector<std::string>&) {
       FreePair free;
       free.damping = damping;
       free.restitution = percent / 100.0;
-      const auto found = rebounds(free, Stepper::automatic, Numeric::fixed32,
-                                  [](const Request& request) { return make_simulation(request).simulation; });
+      const auto found = rebounds(free, Stepper::automatic, Numeric::fixed32, simulation_of);
       if (!found || found->has_fault || !found->is_apart)
         throw std::runtime_error(std::string(name) + " at " + std::to_string(free.restitution));
       output.write(

@@ -42,7 +42,6 @@ template <class ContactLaw> std::unique_ptr<Simulation> beyond_range(const Reque
 std::unique_ptr<Simulation> beyond_range_under_law(const Request& request) {
   return by_law(request, [&](auto law) { return beyond_range<decltype(law)>(request); });
 }
-std::unique_ptr<Simulation> accepted(const Request& request) { return make_simulation(request).simulation; }
 
 void append_row(std::string& rows, const FreePair& free, std::string_view method, Numeric numeric,
                 const Rebounds& found, bool is_accepted) {
@@ -53,7 +52,7 @@ void append_row(std::string& rows, const FreePair& free, std::string_view method
 }
 
 void append_cell(std::string& rows, const FreePair& free, Stepper stepper, Numeric numeric) {
-  if (const auto found = rebounds(free, stepper, numeric, accepted))
+  if (const auto found = rebounds(free, stepper, numeric, simulation_of))
     return append_row(rows, free, name_of(stepper), numeric, *found, true);
   const bool has_range = stepper == Stepper::moment || stepper == Stepper::energy || stepper == Stepper::impulsive;
   if (!has_range || numeric != Numeric::float64) return;

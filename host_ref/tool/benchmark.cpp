@@ -26,7 +26,7 @@ double nanoseconds_per_step(Law law, Stepper stepper, Numeric numeric) {
   std::array<double, 1000> x1{};
   double fastest = std::numeric_limits<double>::infinity();
   for (int repetition = 0; repetition < 5; ++repetition) {
-    const auto simulation = make_simulation(settings.request).simulation;
+    const auto simulation = simulation_of(settings.request);
     if (!simulation) return -1;
     const auto start = std::chrono::steady_clock::now();
     for (long n = 0; n < steps; n += static_cast<long>(x1.size()))

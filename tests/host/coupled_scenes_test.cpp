@@ -40,7 +40,7 @@ class CoupledScenes : public testing::TestWithParam<Kind> {
         CoupledScene found = scene(edge, index, parts);
         found.request.stepper = stepper;
         if (stepper == Stepper::automatic) {  // its run is that of the stepper that it chooses, named below
-          if (make_simulation(found.request).simulation) ++tally.accepted;
+          if (simulation_of(found.request)) ++tally.accepted;
           continue;
         }
         const CoupledRun run = run_coupled(found);

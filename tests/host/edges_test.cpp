@@ -32,7 +32,7 @@ TEST(Edges, LeftIsTheMirrorImageOfRight) {
       right.scene.x2 = -3e-3;
       right.scene.v2 = 0.4;
       const bool multiplies_energy = stepper == Stepper::average && stiffer > 1;
-      if (multiplies_energy || !make_simulation(right).simulation) continue;
+      if (multiplies_energy || !simulation_of(right)) continue;
       ++run;
       for (const Stops stops : {Stops::both, Stops::right}) {
         right.scene.stops = stops;

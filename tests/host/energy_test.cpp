@@ -109,7 +109,7 @@ TEST(EnergyConsistent, DissipatesInAStronglyDampedStopWhatTheReferenceDoes) {
     for (const double step : {1e-3, 5e-4, 1e-4}) {
       request.numeric = numeric;
       request.step = step;
-      const auto simulation = make_simulation(request).simulation;
+      const auto simulation = simulation_of(request);
       ASSERT_NE(simulation, nullptr);
       for (long i = std::lround(3 / step); i > 0; --i) simulation->step(0);
       EXPECT_EQ(simulation->fault(), nullptr);

@@ -49,7 +49,4 @@ inline std::vector<Kind> passive_kinds() {
   return kinds({Stepper::automatic, Stepper::energy, Stepper::impulsive}, Damping::exact);
 }
 
-// For rebounds() of free_pair.hpp. Returns null if the request is rejected.
-inline std::unique_ptr<Simulation> simulation_of(const Request& request) { return make_simulation(request).simulation; }
-
 }  // namespace impact::host

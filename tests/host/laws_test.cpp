@@ -189,7 +189,7 @@ TEST(Laws, AcceptTheRestitutionsOfTheirRangeOnly) {
       request.scene.contact_stiffness = 1e12;
       for (const double e : {law.least, 0.5, 1.0}) {
         request.scene.restitution = e;
-        EXPECT_TRUE(make_simulation(request).simulation) << name_of(law.damping) << " " << e;
+        EXPECT_TRUE(simulation_of(request)) << name_of(law.damping) << " " << e;
       }
       for (const double e : {law.least - 1e-4, 1.01, -1.0, std::nan("")}) {
         request.scene.restitution = e;

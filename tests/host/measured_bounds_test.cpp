@@ -82,7 +82,7 @@ TEST_P(DeepestPenetration, BoundsEveryMotionWithinItsBounds) {
       found.request.numeric = Numeric::float64;
       found.request.stepper = Stepper::moment;  // which rejects unresolved contacts
       found.request.step /= 32;
-      const auto simulation = make_simulation(found.request).simulation;
+      const auto simulation = simulation_of(found.request);
       if (!simulation) continue;
       Random random(index);
       Reached reached;

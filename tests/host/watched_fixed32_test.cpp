@@ -59,18 +59,16 @@ class Watched final : public Simulation {
   std::unique_ptr<Simulation> simulation_;
 };
 
-std::unique_ptr<Simulation> watched(const Request& request) {
+}  // namespace
+
+// The simulations that coupled_scenes.cpp steps.
+std::unique_ptr<Simulation> simulation_of(const Request& request) {
   broken.count = 0;
   Planned planned = plan_simulation<Fixed32>(request, *request.bounds);
   if (planned.status != PlanStatus::ok) return nullptr;
   if (broken.count > 0) found.emplace(callers(), scene_now);
   return std::make_unique<Watched>(std::move(planned.simulation));
 }
-
-}  // namespace
-
-// The simulations that coupled_scenes.cpp steps.
-Outcome make_simulation(const Request& request) { return {watched(request), {}, request, {}}; }
 
 namespace {
 
@@ -121,7 +119,7 @@ TEST_P(WatchedFixed32, WrapsNowhereInFreePairs) {
     free.contact_stiffness = random.wide(1e2, 1e12);
     free.step = contact_time(impact_of(free)).value() / random.wide(0.1, 200);
     scene_now = text_of(request_for(free, stepper, numeric, 0));
-    rebounds(free, stepper, numeric, watched);
+    rebounds(free, stepper, numeric, simulation_of);
   }
   expect_nothing_found();
 }
@@ -146,7 +144,7 @@ TEST_P(WatchedFixed32, WrapsNowhereInWideStepsAndUnderALargeForce) {
   pressed.bounds = Bounds{2, 1500, 0, 0};
   for (const Request& scene : {wide, pressed}) {
     scene_now = text_of(scene);
-    const auto simulation = watched(scene);
+    const auto simulation = simulation_of(scene);
     for (int n = 0; simulation && n < 300 && !simulation->fault(); ++n) simulation->step(0, 0);
   }
   expect_nothing_found();

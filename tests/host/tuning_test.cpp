@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "../host/kernel_test.hpp"
+#include "kernel_test.hpp"
 
 namespace impact {
 namespace {

@@ -128,6 +128,12 @@ Refusal refusal_of_parts(const Request& request) {
           allowed + ": the classical schemes do not support --" + part};
 }
 
+// The refusals without a plan. If there is none, the request has the restitution that its law leads to.
+Refusal refusal_without_a_plan(Request& request) {
+  if (Refusal refusal = refusal_of_parts(request); !refusal.field.empty()) return refusal;
+  return state_true_restitution(request) ? Refusal{} : refusal_of_restitution(request);
+}
+
 double preferred_step(Request open) {
   constexpr double steps[] = {5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
   constexpr double longest_phase = 0.2, longest_displacement = 0.25, usual = 1e-4, longest_run = 1e7;
@@ -167,9 +173,8 @@ double expected_error_of(const Request& made) {
 long step_count(const Request& request) { return std::lround(request.duration / request.step); }
 
 Outcome make_simulation(const Request& request) {
-  if (Refusal refusal = refusal_of_parts(request); !refusal.field.empty()) return {nullptr, refusal, {}, {}};
   Request asked = request;
-  if (!state_true_restitution(asked)) return {nullptr, refusal_of_restitution(request), {}, {}};
+  if (Refusal refusal = refusal_without_a_plan(asked); !refusal.field.empty()) return {nullptr, refusal, {}, {}};
   Settled made = settled(asked);
   if (made.planned.status != PlanStatus::ok) return {nullptr, refusal_of(made), {}, {}};
   return {std::move(made.planned.simulation), {}, made.request, description(made.request, made.is_automatic)};
@@ -177,7 +182,7 @@ Outcome make_simulation(const Request& request) {
 
 std::unique_ptr<Simulation> simulation_of(const Request& request) {
   Request asked = request;
-  if (!refusal_of_parts(request).field.empty() || !state_true_restitution(asked)) return nullptr;
+  if (!refusal_without_a_plan(asked).field.empty()) return nullptr;
   return settled(asked).planned.simulation;
 }
 
@@ -195,9 +200,8 @@ std::optional<Request> widened(const Request& asked, const Outcome& outcome) {
 }
 
 Refusal refusal_before_a_run(const Request& asked) {
-  if (Refusal refusal = refusal_of_parts(asked); !refusal.field.empty()) return refusal;
   Request request = asked;
-  if (!state_true_restitution(request)) return refusal_of_restitution(asked);
+  if (Refusal refusal = refusal_without_a_plan(request); !refusal.field.empty()) return refusal;
   const Settled made = settled(request, false);
   const bool may_be_taken = made.planned.status == PlanStatus::ok ||
                             (has_open_bounds(request) && depends_on_bounds(made.planned.status, made.request));

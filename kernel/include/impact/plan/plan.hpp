@@ -10,6 +10,7 @@
 #include <impact/motion/friction.hpp>
 #include <impact/motion/plan_change.hpp>
 #include <impact/numeric/in.hpp>
+#include <impact/plan/basis.hpp>
 #include <impact/plan/identity.hpp>
 #include <impact/plan/making.hpp>
 #include <impact/quantity.hpp>
@@ -40,9 +41,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   using Long = typename Format::Long;
   using ContactType = typename Stepper::template Contact<Format, ContactLaw>;
 
-  // names: the absorber's type names the part. has: the part acts. BaseAcceleration includes Gravity.
-  template <class Part> static constexpr bool names = __is_base_of(Part, Field) || __is_base_of(Part, Friction);
-  template <class Part> static constexpr bool has = names<Part> || (__is_base_of(Part, Gravity) && Field::is_sampled);
+  template <class Part> static constexpr bool names = names_part<Part, Field, Friction>;
 
   PlanStatus status;  // if not ok, the rest is invalid
   double step;        // h, s
@@ -126,7 +125,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
     Fingerprint fingerprint = fingerprint_of(scene, bounds, h, damping_ratio, Stepper::longest_phase);
     for (uint32_t kind : kinds) fingerprint.add(kind);
 #define IMPACT_ADD(object, name, least, most, unit, its_status, meaning, part) \
-  if constexpr (has<part>) fingerprint.add_number((object).name);
+  if constexpr (has_part<part, Field, Friction>) fingerprint.add_number((object).name);
     IMPACT_EACH_PART(IMPACT_ADD)
 #undef IMPACT_ADD
     return fingerprint.value;

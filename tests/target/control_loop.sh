@@ -29,7 +29,7 @@ faults=$(reports "$folder/target" 'NR == 2 { print $9 }')
 [ "$(outputs "$folder/target" | sed -n 's/.*at 0 for //p' | awk 'NR > 1 { sum += $1 } END { print sum }')" = "$((1000 * faults))" ] ||
   fail "the output must rest after a fault"
 
-for shift in 6 7 8 9; do
+for shift in 8 9; do
   run $shift >"$folder/slow"
   [ "$(outputs "$folder/slow")" = "$(outputs "$folder/host")" ] || fail "the output depends on the processor's speed"
   overruns=$(reports "$folder/slow" '{ sum += $7 } END { print sum + 0 }')
@@ -37,13 +37,15 @@ for shift in 6 7 8 9; do
 done
 [ "$overruns" != 0 ] || fail "steps on a processor that is too slow must overrun"
 
-# On a busy host QEMU may notice a timer some dozen instructions late. The shortest of four runs counts.
+# On a busy host QEMU may notice a timer some dozen instructions late. The shortest of four runs counts, or the first
+# length that comes twice.
 longest='{ if ($5 > longest) longest = $5 } END { print 10 * longest }'
 shortest=$(reports "$folder/target" "$longest")
 for again in 1 2 3; do
   run 5 >"$folder/again"
   length=$(reports "$folder/again" "$longest")
-  [ "$length" -ge "$shortest" ] || shortest=$length
+  [ "$length" != "$shortest" ] || break
+  [ "$length" -gt "$shortest" ] || shortest=$length
 done
 load=$(reports "$folder/target" 'NR == 1 { print 10 * $2 }')
 echo "$target,hunt-crossley,moment,fixed32,sampled,interrupt_permille,$load,$shortest"

@@ -1,10 +1,19 @@
-// The cost of a step of every budgeted configuration, as rows for within_budget.sh. The compiler's inlining depends on
-// the rest of an image, so each configuration is measured in one image only. Those with parts of a scene
-// (IMPACT_WITH_PARTS) and with friction in the step (IMPACT_WITH_FRICTION) have their own.
+// The cost of a step of every budgeted configuration, as rows for within_budget.sh, and then the longest steps that
+// worst_case.cpp finds. The compiler's inlining depends on the rest of a source file, so each configuration is measured
+// in one image only. Those with parts of a scene (IMPACT_WITH_PARTS) and with friction in the step
+// (IMPACT_WITH_FRICTION) have their own.
 
-#include "step_cost.hpp"
+#include "counted_steps.hpp"
 
-#include "configurations.hpp"
+namespace impact::target {
+
+template <class Listed> struct StepsOf;
+template <class... Configurations> struct StepsOf<List<Configurations...>> {
+  static constexpr Steps all[] = {steps_of<Configurations>...};
+};
+const Steps* const counted_steps = StepsOf<Counted>::all;
+
+}  // namespace impact::target
 
 int main() {
   using namespace impact::target;
@@ -13,5 +22,5 @@ int main() {
     using Configuration = decltype(configuration);
     print_costs<Configuration>(Configuration::label.text);
   });
-  return 0;
+  return search_longest();
 }

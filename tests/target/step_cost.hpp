@@ -25,18 +25,28 @@ struct Cost {
   }
 };
 
-// The cost over `steps` steps of a Configuration of this length (configurations.hpp).
+// A step of an absorber, whose address is passed.
+using Step = void (*)(void* absorber);
+template <class Configuration, class Absorber> static void advance(void* absorber) {
+  Configuration::advance(*static_cast<Absorber*>(absorber));
+}
+// The steps of a Configuration at h = 1 ms and at 0.1 ms (configurations.hpp).
+struct Steps {
+  Step at_1000_us, at_100_us;
+};
+template <class Configuration>
+constexpr Steps steps_of = {advance<Configuration, typename Configuration::template Absorber<1000>>,
+                            advance<Configuration, typename Configuration::template Absorber<100>>};
+
+// The cost over `steps` steps of a Configuration of this length.
 template <class Configuration, int microseconds> static void measure(Cost& free, Cost& contact, uint32_t steps) {
-  struct Run {
-    typename Configuration::template Absorber<microseconds> absorber{};
-    uint32_t index = 0;
-  } run;
-  bool touched = run.absorber.is_touching();
-  for (; run.index < steps; ++run.index) {
-    Configuration::sample(run.index);
-    const uint32_t instructions =
-        instructions_of([](void* argument) { Configuration::advance(static_cast<Run*>(argument)->absorber); }, &run);
-    const bool touches = run.absorber.is_touching();
+  using Absorber = typename Configuration::template Absorber<microseconds>;
+  Absorber absorber{};
+  bool touched = absorber.is_touching();
+  for (uint32_t index = 0; index < steps; ++index) {
+    Configuration::sample(index);
+    const uint32_t instructions = instructions_of(advance<Configuration, Absorber>, &absorber);
+    const bool touches = absorber.is_touching();
     (touched || touches ? contact : free).add(instructions);
     touched = touches;
   }

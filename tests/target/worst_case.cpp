@@ -2,12 +2,12 @@
 // penetrations and speeds from 2^-24 of twice their bounds on, at either side, apart, touching and released. Each is
 // followed for some steps. It covers every budgeted configuration on the paper's scene, and generated scenes, whose
 // constants shift by other amounts: ten on a Cortex-M3, two elsewhere. Prints rows for within_budget.sh and where the
-// longest step was. Fails unless it has found every change of the contact's phase, and every fault.
+// longest step was. Fails unless it has found every change of the contact's phase, and every fault. step_cost.cpp
+// starts it, and has the steps of the budgeted configurations.
 
 #include <board/console.hpp>
 
-#include "configurations.hpp"
-#include "instruction_counter.hpp"
+#include "counted_steps.hpp"
 
 namespace impact::target {
 namespace {
@@ -96,27 +96,22 @@ template <class Absorber>
   return absorber.restore(saved);
 }
 
-template <class Configuration, class Rig, class Absorber> void search(Found& found) {
-  struct Run {
-    Absorber absorber{};
-    uint32_t index = 0;
-  };
-  static Run run;
+template <class Configuration, class Rig, class Absorber> void search(Step step, Found& found) {
+  static Absorber absorber;
+  uint32_t index = 0;
   Random random;
   const bool can_be_released = Configuration::is_linear;
   for (uint32_t spent = 0; spent < instructions_to_spend;) {
     spent += 1000;
-    if (!place(run.absorber, Rig::scene, Rig::bounds, can_be_released, random)) continue;
+    if (!place(absorber, Rig::scene, Rig::bounds, can_be_released, random)) continue;
     for (int i = 0; i < steps_from_a_state; ++i) {
-      const Phase before = run.absorber.state().contact.phase;
-      Configuration::sample(run.index);
-      // The compiler knows the absorber's address, as in firmware.
-      const uint32_t instructions = instructions_of([](void*) { Configuration::advance(run.absorber); }, nullptr);
+      const Phase before = absorber.state().contact.phase;
+      Configuration::sample(index++);
+      const uint32_t instructions = instructions_of(step, &absorber);
       spent += instructions;
-      ++run.index;
-      const auto& state = run.absorber.state();
+      const auto& state = absorber.state();
       found.add(instructions, state.at_left, before, state.contact.phase, state.fault);
-      run.absorber.clear_fault();
+      absorber.clear_fault();
     }
   }
 }
@@ -223,22 +218,24 @@ template <uint32_t number> using SearchedRig = GeneratedRig<number>;
 template <uint32_t number> using SearchedAbsorber = Absorber<SearchedRig<number>, HuntCrossley, Moment, Sine, Fixed32>;
 #endif
 template <uint32_t... numbers> void search_scenes(Found& found) {
-  (search<Searched, SearchedRig<numbers>, SearchedAbsorber<numbers>>(found), ...);
+  (search<Searched, SearchedRig<numbers>, SearchedAbsorber<numbers>>(advance<Searched, SearchedAbsorber<numbers>>,
+                                                                     found),
+   ...);
 }
 
 }  // namespace
-}  // namespace impact::target
 
-int main() {
-  using namespace impact::target;
+int search_longest() {
   bool has_all = true;
-  for_each(Counted{}, [&has_all](auto configuration) {
+  const Steps* steps = counted_steps;
+  for_each(Counted{}, [&has_all, &steps](auto configuration) {
     using Configuration = decltype(configuration);
+    using Long = typename Configuration::template Absorber<1000>;
+    using Short = typename Configuration::template Absorber<100>;
     Found found;
-    search<Configuration, typename Configuration::template Rig<1000>, typename Configuration::template Absorber<1000>>(
-        found);
-    search<Configuration, typename Configuration::template Rig<100>, typename Configuration::template Absorber<100>>(
-        found);
+    search<Configuration, typename Configuration::template Rig<1000>, Long>(steps->at_1000_us, found);
+    search<Configuration, typename Configuration::template Rig<100>, Short>(steps->at_100_us, found);
+    ++steps;
     print_row(Configuration::label.text, "search", found.sound);
     print_row(Configuration::label.text, "search_fault", found.faulty);
     has_all = has_every_transition(found, Configuration::is_linear, Configuration::is_fixed) && has_all;
@@ -253,3 +250,5 @@ int main() {
 #endif
   return has_all ? 0 : 1;
 }
+
+}  // namespace impact::target

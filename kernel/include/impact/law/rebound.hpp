@@ -18,8 +18,6 @@
 // 2^penetration metres.
 
 #include <impact/law/free_impact.hpp>
-#include <impact/law/hertz.hpp>
-#include <impact/law/hooke_newton.hpp>
 #include <impact/law/terms.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>

@@ -5,19 +5,17 @@
 
 #include <impact/law/resolution.hpp>
 #include <impact/law/terms.hpp>
-#include <impact/motion/field.hpp>
-#include <impact/motion/friction.hpp>
 #include <impact/motion/linear_flow.hpp>
 #include <impact/motion/plan_change.hpp>
 #include <impact/numeric/constant_math.hpp>
 #include <impact/numeric/in.hpp>
 #include <impact/numeric/units.hpp>
+#include <impact/plan/basis.hpp>
 #include <impact/plan/identity.hpp>
 #include <impact/plan/largest.hpp>
 #include <impact/scene.hpp>
 #include <impact/status.hpp>
 #include <impact/stepper/contact.hpp>
-#include <impact/values.hpp>
 
 namespace impact {
 
@@ -89,7 +87,7 @@ template <class Plan> class PlanMaking {
     if (status != PlanStatus::ok) return Plan::refused(status);
     if (largest.recorded_force > 0) {
       // An LSB of an impulse is at most the unit of forces.
-      const double lighter = constant::smaller(scene.ball_mass, scene.main_mass),
+      const double lighter = constant::smaller(basis.scene.ball_mass, basis.scene.main_mass),
                    least = constant::power_of_two(exponents.recoil - 30) * lighter / (h * h);
       const double used = constant::larger(largest.recorded_force, least) / basis.terms.force_unit;
       exponents.force += Format::exponent_of(constant::smaller(used, 1));

@@ -13,7 +13,6 @@
 #include <impact/step/friction_impulse.hpp>
 #include <impact/step/machine.hpp>
 #include <impact/stepper/contact.hpp>
-#include <impact/stepper/response.hpp>
 #include <impact/stepper/touch.hpp>
 #include <impact/types.hpp>
 

@@ -339,11 +339,9 @@ template <class Model> struct Step {
     if (is_positive(approach.penetration - approach.travel)) return approach.rate;
     Penetration acceleration = units.increment_of_rate(approach.increment);
     if constexpr (feels_friction) acceleration = acceleration - rubbed;
-    if constexpr (traits.finds_grazing) {
-      const SlowTouch<Format> touch(changes_much<Format>(approach.rate, approach.travel), approach.penetration,
-                                    approach.rate, approach.travel, acceleration);
-      if (touch.exists) return touch.rate;
-    }
+    const SlowTouch<Format> touch(changes_much<Format>(approach.rate, approach.travel), approach.penetration,
+                                  approach.rate, approach.travel, acceleration);
+    if (touch.exists) return touch.rate;
     if (!is_positive(approach.penetration) || !is_positive(approach.travel)) return approach.rate;
     const auto divisor = Format::divisor(without_sign(approach.travel));
     return rate_at_touch<Format>(divisor, divisor.share(without_sign(approach.penetration)), approach.travel,

@@ -150,9 +150,13 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   Value memory[3];  // of a resolved contact taken(), of a stiff one stored_rate()
   Phase phase;
 
+  // A stiff contact may store less than its penetration tells, and still does.
   constexpr Penetration resume(const Plan& plan, const Units& units, const Standing<Value>& standing) {
     if constexpr (is_per_impact) this->hold_damping(plan, standing.penetration, standing.rate);
+    Value lacking{};
+    if (plan.response.is_sudden) lacking = no_less(plan.stiff.rate_at(penetration) - stored_rate(), Value{});
     start(plan, units, standing);
+    if (plan.response.is_sudden) stored_rate() = no_less(stored_rate() - lacking, Value{});
     return penetration;
   }
   constexpr void start(const Plan& plan, const Units&, const Standing<Value>& standing) {

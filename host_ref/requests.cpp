@@ -36,23 +36,4 @@ Request without_absorber(const Request& request) {
   return bare;
 }
 
-long Simulation::run(long steps, const double* forces, double* x1, const double* base) {
-  for (long n = 0; n < steps; ++n) {
-    step(forces ? forces[n] : 0, base ? base[n] : 0);
-    if (fault()) return n;
-    x1[n] = sample().x1;
-  }
-  return steps;
-}
-
-Reached Simulation::reached_in(long steps, const double* forces, const double* base, const Bounds& bounds) {
-  Reached reached;
-  for (long n = 0;; ++n) {
-    const Sample now = sample();
-    reached.see(now.x1, now.v1, now.x2, now.v2, now.penetration, now.impact_speed);
-    if (n == steps || !reached.is_within(bounds) || fault()) return reached;
-    step(forces ? forces[n] : 0, base ? base[n] : 0);
-  }
-}
-
 }  // namespace impact::host

@@ -128,11 +128,12 @@ class Simulation {
   virtual Sample state() const { return sample(); }
   virtual const char* fault() const = 0;  // nullptr, or the reason why the state is no longer valid
 
-  // Makes several steps and stores x1 at the end of each. `forces` and `base` may be null. Stops after a step that
-  // raises a fault. Returns the number of steps without a fault.
-  virtual long run(long steps, const double* forces, double* x1, const double* base = nullptr);
-  // The largest values now and at the ends of several steps. Stops after a step that raises a fault or passes a bound.
-  virtual Reached reached_in(long steps, const double* forces, const double* base, const Bounds& bounds);
+  // The kernel only. run(steps, forces, x1, base) makes several steps and stores x1 at the end of each. `forces` and
+  // `base` may be null. Stops after a step that raises a fault. Returns the number of steps without a fault.
+  virtual long run(long, const double*, double*, const double* = nullptr) { std::abort(); }
+  // The kernel only. reached_in(steps, forces, base, bounds) has the largest values now and at the steps' ends. Stops
+  // after a step that raises a fault or passes a bound.
+  virtual Reached reached_in(long, const double*, const double*, const Bounds&) { std::abort(); }
 };
 
 // The reason why the kernel cannot plan a request: the tool's option at fault, such as "contact-stiffness", its value,

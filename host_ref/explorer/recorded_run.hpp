@@ -3,6 +3,7 @@
 // impacts as restitution over speed. All values are in SI units.
 
 #include <algorithm>
+#include <host_ref/energies.hpp>
 #include <host_ref/simulation.hpp>
 #include <iterator>
 
@@ -49,7 +50,7 @@ class RecordedRun {
       : request_(request), simulation_(std::move(simulation)) {
     rows_.reserve(static_cast<size_t>(steps_ / every_ + 1));
     before_ = simulation_->sample();
-    initial_energy_ = motion_energy(before_);
+    initial_energy_ = energy_of(before_);
     note(before_);
   }
 
@@ -92,7 +93,7 @@ class RecordedRun {
     totals_.peak_force = now.peak_force;
     totals_.friction_dissipated = now.friction_dissipated;
     const double rubbed = now.energy_dissipated + now.friction_dissipated;
-    const double lost = rubbed + damper_loss_, found = lost + motion_energy(now);
+    const double lost = rubbed + damper_loss_, found = lost + energy_of(now);
     const double supplied = initial_energy_ + now.drive_work + field_work_;
     totals_.energy_error = larger(totals_.energy_error, std::abs(found - supplied));
     totals_.most_supplied = larger(totals_.most_supplied, supplied);
@@ -129,11 +130,7 @@ class RecordedRun {
     if (brought > 0) impacts_.push_back({now.t, now.impact_speed, std::sqrt(larger(1 - lost / brought, 0.0))});
   }
 
-  double motion_energy(const Sample& now) const {
-    const Scene& scene = request_.scene;
-    return half_square(scene.main_mass, now.v1) + half_square(scene.main_stiffness, now.x1) +
-           half_square(scene.ball_mass, now.v2) + now.energy_stored;
-  }
+  double energy_of(const Sample& now) const { return mechanical_energy(request_.scene, now) + now.energy_stored; }
 
   // The work of weight and of the base's acceleration in the step that ended now. The acceleration is linear between
   // samples, and the work is by the trapezoidal rule.

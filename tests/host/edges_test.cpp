@@ -1,7 +1,5 @@
 // Special cases: symmetry, no clearance, a start inside a stop, a restored state, a fast sine.
 
-#include <cstring>
-
 #include "paper_runs.hpp"
 
 namespace impact::host {

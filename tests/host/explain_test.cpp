@@ -5,7 +5,6 @@
 
 #include <impact/absorber.hpp>
 #include <impact/explain.hpp>
-#include <string>
 
 namespace impact {
 namespace {

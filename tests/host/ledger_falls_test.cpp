@@ -157,9 +157,10 @@ struct InDouble : SilentFeature {
     const auto number = [&plan](auto x) { return plan.units.fraction(x); };
     const double force = number(step.force.j0), rate = number(step.rate), stored = number(step.stored),
                  before = step.begins ? number(step.rate_at_start) : state.rate_before;
-    const double work = Plan::ContactType::traits.starts_from_rate ? number(step.work)  // of the step's contacts
-                        : step.knows_displacement                  ? force * number(step.displacement)
-                                                  : force * rate - (rate - before) * number(step.force.j1);
+    constexpr ContactTraits traits = Plan::ContactType::traits;
+    const double work = traits.starts_from_rate     ? number(step.work)  // of the step's contacts
+                        : traits.knows_displacement ? force * number(step.displacement)
+                                                    : force * rate - (rate - before) * number(step.force.j1);
     state.sum += work - (stored - state.stored_before);
     state.size += std::abs(force * rate) + std::abs(work) + stored;
     state.rate_before = rate;

@@ -118,33 +118,15 @@ template <class Configuration, class Rig, class Absorber> void search(Step step,
 
 void print_row(const char* label, const char* quantity, const Longest& found) {
   if (found.steps == 0) return;
-  board::print(IMPACT_TARGET);
-  board::print(",");
-  board::print(label);
-  board::print(",");
-  board::print(quantity);
-  board::print(",");
-  board::print(found.sum / found.steps);
-  board::print(",");
-  board::print(found.largest);
-  board::print("\n");
   constexpr const char* phases[] = {"apart", "touching", "released"};
-  board::print("# the longest from ");
-  board::print(phases[static_cast<uint32_t>(found.before)]);
-  board::print(" to ");
-  board::print(phases[static_cast<uint32_t>(found.after)]);
-  board::print(", of ");
-  board::print(found.steps);
-  board::print(" steps\n");
+  board::print(IMPACT_TARGET, ",", label, ",", quantity, ",", found.sum / found.steps, ",", found.largest, "\n");
+  board::print("# the longest from ", phases[static_cast<uint32_t>(found.before)], " to ",
+               phases[static_cast<uint32_t>(found.after)], ", of ", found.steps, " steps\n");
 }
 
 bool is_covered(uint32_t count, const char* what, uint32_t which) {
   if (count != 0) return true;
-  board::print("# the search has missed ");
-  board::print(what);
-  board::print(" ");
-  board::print(which);
-  board::print("\n");
+  board::print("# the search has missed ", what, " ", which, "\n");
   return false;
 }
 // At both stops, every change of phase that the law has: 0 apart, 1 touching, 2 released. In fixed point also every

@@ -516,7 +516,7 @@ class AbsorberOf
     const auto& units = plan.units;
     bool is_sound = Machine::is_in_range(state) && units.is_sound(state.x1) && units.is_sound(state.x2) &&
                     units.is_sound(state.dx1) && units.is_sound(state.dx2) && state.contact.phase <= Phase::released &&
-                    state.at_left <= 1 && is_of_state(state.fault);
+                    state.at_left <= 1 && state.fault < Fault::plan;
     if constexpr (Drive::is_sine) is_sound = is_sound && state.drive.oscillator.is_sound(plan.drive.oscillator);
     if constexpr (Drive::is_sampled) is_sound = is_sound && state.drive.accepts(plan.drive, state.drive.sample);
     if constexpr (keeps_sample_before) is_sound = is_sound && state.drive.accepts(plan.drive, state.sample_before);

@@ -38,7 +38,7 @@
 //                                      what a sample may add to x1 as it comes
 //
 // Format    Value, Long                a number of a step, of 32 bits for 32-bit cores; a state, of twice the digits
-//           Gain, Weight               a constant that multiplies a Value; the same, rounded down in fewer instructions
+//           Gain, Weight               a constant that multiplies a Value; the same, in fewer instructions
 //           ClampedGain                a Gain whose product may be out of range and is clamped
 //           Root, Oscillator           a square root; the sine drive's recurrence
 //           Energy, Tally              a product of Values with all its bits; a sum of them without an upper limit

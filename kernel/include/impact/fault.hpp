@@ -20,9 +20,7 @@ enum class Fault : uint16_t {
   speed,         // a mass or a correction passed Bounds::speed
   penetration,   // the ball ended a step deeper in a stop than the bounds allow
   sample,        // a sample passed its bound
-  plan,          // the plan is rejected, AtRunTime only: the absorber stands still
+  plan,          // the plan is rejected, AtRunTime only: the absorber stands still. No state has it
 };
-// True for a fault that a state can have, which is any before `plan`.
-constexpr bool is_of_state(Fault fault) { return fault < Fault::plan; }
 
 }  // namespace impact

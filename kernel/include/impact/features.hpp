@@ -61,8 +61,9 @@ struct EnergyLedger {
   static constexpr void after_contact(const Plan&, State& state, const Step& step) {
     auto& own = record_in<EnergyLedger, Plan>(state);
     const auto rate_before = step.begins ? step.rate_at_start : own.contact_rate;
-    const auto done = Plan::ContactType::traits.starts_from_rate ? step.work
-                      : step.knows_displacement
+    constexpr ContactTraits traits = Plan::ContactType::traits;
+    const auto done = traits.starts_from_rate ? step.work
+                      : traits.knows_displacement
                           ? work(step.force.j0, step.displacement)
                           : work(step.force.j0 - step.force.j1, step.rate) + work(step.force.j1, rate_before);
     own.dissipated.add(done - (step.stored - own.stored));

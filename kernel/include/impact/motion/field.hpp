@@ -11,9 +11,9 @@
 // sample, the same for both masses. Derivation: docs/flight.md.
 
 #include <impact/motion/linear_flow.hpp>
-#include <impact/motion/scene_part.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
+#include <impact/silent_feature.hpp>
 
 namespace impact {
 

@@ -19,10 +19,10 @@
 // impulse got wrong. That is of third order. Derivation: docs/flight.md.
 
 #include <impact/motion/linear_flow.hpp>
-#include <impact/motion/scene_part.hpp>
 #include <impact/numeric/formula.hpp>
 #include <impact/numeric/units.hpp>
 #include <impact/scene.hpp>
+#include <impact/silent_feature.hpp>
 
 namespace impact {
 
@@ -133,7 +133,8 @@ struct DryFriction : ScenePart {
   static constexpr Value excess(const Plan& plan, const State& state, Value displacement) {
     const Value free =
         displacement + plan.friction.main_ahead * state.impulse + plan.friction.ball_ahead * state.impulse;
-    return state.impulse - (is_located ? holding(plan, free + free) : within_full(plan, free + free));
+    return state.impulse - (is_located ? holding(plan, free + free)
+                                       : clamped(Passive<Value>{-plan.friction.full, plan.friction.full}, free + free));
   }
   // Changes the last impulse to that of a first step plus `excess`.
   template <bool is_located, class Plan, class State, class Value>
@@ -440,9 +441,6 @@ struct DryFriction : ScenePart {
     push_by(plan, state, impulse);
     state.impulse = impulse;
     state.lasting = never<Plan>();
-  }
-  template <class Plan, class Value> static constexpr Value within_full(const Plan& plan, Value impulse) {
-    return clamped(Passive<Value>{-plan.friction.full, plan.friction.full}, impulse);
   }
   // Changes the state by half a step of this impulse.
   template <class Plan, class State, class Value>

@@ -65,15 +65,6 @@ struct Fixed32 : Fixed32Numbers {
     const auto carried = static_cast<int32_t>(static_cast<uint32_t>(chance.raw) >> (32 - gain.shift));
     return {(high_product(x.raw, gain.mantissa) + carried) >> gain.shift};
   }
-  template <class From, class To>
-  [[gnu::always_inline]] static constexpr In<Value, To> term(GainOf<Gain, From, To> gain, In<Value, From> x) {
-    return In<Value, To>(term(gain.own, x));
-  }
-  template <class From, class To>
-  [[gnu::always_inline]] static constexpr In<Value, To> dithered_term(GainOf<Gain, From, To> gain, In<Value, From> x,
-                                                                      Long chance) {
-    return In<Value, To>(dithered_term(gain.own, x, chance));
-  }
   // gain * x, rounded down. The gain is 0 or a power of two of at least 2^-32.
   static constexpr Value moved_term(Gain gain, Value x) {
     const int bits = gain.shift + 2;

@@ -123,6 +123,16 @@ template <class Gain, class From, class To, class Value>
 }
 template <class Gain, class From, class To, class Value, class Unit>
 void operator*(GainOf<Gain, From, To>, In<Value, Unit>) = delete;
+// The same by the format's term() and dithered_term().
+template <class Format, class Gain, class From, class To, class Value>
+[[gnu::always_inline]] constexpr In<Value, To> term(GainOf<Gain, From, To> gain, In<Value, From> x) {
+  return In<Value, To>(Format::term(gain.own, bare(x)));
+}
+template <class Format, class Gain, class From, class To, class Value>
+[[gnu::always_inline]] constexpr In<Value, To> dithered_term(GainOf<Gain, From, To> gain, In<Value, From> x,
+                                                             const typename Format::Long& chance) {
+  return In<Value, To>(Format::dithered_term(gain.own, bare(x), chance));
+}
 
 // Converts a number in SI units to the constant of a plan that it initialises: a Value, a gain or a weight.
 template <class Format> struct Scaled {

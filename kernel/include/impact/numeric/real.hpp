@@ -250,13 +250,6 @@ template <class RealType, template <class> class State, class OscillatorType> st
   static constexpr Value dithered_term(Gain gain, Value x, const Long&) { return term(gain, x); }
   // gain * x for a power of two.
   static constexpr Value moved_term(Gain gain, Value x) { return gain * x; }
-  template <class From, class To> static constexpr In<Value, To> term(GainOf<Gain, From, To> gain, In<Value, From> x) {
-    return In<Value, To>(term(gain.own, x));
-  }
-  template <class From, class To>
-  static constexpr In<Value, To> dithered_term(GainOf<Gain, From, To> gain, In<Value, From> x, const Long&) {
-    return term(gain, x);
-  }
   static constexpr Gain largest_gain =
       sizeof(Real) == sizeof(float) ? static_cast<Real>(0x1p100) : static_cast<Real>(0x1p900);
   // For a gain in [0, 128). An impact at the speed 0 has the damping of a very slow one.

@@ -26,8 +26,8 @@ struct UnitExponents {
 enum class Overflow { none, force, penetration, position };
 
 // The limits of a state, m: the displacements of main mass and ball, a mass's displacement in the coming step, that at
-// the bound of its speed alone, and the penetration at a step's end. Beyond each a fault is raised. Only the first
-// three clamp.
+// the bound of its speed alone, and the penetration at a step's end. Beyond each a fault is raised, and all but the
+// last clamp.
 struct StateLimits {
   double main, ball, displacement, speed, penetration;
 };

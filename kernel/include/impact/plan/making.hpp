@@ -52,7 +52,6 @@ template <class Plan> class PlanMaking {
   using Field = typename Plan::FieldType;
   using Friction = typename Plan::FrictionType;
   using Contact = typename Plan::ContactType;
-  using Long = typename Plan::Long;
 
  public:
   [[gnu::cold]] static constexpr Plan make(const Scene& scene, const Bounds& bounds, double h) {

@@ -11,7 +11,6 @@ namespace impact {
 
 template <class Model> struct FrictionImpulse {
   using Format = typename Model::Format;
-  using Field = typename Model::Field;
   using Friction = typename Model::Friction;
   using Contact = typename Model::Contact;
   using Value = typename Model::Value;
@@ -251,7 +250,7 @@ template <class Model> struct FrictionImpulse {
     if constexpr (Model::counts_sliding_distance) {
       Long shift = m.state.x1 - flight.x1;
       m.plan.units.displace(shift, m.plan.friction.main_share, Penetration(Format::value(half(by.moved))));
-      const auto by_spring = Format::term(m.plan.stiffness, m.plan.units.position(shift));
+      const auto by_spring = term<Format>(m.plan.stiffness, m.plan.units.position(shift));
       const Penetration main = average(before.main, after.main);
       count_loss(m, by.taken, average(before.rubbing, after.rubbing));
       count_loss(m, by.moved, flight.load + m.plan.units.increment_of_rate(by_spring));

@@ -197,8 +197,8 @@ template <class Source, class... Features> struct Machine : Source {
     return plan.units.is_within(any.x1, limits.main) && plan.units.is_within(any.dx1, limits.displacement) &&
            plan.units.is_within(any.x2, limits.ball) && plan.units.is_within(any.dx2, limits.displacement);
   }
-  // Raises the fault of a state beyond a limit, and clamps displacements. Returns false, and clamps nothing, if only
-  // the penetration is too deep.
+  // Raises the fault of a state beyond a limit, and clamps displacements and speeds. Returns false, and clamps nothing,
+  // if only the penetration is too deep.
   [[gnu::noinline]] constexpr bool clamp() {
     const auto& units = plan.units;
     const auto& limits = units.limits;

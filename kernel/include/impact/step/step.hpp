@@ -99,8 +99,8 @@ template <class Model> struct Step {
     auto& state = m.state;
     state.x1.advance(main_travel);
     if constexpr (!Field::is_field) state.x2.advance(state.dx2);
-    Increment increment = -Format::term(plan.stiffness, plan.units.position(state.x1)) -
-                          Format::dithered_term(plan.damping, plan.units.damped(state.dx1), state.x1);
+    Increment increment = -term<Format>(plan.stiffness, plan.units.position(state.x1)) -
+                          dithered_term<Format>(plan.damping, plan.units.damped(state.dx1), state.x1);
     if constexpr (Drive::is_sine) increment = increment + state.drive.advance(plan.drive);
     if constexpr (Drive::is_sampled) increment = increment + state.drive.advance(plan.drive, force);
     if constexpr (Field::is_field) increment = increment + Field::main_increment(plan, state, acceleration);
@@ -135,7 +135,7 @@ template <class Model> struct Step {
         if (FrictionStep::flies_first(m) && FrictionStep::turns_before_stop(m, rubbing, flight, touches))
           return clamp_if_out_of_range(m);
         if (rubbing.has_turned)
-          increment = increment - Format::term(m.plan.stiffness, m.plan.units.position(m.state.x1 - flight.x1));
+          increment = increment - term<Format>(m.plan.stiffness, m.plan.units.position(m.state.x1 - flight.x1));
         solve_rubbed_contact(m, increment, main_travel, change, rubbing);
       }
       if (rubbing.meets_stop)
@@ -205,7 +205,7 @@ template <class Model> struct Step {
     if constexpr (traits.sees_change) increment = increment + change.to_end;
     if constexpr (traits.is_instantaneous) {
       approach.half_change = -mirrored(change.half, left);
-      approach.damped = mirrored(Format::term(plan.damping, plan.units.damped(main_travel)), left);
+      approach.damped = mirrored(term<Format>(plan.damping, plan.units.damped(main_travel)), left);
     }
     const bool goes_on = apply_contact(m, approach, increment, left, change.to_end);
     if constexpr (traits.crosses_cavity && !traits.starts_from_rate)
@@ -307,7 +307,6 @@ template <class Model> struct Step {
       }
       seen.rate_at_start = approach.rate_at_start();
       seen.begins = begins;
-      seen.knows_displacement = traits.knows_displacement;
       if (begins) {
         if (!traits.sees_change) approach.increment = approach.increment + minus_mirrored(to_end, left);
         seen.rate_at_touch = touch_rate(plan.units, approach, rubbed);

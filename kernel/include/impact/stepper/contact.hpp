@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A contact: what a stepper does while the ball is inside a stop. The step uses these members and no others:
+// A contact: what a stepper does while the ball is inside a stop. The step uses these members:
 //
 //     traits        ContactTraits: which values it reads, and what it can do
 //     Plan          its constants, with `response`: response.apply(units, state, reaction, left) changes the state
@@ -13,7 +13,8 @@
 //     solve         (plan, units, approach)     a step in contact: returns the Reaction
 //     resume        (plan, units, standing)     continues after a correction: returns the penetration at which the step
 //                                               then places the ball
-//     is_at_rest    if it is_instantaneous: the ball rests on its stop
+//     is_at_rest    if it is_instantaneous: the ball rests on its stop; is_in_an_impact(), spread() and the plan's
+//                   main_share and ball_share are for readers of the state during an impact, force for the law's peak
 //     is_beyond_reach (plan, approach or standing)    if it keeps_force: true if the force would exceed its largest
 //     valid         (plan, units)               true if a restored contact is consistent
 //     stores_too_much (plan)                    true if it then stores more energy than the bounds allow
@@ -112,10 +113,10 @@ template <class Format> struct ContactStep {
 
   Impulse<Force<Value>> force;
   typename Format::Energy stored;
-  Penetration<Value> rate;                          // at the step's end, or before an impact that takes no time
-  Penetration<Value> displacement;                  // how far the contact moved, where it knows_displacement
+  Penetration<Value> rate;          // at the step's end, or before an impact that takes no time
+  Penetration<Value> displacement;  // how far the contact moved, where its traits say knows_displacement
   Penetration<Value> rate_at_start, rate_at_touch;  // the latter in the first step of a contact
-  bool begins, knows_displacement;
+  bool begins;
   Penetration<Value> rate_at_crossing;  // at the last touch of the other stop in the step
   typename Format::Energy work;         // of the force, where the contact starts_from_rate
 };
@@ -181,10 +182,5 @@ struct ContactDefaults {
   template <class Plan, class Value> static constexpr void change_rate(const Plan&, Value) {}
   static constexpr UnitExponents units(const ContactTerms&, const UnitExponents& unit) { return unit; }
 };
-
-// True if a root that is kept with a penetration belongs to it.
-template <class Format> constexpr bool is_root_of(typename Format::Value penetration, typename Format::Root root) {
-  return is_positive(penetration) && root == Format::root(penetration);
-}
 
 }  // namespace impact

@@ -28,7 +28,6 @@ inline constexpr double largest_damping_of_energy = 1, largest_lasting_damping_o
 template <class Format, class ContactLaw>
 struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_damped_per_impact> {
   using Value = typename Format::Value;
-  using Gain = typename Format::Gain;
   using Weight = typename Format::Weight;
   using Units = typename Format::Units;
   using Root = typename Format::Root;
@@ -37,7 +36,6 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   static constexpr ContactTraits traits = constant_force_traits();
   static constexpr bool is_per_impact = ContactLaw::is_damped_per_impact;
   using Stiff = StiffContact<Format, ContactLaw>;
-  using Damping = typename Stiff::Damping;
   using Factor = decltype(Format::constant(0));
   using Mean = MeanShape<Format>;
 
@@ -186,8 +184,8 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
       taken(3) = taken(3) + Format::value(half(size * Format::quotient(without_sign(size), without_sign(most))));
   }
   constexpr bool valid(const Plan& plan, const Units&) const {
-    return this->has_sound_damping() &&
-           (plan.response.is_sudden || phase == Phase::apart || is_root_of<Format>(penetration, root));
+    return this->has_sound_damping() && (plan.response.is_sudden || phase == Phase::apart ||
+                                         (is_positive(penetration) && root == Format::root(penetration)));
   }
 
   template <class Seen>

@@ -54,7 +54,14 @@ template <class Configuration, int microseconds> static void measure(Cost& free,
 
 static void print(const char* label, const char* phase, const Cost& cost) {
   const uint32_t tenths = cost.steps == 0 ? 0 : static_cast<uint32_t>((10 * cost.sum + cost.steps / 2) / cost.steps);
-  board::print(IMPACT_TARGET, ",", label, ",", phase, ",", tenths / 10, ".", tenths % 10, ",", cost.largest, "\n");
+  const char* const texts[] = {IMPACT_TARGET, ",", label, ",", phase, ","};
+  for (const char* text : texts) board::print(text);
+  board::print(tenths / 10);
+  board::print(".");
+  board::print(tenths % 10);
+  board::print(",");
+  board::print(cost.largest);
+  board::print("\n");
 }
 
 // Over one second at h = 1 ms and at 0.1 ms.

@@ -338,10 +338,14 @@ template <class Model> struct Step {
     if (is_positive(approach.penetration - approach.travel)) return approach.rate;
     Penetration acceleration = units.increment_of_rate(approach.increment);
     if constexpr (feels_friction) acceleration = acceleration - rubbed;
-    const SlowTouch<Format> touch(changes_much<Format>(approach.rate, approach.travel), approach.penetration,
-                                  approach.rate, approach.travel, acceleration);
-    if (touch.exists) return touch.rate;
+    const bool is_slow = changes_much<Format>(approach.rate, approach.travel);
+    if constexpr (traits.finds_grazing) {
+      const SlowTouch<Format> touch(is_slow, approach.penetration, approach.rate, approach.travel, acceleration);
+      if (touch.exists) return touch.rate;
+    }
     if (!is_positive(approach.penetration) || !is_positive(approach.travel)) return approach.rate;
+    if (is_slow && !traits.finds_grazing)
+      return rate_of_parabola<Format>(approach.penetration, approach.rate, approach.travel);
     const auto divisor = Format::divisor(without_sign(approach.travel));
     return rate_at_touch<Format>(divisor, divisor.share(without_sign(approach.penetration)), approach.travel,
                                  approach.rate, acceleration, 0);

@@ -45,6 +45,19 @@ template <class Format, class Value>
   const Penetration<Value> slower = travel - rate, eighth_of_rate(Format::value(eighth(bare(rate))));
   return !is_positive(eighth_of_rate - slower) || !is_positive(eighth_of_rate + slower);
 }
+// The rate V at the touch of a flight that ends inside the stop, by SlowTouch's parabola alone: (R^2 + 4 P H)^(1/2). It
+// is wrong by up to a sixth of what the load's A h changes in the step. Not inlined, since only a log reads it, and it
+// changed what GCC inlines beside it.
+template <class Format, class Value>
+[[gnu::noinline]] constexpr Penetration<Value> rate_of_parabola(Penetration<Value> penetration, Penetration<Value> rate,
+                                                                Penetration<Value> travel) {
+  const Value depth = penetration, slowing = travel - rate, half_rate = Format::value(half(rate));
+  const auto unit = Format::own_unit(Format::spare_bits(depth, slowing, half_rate));
+  const Value square_of_half =
+      Format::value(unit.own(depth) * unit.own(slowing)) + Format::value(square(unit.own(half_rate)));
+  const Value half_there = unit.common(Format::value(Format::root_of_product(positive_part(square_of_half))));
+  return Penetration<Value>(half_there + half_there);
+}
 // The touch of such a flight: `at` steps before the step's end, at `rate`. The load may have turned the ball around: a
 // grazing touch. A parabola that is P deep at a point of the flight, and has the rate R and half of the acceleration -H
 // there, meets the stop at the rate V = 2 sqrt(R^2/4 + P H), P/(R/2 + V/2) before. The point is the step's end, or

@@ -149,7 +149,7 @@ class KernelSimulation final : public Simulation {
     sample.energy_dissipated = state.dissipated.total() * pair_unit;
     if (kernel_.is_touching()) sample.energy_stored = plan.units.fraction(state.stored) * pair_unit;
     sample.drive_work = state.drive_work.total() * plan.drive_scale * plan.units.si_penetration_unit();
-    sample.friction_dissipated = kernel_.friction_dissipated();
+    if constexpr (Kernel::Friction::is_friction) sample.friction_dissipated = kernel_.friction_dissipated();
     sample.impacts = static_cast<long>(state.impacts);
     sample.impact_speed = kernel_.impact_speed();
     sample.peak_force = kernel_.peak_force();

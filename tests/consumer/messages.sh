@@ -224,6 +224,14 @@ absorber 2 'this sample is another quantity: for a force use' "Shaken, HuntCross
   'absorber.step(absorber.base_sample_of(1.0), absorber.sample_of(1.0));'
 absorber 1 'ToCounts reads its quantity itself: pass the absorber or its snapshot()' "$sampled" \
   'ToCounts<decltype(absorber), Quantity::displacement> to({2048, 40940, 0, 4095}); to(absorber.velocity());'
+absorber 1 'the contact force requires the feature ContactForce' 'Rig, HuntCrossley, Moment, Sine, Fixed32, Snapshots' \
+  'ToCounts<decltype(absorber), Quantity::contact_force> to({2048, 20, 0, 4095}); to(absorber.snapshot());'
+absorber 1 'correct(dx, dv): first a displacement, then a velocity' "$sampled" \
+  'using A = decltype(absorber); FromCounts<A, Quantity::velocity> from({2048, 2048, 0, 4095}); absorber.correct(from(7), {});'
+absorber 1 'correct(dx, dv): first a displacement, then a velocity' "$sampled" \
+  'using A = decltype(absorber); FromCounts<A, Quantity::displacement> from({2048, 20480, 0, 4095}); absorber.correct(from(7), from(7));'
+absorber 1 'friction_dissipated() requires DryFriction and EnergyLedger' 'Rig, HuntCrossley, Moment, Sine, Float32, EnergyLedger' \
+  'absorber.friction_dissipated();'
 absorber 1 'FromCounts converts samples of a drive: name Sampled as the drive' 'Rig, HuntCrossley, Moment, Sine, Float32' \
   'FromCounts<decltype(absorber)> from({2048, 204.8, 0, 4095});'
 

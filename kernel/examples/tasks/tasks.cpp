@@ -25,11 +25,14 @@ constexpr impact::Scene driven_at(double pulsation) {
   scene.drive_pulsation = pulsation;
   return scene;
 }
-using Absorber = impact::Absorber<impact::AtRunTime, impact::HuntCrossley, impact::Moment, impact::Sine,
-                                  impact::Fixed32, impact::Snapshots>;
+template <class... Features>
+using AbsorberWith = impact::Absorber<impact::AtRunTime, impact::HuntCrossley, impact::Moment, impact::Sine,
+                                      impact::Fixed32, Features...>;
+using Absorber = AbsorberWith<impact::Snapshots>;
 constexpr Absorber::PlanType plans[] = {Absorber::PlanType::make(driven_at(40), impact::Bounds{}, 1e-4),
                                         Absorber::PlanType::make(driven_at(45), impact::Bounds{}, 1e-4)};
 static_assert(plans[0].status == impact::PlanStatus::ok && plans[1].status == impact::PlanStatus::ok);
+static_assert(AbsorberWith<>(plans[0]).retune(plans[1]));  // without Snapshots, which does not compile here
 
 Absorber absorber(plans[0]);  // only the interrupt steps and changes it
 

@@ -251,8 +251,9 @@ class AbsorberOf
   // impacts take no time, it is the law's peak in an impact of the last step, at every rate. For a ball at rest it is
   // the static force. It requires the feature ContactForce.
   constexpr Value contact_force() const {
-    static_assert(has_force, "contact_force() requires the feature ContactForce: append it to the absorber's type");
-    if constexpr (!has_force)
+    static_assert(has_contact_force,
+                  "contact_force() requires the feature ContactForce: append it to the absorber's type");
+    if constexpr (!has_contact_force)
       return {};
     else if constexpr (Contact::traits.is_instantaneous)
       return impact_force().peak;
@@ -261,14 +262,17 @@ class AbsorberOf
   }
   // With Impulsive, the law's force averaged over the contact whose peak force is contact_force().
   constexpr Value mean_impact_force() const {
-    static_assert(has_force, "mean_impact_force() requires the feature ContactForce: append it to the absorber's type");
+    static_assert(has_contact_force,
+                  "mean_impact_force() requires the feature ContactForce: append it to the absorber's type");
     static_assert(Contact::traits.is_instantaneous,
                   "mean_impact_force() requires Impulsive: with this stepper contact_force() is the average of a step");
-    if constexpr (has_force && Contact::traits.is_instantaneous)
+    if constexpr (has_contact_force && Contact::traits.is_instantaneous)
       return impact_force().mean;
     else
       return {};
   }
+  // True if the type has contact_force().
+  static constexpr bool has_contact_force = detail::is_one_of<ContactForce, Features...>;
   // True if the last step ended in contact. It is false if the stop has released the ball, even if the ball is still
   // inside it.
   constexpr bool is_touching() const { return Machine::state.contact.phase == Phase::touching; }
@@ -322,6 +326,15 @@ class AbsorberOf
     }
     Machine::record_correction();
     publish();
+  }
+  // The same for numbers that carry their quantity, as a FromCounts returns them.
+  template <Quantity first, class Rate = Value> constexpr void correct(Native<first, Value> dx, Rate dv) {
+    constexpr bool is_rate = !detail::is_native<Rate> || detail::is_sample<Rate, Value, Quantity::velocity>;
+    static_assert(first == Quantity::displacement && is_rate, "correct(dx, dv): first a displacement, then a velocity");
+    if constexpr (is_rate) correct(static_cast<Value>(dx), static_cast<Value>(dv));
+  }
+  template <Quantity second> constexpr void correct(Value dx, Native<second, Value> dv) {
+    correct(Native<Quantity::displacement, Value>{dx}, dv);
   }
 
   // save() and restore() save and restore the state. The bytes are the same on every little-endian target and on a
@@ -397,9 +410,11 @@ class AbsorberOf
     }
   }
 
-  // For a host, in double arithmetic: the energy that dry friction has dissipated since the start, J. 0 without
+  // For a host, in double arithmetic: the energy that dry friction has dissipated since the start, J. It requires
   // DryFriction and EnergyLedger.
   constexpr double friction_dissipated() const {
+    static_assert(counts_sliding_distance,
+                  "friction_dissipated() requires DryFriction and EnergyLedger: append them to the absorber's type");
     if constexpr (counts_sliding_distance) {
       if (!FrictionStep::acts(machine())) return 0;
       const double taken = Machine::state.slid.total() - plan.units.fraction(FrictionStep::still_to_work(machine()));
@@ -437,7 +452,6 @@ class AbsorberOf
   }
 
  private:
-  static constexpr bool has_force = detail::is_one_of<ContactForce, Features...>;
   static constexpr bool has_log = detail::is_one_of<ImpactLog, Features...>;
   constexpr auto impact_force() const {
     const auto& seen = record_in<ContactForce, PlanType>(Machine::state);
@@ -490,7 +504,7 @@ class AbsorberOf
     now.velocity = velocity();
     now.ball_displacement = ball_displacement();
     now.ball_velocity = ball_velocity();
-    if constexpr (has_force) now.contact_force = contact_force();
+    if constexpr (has_contact_force) now.contact_force = contact_force();
     now.steps = record_in<Snapshots, PlanType>(Machine::state).steps;
     now.fault = Source::is_refused() ? Fault::plan : Machine::state.fault;
     now.is_touching = is_touching();

@@ -172,6 +172,8 @@ template <class Absorber, Quantity quantity> class ToCounts : public detail::Cou
     static_assert(is_source,
                   "ToCounts reads its quantity itself: pass the absorber or its snapshot(), as in to_dac(absorber). "
                   "For a native value of your own, call to_dac.of(value)");
+    static_assert(quantity != Quantity::contact_force || Absorber::has_contact_force,
+                  "the contact force requires the feature ContactForce: append it to the absorber's type");
     if constexpr (is_source)
       return this->of(detail::read<quantity>(source));
     else

@@ -16,8 +16,8 @@ enum class Quantity {
   base_acceleration,  // in: the sample of BaseAcceleration
 };
 
-// A native number with its quantity, and whether it was clamped to its bound. Only step() makes a difference between it
-// and a plain number.
+// A native number with its quantity, and whether it was clamped to its bound. Only step() and correct() make a
+// difference between it and a plain number.
 template <Quantity, class Value, bool is_class = __is_class(Value)> struct Native {
   Value value;
   bool is_clamped = false;

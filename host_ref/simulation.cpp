@@ -212,9 +212,10 @@ double automatic_step(const Request& asked) {
   Request open = asked;
   state_true_restitution(open);
   open.step = preferred_step(open);
-  // With weight or friction the speed that a run has found also limits the step.
-  for (int halvings = 0; has_parts(open) && halvings < 10; ++halvings) {
-    if (settled(open).planned.status != PlanStatus::clearance) break;
+  // The drive, springs and damper also limit the step, and with weight or friction the speed that a run has found.
+  for (int halvings = 0; halvings < 10; ++halvings) {
+    const PlanStatus status = settled(open, has_parts(open)).planned.status;
+    if (status != PlanStatus::step && status != PlanStatus::clearance) break;
     open.step /= 2;
   }
   return open.step;

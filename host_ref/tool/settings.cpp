@@ -16,7 +16,9 @@ constexpr double most_steps = 1e9, pi = 3.14159265358979323846;
 std::vector<double> samples_from(const SampleKind& kind, const std::string& file) {
   const std::string option = std::string("--") + kind.option;
   std::ifstream input(readable_path(file));
-  if (!input) throw BadInput(option, file, "a file that can be read");
+  input.peek();
+  if (input.bad() || !input.is_open()) throw BadInput(option, file, "a file that can be read");
+  input.clear();
   Column column;
   for (char line[64]; input.getline(line, sizeof line);) {
     const size_t size = static_cast<size_t>(input.gcount()) - (input.eof() ? 0 : 1);  // a NUL does not end it
@@ -24,7 +26,7 @@ std::vector<double> samples_from(const SampleKind& kind, const std::string& file
   }
   if (!input.eof())
     throw BadInput(option, file + " line " + std::to_string(column.samples.size() + 1),
-                   "a readable line of at most 63 characters");
+                   "a readable line of at most 63 characters, ended by LF or CR LF");
   return column.samples;
 }
 
@@ -102,7 +104,12 @@ void settle(Settings& settings, const Given& given) {
     scene.contact_damping = per_impact ? 0 : damping_from(settings, given.at("restitution"));
   } else if (!has("contact-damping")) {
     scene.contact_damping = request.law == Law::hertz ? 0 : paper_scene(request.law).contact_damping;
-    settings.is_damping_unstated = request.law != Law::hertz;
+    const Scene usual = paper_scene(request.law);
+    settings.is_damping_unstated = request.law != Law::hertz && scene.contact_stiffness != usual.contact_stiffness;
+    if (settings.is_damping_unstated)
+      settings.remarks.push_back("--contact-damping is not stated. Its default " + short_text(usual.contact_damping) +
+                                 " belongs to --contact-stiffness " + short_text(usual.contact_stiffness) +
+                                 ": state it, or --restitution");
   }
 
   const bool is_sampled_sine = request.drive == DriveKind::sampled;

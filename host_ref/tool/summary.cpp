@@ -20,7 +20,9 @@ std::vector<std::vector<std::string>> budgets() {
 constexpr size_t first_part = 5;
 
 std::string three_digits(double value) { return rounded_text(value, 3); }
-std::string percent(double share) { return rounded_text(100 * share, 2) + " %"; }
+std::string percent(double share) {
+  return (share > 0.995 ? std::to_string(std::lround(100 * share)) : rounded_text(100 * share, 2)) + " %";
+}
 
 }  // namespace
 
@@ -63,8 +65,14 @@ void Summary::see(const Sample& sample) {
   largest_v1_ = larger(largest_v1_, std::abs(sample.v1));
   largest_x2_ = larger(largest_x2_, std::abs(sample.x2));
   largest_v2_ = larger(largest_v2_, std::abs(sample.v2));
+  deepest_ = larger(deepest_, sample.penetration);
   if (sample.impacts > 0) fastest_impact_ = larger(fastest_impact_, sample.impact_speed);
   last_ = sample;
+}
+
+// The bound of displacements does not limit a ball between two stops.
+double Summary::farthest() const {
+  return outcome_.made.scene.stops == Stops::both ? largest_x1_ : larger(largest_x1_, largest_x2_);
 }
 
 std::vector<std::string> Summary::lines() const {
@@ -90,29 +98,29 @@ std::vector<std::string> Summary::lines() const {
     lines.push_back(std::to_string(last_.impacts) + (last_.impacts == 1 ? " impact" : " impacts") +
                     ", the fastest at " + three_digits(fastest_impact_) + " m/s, where the law's restitution is " +
                     three_digits(e));
-    if (settings_.is_damping_unstated && e > 0.95)
-      lines.push_back(
-          "--contact-damping is not stated. Its default belongs to the default --contact-stiffness, so here the stops "
-          "are nearly elastic");
   }
   std::string peaks = "the main mass reaches " + three_digits(largest_x1_) + " m and " + three_digits(largest_v1_) +
                       " m/s, the ball " + three_digits(largest_x2_) + " m and " + three_digits(largest_v2_) + " m/s";
-  if (settings_.request.bounds)
-    peaks += ": " + percent(larger(largest_x1_, largest_x2_) / made.bounds->displacement) + " and " +
-             percent(larger(largest_v1_, largest_v2_) / made.bounds->speed) + " of the bounds";
-  lines.push_back(peaks);
   const double fastest = larger(largest_v1_, largest_v2_);
+  const Bounds stated = settings_.request.bounds.value_or(open_bounds);
+  const char* before = ": ";
+  for (const auto& [name, value, bound] : {std::tuple("displacement", farthest(), stated.displacement),
+                                           {"speed", fastest, stated.speed},
+                                           {"penetration", deepest_, stated.penetration}}) {
+    if (!(bound > 0)) continue;
+    peaks += before + percent(value / bound) + " of --bound-" + name;
+    before = ", ";
+  }
+  lines.push_back(peaks);
   if (settings_.request.bounds && made.bounds->speed >= 64 * fastest && fastest > 0)
     lines.push_back("--bound-speed " + three_digits(made.bounds->speed) + " m/s is " +
                     three_digits(made.bounds->speed / fastest) +
                     " times the largest speed. Steps per contact count at twice the bound, so it costs precision");
-  if (made.numeric == Numeric::fixed32) {
-    const double reach = std::max({largest_x1_, largest_x2_, scene.clearance / 2});
-    const double bits = std::floor(std::log2(made.bounds->displacement / reach));
-    if (bits >= 6)
-      lines.push_back("--bound-displacement " + three_digits(made.bounds->displacement) +
-                      " m is so wide that fixed32 loses " + three_digits(bits) + " bits of every displacement");
-  }
+  const double reach = std::max({largest_x1_, largest_x2_, scene.clearance / 2});
+  const double bits = std::floor(std::log2(stated.displacement / reach));
+  if (bits >= 6)
+    lines.push_back("--bound-displacement " + three_digits(stated.displacement) + " m is so wide that fixed32 loses " +
+                    three_digits(bits) + " bits of every displacement");
   if (last_.impacts > 0) {
     const double depth =
         std::pow(last_.peak_force / scene.contact_stiffness, made.law == Law::hooke_newton ? 1 : 2.0 / 3);
@@ -167,7 +175,7 @@ std::string Summary::json(const char* fault) const {
       {"steps_per_contact", number(resolution(made).steps_per_contact(made.step))},
       {"restitution_error", number(restitution_error(made))},
       {"expected_error_m", number(expected_error_of(made))},
-      {"share_of_displacement_bound", number(larger(largest_x1_, largest_x2_) / made.bounds->displacement)},
+      {"share_of_displacement_bound", number(farthest() / made.bounds->displacement)},
       {"share_of_speed_bound", number(larger(largest_v1_, largest_v2_) / made.bounds->speed)}};
   if (!settings_.part.empty()) {
     const StepCost cost = step_cost(settings_.part, made);

@@ -21,7 +21,9 @@ class Summary {
   const Settings& settings_;
   const Outcome& outcome_;
   Sample last_;
-  double largest_x1_ = 0, largest_v1_ = 0, largest_x2_ = 0, largest_v2_ = 0, fastest_impact_ = 0;
+  double largest_x1_ = 0, largest_v1_ = 0, largest_x2_ = 0, largest_v2_ = 0, fastest_impact_ = 0, deepest_ = 0;
+
+  double farthest() const;
 };
 
 // The largest numbers of instructions of a step in flight and in contact, from the project's budgets for this part.

@@ -299,8 +299,8 @@ void SummaryFile::take_over() {
   if (whole == 0) write(header);
 }
 
-// The steps that the tool chose, if --step is not stated.
-void print_steps(const std::vector<SweptScene>& scenes) {
+// The steps that the tool chose, if --step is not stated, and whether a damping does not belong to its stiffness.
+void print_choices(const std::vector<SweptScene>& scenes) {
   double shortest = step_range.most, longest = 0;
   for (const SweptScene& scene : scenes) {
     if (!scene.settings.is_step_automatic) continue;
@@ -310,13 +310,18 @@ void print_steps(const std::vector<SweptScene>& scenes) {
   if (longest > 0)
     std::cerr << "impact-sim: --newmark auto takes steps of " << short_text(shortest) << " to " << short_text(longest)
               << " s, one for each scene\n";
+  const auto unstated = std::count_if(scenes.begin(), scenes.end(),
+                                      [](const SweptScene& scene) { return scene.settings.is_damping_unstated; });
+  if (unstated > 0)
+    std::cerr << "impact-sim: " << unstated << " scenes have another --contact-stiffness than the default, and the "
+              << "default --contact-damping. State it, or --restitution\n";
 }
 
 }  // namespace
 
 int run_sweep(const Settings& settings, const std::vector<Argument>& arguments) {
   const Sweep sweep = read_sweep(settings, arguments);
-  if (!settings.is_quiet) print_steps(sweep.scenes);
+  if (!settings.is_quiet) print_choices(sweep.scenes);
   SummaryFile file(settings.output, sweep);
   std::vector<const SweptScene*> waiting;
   for (const SweptScene& scene : sweep.scenes) {

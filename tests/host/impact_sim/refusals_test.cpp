@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"--every 0", "from 1"}, Refused{"--every 2.5", "whole number"},
         Refused{"--step 1e-3 --step 1e-3", "once", "--step 1e-3"},
         Refused{"--drive none --drive-pulsation 3", "sine", "--drive-pulsation 3"},
-        Refused{"--drive-file missing", "read"},
+        Refused{"--drive-file missing", "read"}, Refused{"--drive-file .", "a file that can be read"},
         Refused{"--drive-file bad", "a number from", "--drive-file bad line 2: 'x'"},
         Refused{"--drive-file /dev/zero", "at most 63 characters", "--drive-file /dev/zero line 1"},
         Refused{"--drive-file a --duration 0.2", "each of the 2000 steps", "--drive-file a with 2 lines"},

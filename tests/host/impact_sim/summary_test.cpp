@@ -58,10 +58,18 @@ TEST_F(ImpactSim, SaysWhatAUserMayNotExpect) {
       {stops + "right", "clearance of 0.015 m to the right stop (--clearance", ""},
       {stops + "none", "", "clearance"},
       {moment + "--drive-pulsation 5", "multiply them by 6.2832", ""},
-      {fixed + "--bound-displacement 20", "fixed32 loses 10 bits", ""},  // the main mass moves by 13 mm
-      {stiff, "nearly elastic", ""},
-      {stiff + "--restitution 0.97", "", "nearly elastic"},
-      {"--duration 2 --step 1e-4", "", "nearly elastic"},
+      {moment + "--bound-displacement 20", "fixed32 loses 10 bits", ""},  // the main mass moves by 13 mm
+      {stiff, "--contact-damping is not stated. Its default 19560 belongs to --contact-stiffness 32600", ""},
+      {moment + "--law hooke-newton --contact-stiffness 5000", "Its default 20.81 belongs to", ""},
+      {stiff + "--restitution 0.97", "", "is not stated"},
+      {"--duration 2 --step 1e-4", "", "is not stated"},
+      // Between two stops the bound of displacements is that of the main mass.
+      {"--bound-displacement 0.02 --step 1e-3", "m/s: 88 % of --bound-displacement\n", ""},
+      {"--stops right --bound-displacement 0.01 --x2 0.0099 --v2 -0.1 --drive none --duration 0.5 --step 1e-3",
+       " % of --bound-displacement", ": 0 %"},
+      // A fast drive requires a step that is shorter than the usual 0.1 ms.
+      {"--drive-pulsation 31416 --duration 0.01", "step 5e-05 s", ""},
+      {"--main-damping 2000 --duration 0.01", "step ", "allowed"},
       {"--bound-speed 1000 --step 1e-3 --numeric fixed32", "times the largest speed", ""},
       {"--duration 0.01 --tension allow", "--tension allow has no effect", ""},
       {"--duration 0.01 --tension allow --law hooke-newton", "", "has no effect"},

@@ -51,7 +51,11 @@ std::string rig_text(const Request& made, const std::vector<Argument>& arguments
   std::string text =
       "#pragma once\n// The absorber of this run. It computes the same bits. Bounds that the command does not state "
       "were found by the\n// run:\n//\n//     " +
-      command(arguments) + "\n\n#include <impact/absorber.hpp>\n\nstruct " + type +
+      command(arguments) +
+      (made.drive == DriveKind::sampled || made.is_shaken
+           ? "\n//\n// A bound of samples that was found is the largest sample. State the sensor's full scale instead."
+           : "") +
+      "\n\n#include <impact/absorber.hpp>\n\nstruct " + type +
       " {\n  static constexpr impact::Scene scene = [] {\n    impact::Scene scene;\n";
   Request run = made;
   const auto lines_of = [&](const std::string& whole, bool is_in_scene) {

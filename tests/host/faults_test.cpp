@@ -436,6 +436,18 @@ TYPED_TEST(Faults, AMeasuredSampleOutOfRange) {
     is_faulted(step(single, 1.0f), step(10 * single_bound, 1.0f));
     is_faulted(step(1.0f, 3 * single), step(1.0f, 30 * single_bound));
   }
+  const FromCounts<Kernel> force({2048, 204.8, 0, 4095}, fresh.plan);
+  const FromCounts<Kernel, Quantity::base_acceleration> acceleration({2048, 2048 / 30.0, 0, 4095}, fresh.plan);
+  const auto fault_of = [&](int32_t of_force, int32_t of_base) {
+    Kernel absorber = fresh;
+    absorber.step(force(of_force), acceleration(of_base));
+    return absorber.fault();
+  };
+  for (const int32_t within : {0, 2048, 4095}) EXPECT_EQ(fault_of(within, within), Fault::none) << within;
+  for (const int32_t beyond : {-2, 4098, 4095 << 4, INT32_MIN, INT32_MAX}) {
+    EXPECT_EQ(fault_of(beyond, 2048), Fault::sample) << beyond;
+    EXPECT_EQ(fault_of(2048, beyond), Fault::sample) << beyond;
+  }
 }
 // The motion is that with clamped samples. A NaN is replaced by the last sample.
 TYPED_TEST(Faults, ASampleOutOfRange) {

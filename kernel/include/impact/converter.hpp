@@ -17,8 +17,9 @@
 //
 // ToCounts returns the nearest count, clamped to the ends of the converter. The error of a FromCounts is at most 2^-29
 // of the unit in Fixed32, and 2^-22 of the value in floating point. In Fixed32 it clamps counts at 1 - 2^-28 of the
-// unit, without a fault. To compare samples with their bound, convert them by sample_of(). Ends and counts must be less
-// than 2^31 counts from zero. A `constexpr` FromCounts with an end beyond the bound of its quantity does not compile.
+// unit. step() raises Fault::sample for a sample of counts that are more than one count beyond that. Ends and counts
+// must be less than 2^31 counts from zero. A `constexpr` FromCounts with an end beyond the bound of its quantity does
+// not compile.
 
 #include <stdint.h>
 
@@ -85,6 +86,10 @@ template <class Format> class CountsIn {
 
   constexpr Value of(int32_t counts) const {
     return gain_ * Format::counted((counts < least_ ? least_ : counts > most_ ? most_ : counts) - zero_);
+  }
+  // True if of() clamps these counts by more than one count.
+  constexpr bool is_beyond(int32_t counts) const {
+    return counts < least_ ? counts + 1 < least_ : counts > most_ && counts - 1 > most_;
   }
 
  private:
@@ -199,7 +204,9 @@ class FromCounts : public detail::CountsIn<typename Absorber::Format> {
     if (plan.status == PlanStatus::ok) check_ends(converter, detail::largest_of<quantity>(plan));
   }
 
-  constexpr Native<quantity, Value> operator()(int32_t counts) const { return {this->of(counts)}; }
+  constexpr Native<quantity, Value> operator()(int32_t counts) const {
+    return {this->of(counts), this->is_beyond(counts)};
+  }
 
  private:
   // One count and the rounding of a float are tolerated.

@@ -7,8 +7,8 @@
 //
 // A step that clamps a displacement or a speed ends the contact under way, and features do not record it. A sample
 // beyond its bound is clamped to it. A force that is a NaN is replaced by the sample before, an acceleration by 0. In
-// Fixed32 a sample is a fraction of its bound: sample_of() and base_sample_of() clamp it, and make 0 of a NaN. A
-// FromCounts clamps too, but without a fault. A fraction that is passed as a Value raises no fault.
+// Fixed32 a sample is a fraction of its bound: sample_of(), base_sample_of() and a FromCounts clamp it, the first two
+// make 0 of a NaN, and step() raises the fault. A fraction that is passed as a Value raises no fault.
 
 #include <stdint.h>
 

@@ -213,7 +213,7 @@ double automatic_step(const Request& asked) {
   state_true_restitution(open);
   open.step = preferred_step(open);
   // The drive, springs and damper also limit the step, and with weight or friction the speed that a run has found.
-  for (int halvings = 0; halvings < 10; ++halvings) {
+  for (int halvings = 0; halvings < (has_parts(open) ? 10 : 20); ++halvings) {
     const PlanStatus status = settled(open, has_parts(open)).planned.status;
     if (status != PlanStatus::step && status != PlanStatus::clearance) break;
     open.step /= 2;

@@ -69,8 +69,8 @@ Option number(const ParameterEntry& row) {
        {std::pair("step",
                   "0.0001; with --newmark auto and without a file of samples the tool chooses it. It is the longest "
                   "from 1e-05 to 0.005 with a restitution within about 1e-05 of the law's, at least 30 steps per "
-                  "period and 100 in all; with weight, a base or friction it may be shorter. It is printed on standard "
-                  "error"),
+                  "period and 100 in all; it is shorter where the drive, the main mass, weight, a base or friction "
+                  "requires it. It is printed on standard error"),
         {"contact-damping", "19560 for hunt-crossley, 20.81 for hooke-newton (the paper's)"},
         {"restitution", "not used; if stated, it determines --contact-damping by the law's exact relation"}})
     if (name == of) option.initial = initial;

@@ -105,7 +105,8 @@ void settle(Settings& settings, const Given& given) {
   } else if (!has("contact-damping")) {
     scene.contact_damping = request.law == Law::hertz ? 0 : paper_scene(request.law).contact_damping;
     const Scene usual = paper_scene(request.law);
-    settings.is_damping_unstated = request.law != Law::hertz && scene.contact_stiffness != usual.contact_stiffness;
+    settings.is_damping_unstated =
+        request.law != Law::hertz && scene.stops != Stops::none && scene.contact_stiffness != usual.contact_stiffness;
     if (settings.is_damping_unstated)
       settings.remarks.push_back("--contact-damping is not stated. Its default " + short_text(usual.contact_damping) +
                                  " belongs to --contact-stiffness " + short_text(usual.contact_stiffness) +

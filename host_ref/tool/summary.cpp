@@ -118,7 +118,7 @@ std::vector<std::string> Summary::lines() const {
                     " times the largest speed. Steps per contact count at twice the bound, so it costs precision");
   const double reach = std::max({largest_x1_, largest_x2_, scene.clearance / 2});
   const double bits = std::floor(std::log2(stated.displacement / reach));
-  if (bits >= 6)
+  if (reach > 0 && bits >= 6)
     lines.push_back("--bound-displacement " + three_digits(stated.displacement) + " m is so wide that fixed32 loses " +
                     three_digits(bits) + " bits of every displacement");
   if (last_.impacts > 0) {

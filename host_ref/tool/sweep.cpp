@@ -313,8 +313,8 @@ void print_choices(const std::vector<SweptScene>& scenes) {
   const auto unstated = std::count_if(scenes.begin(), scenes.end(),
                                       [](const SweptScene& scene) { return scene.settings.is_damping_unstated; });
   if (unstated > 0)
-    std::cerr << "impact-sim: " << unstated << " scenes have another --contact-stiffness than the default, and the "
-              << "default --contact-damping. State it, or --restitution\n";
+    std::cerr << "impact-sim: scenes with another --contact-stiffness than the default and the default "
+              << "--contact-damping: " << unstated << ". State it, or --restitution\n";
 }
 
 }  // namespace

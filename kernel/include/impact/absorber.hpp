@@ -331,7 +331,10 @@ class AbsorberOf
   template <Quantity first, class Rate = Value> constexpr void correct(Native<first, Value> dx, Rate dv) {
     constexpr bool is_rate = !detail::is_native<Rate> || detail::is_sample<Rate, Value, Quantity::velocity>;
     static_assert(first == Quantity::displacement && is_rate, "correct(dx, dv): first a displacement, then a velocity");
-    if constexpr (is_rate) correct(static_cast<Value>(dx), static_cast<Value>(dv));
+    if constexpr (is_rate) {
+      const Value rate = dv;
+      correct(static_cast<Value>(dx), rate);
+    }
   }
   template <Quantity second> constexpr void correct(Value dx, Native<second, Value> dv) {
     correct(Native<Quantity::displacement, Value>{dx}, dv);

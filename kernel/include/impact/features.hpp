@@ -42,6 +42,7 @@ constexpr auto& record_in(const typename Feature::template State<typename Plan::
 struct EnergyLedger {
   static constexpr uint32_t kind = 1;     // identifies the feature in a saved state
   static constexpr bool is_bound = true;  // during a contact the record is valid with that contact's plan only
+  static constexpr bool reads_touch = false;
 
   template <class Format> struct State {
     typename Format::Tally dissipated, drive_work;
@@ -89,10 +90,14 @@ struct EnergyLedger {
   // The energy that the ball's stop stores.
   template <class Plan, class State> static constexpr auto stored_now(const Plan& plan, const State& state) {
     using Format = typename Plan::FormatType;
-    if (Plan::ContactType::traits.is_instantaneous || state.contact.phase != Phase::touching)
+    constexpr ContactTraits traits = Plan::ContactType::traits;
+    if constexpr (traits.tells_energy)
+      return state.contact.stored(plan.contact, plan.units);
+    else if (traits.is_instantaneous || state.contact.phase != Phase::touching)
       return typename Format::Energy{};
-    return Plan::LawType::template stored<Format>(plan.units,
-                                                  plan.units.penetration(mirrored(state.x2 - state.x1, state.at_left)));
+    else
+      return Plan::LawType::template stored<Format>(
+          plan.units, plan.units.penetration(mirrored(state.x2 - state.x1, state.at_left)));
   }
   // True if a restored state is valid.
   template <class Plan, class State> static constexpr bool is_sound(const Plan& plan, const State& state) {
@@ -152,6 +157,7 @@ struct ImpactLog : SilentFeature {
 struct ContactForce : SilentFeature {
   static constexpr uint32_t kind = 3;
   static constexpr bool is_bound = true;
+  static constexpr bool reads_touch = false;
 
   template <class Format> struct State {
     Force<typename Format::Value> force, force_of_step;
@@ -180,6 +186,7 @@ struct ContactForce : SilentFeature {
 struct Snapshots : SilentFeature {
   static constexpr uint32_t kind = 4;
   static constexpr bool is_bound = false;
+  static constexpr bool reads_touch = false;
 
   template <class Format> struct State { uint32_t steps; };
 

@@ -163,7 +163,7 @@ TEST_F(ImpactSimSweep, ChoosesAStepForEachScene) {
   const Result result = succeed("--sweep few.csv --duration 1");
   EXPECT_THAT(result.err, HasSubstr("steps of "));
   EXPECT_THAT(result.err, HasSubstr(" to 0.001 s"));
-  EXPECT_THAT(result.err, HasSubstr("2 scenes have another --contact-stiffness than the default"));
+  EXPECT_THAT(result.err, HasSubstr("than the default and the default --contact-damping: 2."));
   EXPECT_THAT(succeed("--sweep few.csv --duration 0.1 --quiet").err, IsEmpty());
   auto scenes = lines_of(result.out);  // rows are in the order in which scenes finish
   std::sort(scenes.begin(), scenes.end());

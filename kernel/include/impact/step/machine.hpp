@@ -32,6 +32,7 @@ template <class Source, class... Features> struct Machine : Source {
 
   // True if a feature records the steps in contact.
   static constexpr bool records = (!__is_base_of(ScenePart, Features) || ...);
+  static constexpr bool reads_touch = (Features::reads_touch || ...);
   // True if friction's work is counted: with EnergyLedger or a feature derived from it.
   static constexpr bool counts_sliding_distance =
       Friction::is_friction && (__is_base_of(EnergyLedger, Features) || ...);

@@ -307,7 +307,7 @@ template <class Model> struct Step {
       }
       seen.rate_at_start = approach.rate_at_start();
       seen.begins = begins;
-      if (begins) {
+      if (Model::reads_touch && begins) {
         if (!traits.sees_change) approach.increment = approach.increment + minus_mirrored(to_end, left);
         seen.rate_at_touch = touch_rate(plan.units, approach, rubbed);
       }
@@ -344,8 +344,11 @@ template <class Model> struct Step {
       if (touch.exists) return touch.rate;
     }
     if (!is_positive(approach.penetration) || !is_positive(approach.travel)) return approach.rate;
-    if (is_slow && !traits.finds_grazing)
-      return rate_of_parabola<Format>(approach.penetration, approach.rate, approach.travel);
+    if (is_slow && !traits.finds_grazing && !traits.keeps_force) {
+      const Penetration rate = rate_of_slow_touch<Format, traits.finds_grazing>(approach.penetration, approach.rate,
+                                                                                approach.travel, acceleration);
+      if (is_positive(rate)) return rate;
+    }
     const auto divisor = Format::divisor(without_sign(approach.travel));
     return rate_at_touch<Format>(divisor, divisor.share(without_sign(approach.penetration)), approach.travel,
                                  approach.rate, acceleration, 0);

@@ -54,6 +54,7 @@ struct ContactTraits {
   bool finds_grazing = false;       // solve() also sees a ball that is outside at the step's end, and may have touched
                                     // within it
   bool feels_friction = false;      // follows dry friction within the step (stepper/rubbing.hpp)
+  bool tells_energy = false;        // stored() is the energy that it stores, which may be less than its depth's
   bool knows_displacement = false;  // its force is constant in a step: record.displacement tells the work to rounding
 };
 

@@ -45,24 +45,12 @@ template <class Format, class Value>
   const Penetration<Value> slower = travel - rate, eighth_of_rate(Format::value(eighth(bare(rate))));
   return !is_positive(eighth_of_rate - slower) || !is_positive(eighth_of_rate + slower);
 }
-// The rate V at the touch of a flight that ends inside the stop, by SlowTouch's parabola alone: (R^2 + 4 P H)^(1/2). It
-// is wrong by up to a sixth of what the load's A h changes in the step. Not inlined, since only a log reads it, and it
-// changed what GCC inlines beside it.
-template <class Format, class Value>
-[[gnu::noinline]] constexpr Penetration<Value> rate_of_parabola(Penetration<Value> penetration, Penetration<Value> rate,
-                                                                Penetration<Value> travel) {
-  const Value depth = penetration, slowing = travel - rate, half_rate = Format::value(half(rate));
-  const auto unit = Format::own_unit(Format::spare_bits(depth, slowing, half_rate));
-  const Value square_of_half =
-      Format::value(unit.own(depth) * unit.own(slowing)) + Format::value(square(unit.own(half_rate)));
-  const Value half_there = unit.common(Format::value(Format::root_of_product(positive_part(square_of_half))));
-  return Penetration<Value>(half_there + half_there);
-}
 // The touch of such a flight: `at` steps before the step's end, at `rate`. The load may have turned the ball around: a
 // grazing touch. A parabola that is P deep at a point of the flight, and has the rate R and half of the acceleration -H
 // there, meets the stop at the rate V = 2 sqrt(R^2/4 + P H), P/(R/2 + V/2) before. The point is the step's end, or
-// where the ball turns. One step of Newton's method adds what the acceleration changes.
-template <class Format> struct SlowTouch {
+// where the ball turns. One step of Newton's method adds what the acceleration changes. Unless it finds_grazing, the
+// flight ends inside the stop.
+template <class Format, bool finds_grazing = true> struct SlowTouch {
   using Value = typename Format::Value;
   using Penetration = impact::Penetration<Value>;
   using Divisor = decltype(Format::divisor(without_sign(Value{})));
@@ -78,7 +66,7 @@ template <class Format> struct SlowTouch {
       : exists(false), at(), rate(), by_pace() {
     if (!is_slow) return;
     const FreeFlight<Format, false> flight(end, rate_at_end, travel, acceleration);
-    const bool turns_back = !is_positive(rate_at_end);
+    const bool turns_back = finds_grazing && !is_positive(rate_at_end);
     Value depth = end, slowing = flight.slowing(), half_there = Format::value(half(rate_at_end));
     if (turns_back) {
       if (!flight.turns_back()) return;
@@ -105,5 +93,14 @@ template <class Format> struct SlowTouch {
     exists = is_positive(rate);
   }
 };
+
+// The rate of a slow touch, or 0.
+template <class Format, bool finds_grazing, class Value>
+[[gnu::noinline]] constexpr Penetration<Value> rate_of_slow_touch(Penetration<Value> end, Penetration<Value> rate,
+                                                                  Penetration<Value> travel,
+                                                                  Penetration<Value> acceleration) {
+  const SlowTouch<Format, finds_grazing> touch(true, end, rate, travel, acceleration);
+  return touch.exists ? touch.rate : Penetration<Value>{};
+}
 
 }  // namespace impact

@@ -33,7 +33,11 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   using Root = typename Format::Root;
   using Penetration = impact::Penetration<Value>;
   using Push = impact::Push<Value>;
-  static constexpr ContactTraits traits = constant_force_traits();
+  static constexpr ContactTraits traits = [] {
+    ContactTraits own = constant_force_traits();
+    own.tells_energy = true;
+    return own;
+  }();
   static constexpr bool is_per_impact = ContactLaw::is_damped_per_impact;
   using Stiff = StiffContact<Format, ContactLaw>;
   using Factor = decltype(Format::constant(0));
@@ -148,13 +152,14 @@ struct EnergyPower : ContactDefaults, ImpactDamping<Format, ContactLaw::is_dampe
   Value memory[3];  // of a resolved contact taken(), of a stiff one stored_rate()
   Phase phase;
 
-  // A stiff contact may store less than its penetration tells, and still does.
+  // A stiff contact may store less than its penetration tells, and keeps that share of it.
   constexpr Penetration resume(const Plan& plan, const Units& units, const Standing<Value>& standing) {
     if constexpr (is_per_impact) this->hold_damping(plan, standing.penetration, standing.rate);
-    Value lacking{};
-    if (plan.response.is_sudden) lacking = no_less(plan.stiff.rate_at(penetration) - stored_rate(), Value{});
+    const Value kept = stored_rate();
+    const Value told = plan.response.is_sudden ? plan.stiff.rate_at(penetration) : Value{};
     start(plan, units, standing);
-    if (plan.response.is_sudden) stored_rate() = no_less(stored_rate() - lacking, Value{});
+    if (plan.response.is_sudden && is_positive(told - kept))
+      stored_rate() = Format::value(stored_rate() * Format::quotient(positive_part(kept), positive_part(told)));
     return penetration;
   }
   constexpr void start(const Plan& plan, const Units&, const Standing<Value>& standing) {

@@ -48,6 +48,7 @@
 //
 // Feature   kind                       uint32_t, not 0, another one for each
 //           is_bound                   what it records depends on the plan's forces
+//           reads_touch                it reads a contact's rate_at_touch, which is else not computed
 //           State<Format>              a base of the absorber's state, that record_in<Feature, Plan>(state) is
 //           start(plan, state), after_contact(plan, state, step), after_step(plan, state),
 //           after_correction(plan, state), is_sound(plan, state)    see features.hpp; SilentFeature, a base, has them

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <host_ref/settled.hpp>
 #include <host_ref/text.hpp>
@@ -103,8 +104,8 @@ void settle(Settings& settings, const Given& given) {
   if (has("restitution")) {
     scene.contact_damping = per_impact ? 0 : damping_from(settings, given.at("restitution"));
   } else if (!has("contact-damping")) {
-    scene.contact_damping = request.law == Law::hertz ? 0 : paper_scene(request.law).contact_damping;
     const Scene usual = paper_scene(request.law);
+    scene.contact_damping = request.law == Law::hertz ? 0 : usual.contact_damping;
     settings.is_damping_unstated =
         request.law != Law::hertz && scene.stops != Stops::none && scene.contact_stiffness != usual.contact_stiffness;
     if (settings.is_damping_unstated)
@@ -153,6 +154,12 @@ void settle(Settings& settings, const Given& given) {
     throw BadInput("--duration", has("duration") ? given.at("duration") : short_text(request.duration),
                    "a number from 0 to " + texts_within(0, most_steps * request.step).second + " s, 1e9 steps of " +
                        shortest_text(request.step) + " s");
+  if (has("every") && settings.every > step_count(request))
+    settings.remarks.push_back("--every " + given.at("every") + " is more than the run's " +
+                               std::to_string(step_count(request)) + " steps: only the initial state is written");
+  const std::filesystem::path extension = std::filesystem::path(settings.plot).extension();
+  if (!extension.empty() && extension != ".svg")
+    settings.remarks.push_back("--plot " + settings.plot + ": the file is SVG, whatever its name says");
   if (is_sampled_sine) {
     constexpr long most_samples = 100000000;
     const long steps = step_count(request);

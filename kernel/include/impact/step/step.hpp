@@ -339,16 +339,12 @@ template <class Model> struct Step {
     Penetration acceleration = units.increment_of_rate(approach.increment);
     if constexpr (feels_friction) acceleration = acceleration - rubbed;
     const bool is_slow = changes_much<Format>(approach.rate, approach.travel);
-    if constexpr (traits.finds_grazing) {
-      const SlowTouch<Format> touch(is_slow, approach.penetration, approach.rate, approach.travel, acceleration);
+    if constexpr (!traits.keeps_force) {
+      const SlowTouch<Format, traits.finds_grazing> touch(is_slow, approach.penetration, approach.rate, approach.travel,
+                                                          acceleration);
       if (touch.exists) return touch.rate;
     }
     if (!is_positive(approach.penetration) || !is_positive(approach.travel)) return approach.rate;
-    if (is_slow && !traits.finds_grazing && !traits.keeps_force) {
-      const Penetration rate = rate_of_slow_touch<Format, traits.finds_grazing>(approach.penetration, approach.rate,
-                                                                                approach.travel, acceleration);
-      if (is_positive(rate)) return rate;
-    }
     const auto divisor = Format::divisor(without_sign(approach.travel));
     return rate_at_touch<Format>(divisor, divisor.share(without_sign(approach.penetration)), approach.travel,
                                  approach.rate, acceleration, 0);

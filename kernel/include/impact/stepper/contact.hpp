@@ -116,7 +116,7 @@ template <class Format> struct ContactStep {
   typename Format::Energy stored;
   Penetration<Value> rate;          // at the step's end, or before an impact that takes no time
   Penetration<Value> displacement;  // how far the contact moved, where its traits say knows_displacement
-  Penetration<Value> rate_at_start, rate_at_touch;  // the latter in the first step of a contact
+  Penetration<Value> rate_at_start, rate_at_touch;  // the latter in a contact's first step, if a feature reads_touch
   bool begins;
   Penetration<Value> rate_at_crossing;  // at the last touch of the other stop in the step
   typename Format::Energy work;         // of the force, where the contact starts_from_rate

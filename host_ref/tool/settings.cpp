@@ -159,7 +159,7 @@ void settle(Settings& settings, const Given& given) {
                                std::to_string(step_count(request)) + " steps: only the initial state is written");
   const std::filesystem::path extension = std::filesystem::path(settings.plot).extension();
   if (!extension.empty() && extension != ".svg")
-    settings.remarks.push_back("--plot " + settings.plot + ": the file is SVG, whatever its name says");
+    settings.remarks.push_back("--plot " + settings.plot + ": a plot is SVG, whatever the name of its file says");
   if (is_sampled_sine) {
     constexpr long most_samples = 100000000;
     const long steps = step_count(request);

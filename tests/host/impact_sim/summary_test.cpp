@@ -79,7 +79,7 @@ TEST_F(ImpactSim, SaysWhatAUserMayNotExpect) {
       {moment + "--part cortex-m3", "was not measured", ""},
       {"--duration 0.01 --step 1e-3 --every 11", "--every 11 is more than the run's 10 steps", ""},
       {"--duration 0.01 --step 1e-3 --every 10", "", "--every"},
-      {"--duration 0.01 --plot p.png", "--plot p.png: the file is SVG", ""},
+      {"--duration 0.01 --plot p.png", "--plot p.png: a plot is SVG", ""},
       {"--duration 0.01 --plot p.svg", "", "whatever"},
       // A refusal names this way out only where there is one.
       {"--step 0.1", "without --step", ""},

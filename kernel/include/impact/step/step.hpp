@@ -338,8 +338,8 @@ template <class Model> struct Step {
     if (is_positive(approach.penetration - approach.travel)) return approach.rate;
     Penetration acceleration = units.increment_of_rate(approach.increment);
     if constexpr (feels_friction) acceleration = acceleration - rubbed;
-    const bool is_slow = changes_much<Format>(approach.rate, approach.travel);
     if constexpr (!traits.keeps_force) {
+      const bool is_slow = changes_much<Format>(approach.rate, approach.travel);
       const SlowTouch<Format, traits.finds_grazing> touch(is_slow, approach.penetration, approach.rate, approach.travel,
                                                           acceleration);
       if (touch.exists) return touch.rate;

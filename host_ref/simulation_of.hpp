@@ -117,7 +117,7 @@ class KernelSimulation final : public Simulation {
       case Fault::none:
         return nullptr;
       case Fault::sample:
-        return "a drive sample beyond its bound";
+        return "a sample of the drive or of the base beyond its bound";
       case Fault::displacement:
         return displacement_fault.data();
       case Fault::speed:

@@ -120,7 +120,7 @@ inline ScenePlan scene_from(std::string_view text, SampleFiles& files) {
     if (damping) scene.contact_damping = *damping;
     if (!damping)
       plan.refusal = {"restitution", shortest_text(scene.restitution),
-                      plan.request.law == Law::hertz ? "1 to 1" : "0.001 to 1"};
+                      plan.request.law == Law::hertz ? "1 to 1" : "0.01 to 1"};
   }
   if (plan.refusal.field.empty()) plan.refusal = store_samples(plan.request, stated, files);
   return plan;

@@ -216,9 +216,14 @@ TEST_F(ImpactSim, EveryFaultSaysWhatItIs) {
       {"--numeric fixed32 --bound-displacement 0.012 --bound-penetration 0.004", "a displacement beyond its bound"},
       {"--numeric fixed32 --bound-speed 0.1", "a speed beyond its bound"},
       {"--numeric fixed32 --bound-penetration 0.001", "a penetration beyond its bound"},
-      {"--numeric fixed32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
-      {"--numeric float32 --drive-file forces --bound-force 2", "a drive sample beyond its bound"},
-      {"--numeric float32-plain --drive-file forces --bound-force 2", "a drive sample beyond its bound"}};
+      {"--numeric fixed32 --drive-file forces --bound-force 2",
+       "a sample of the drive or of the base beyond its bound"},
+      {"--numeric float32 --drive-file forces --bound-force 2",
+       "a sample of the drive or of the base beyond its bound"},
+      {"--numeric float32-plain --drive-file forces --bound-force 2",
+       "a sample of the drive or of the base beyond its bound"},
+      {"--numeric fixed32 --base-acceleration-file forces --bound-base-acceleration 2",
+       "a sample of the drive or of the base beyond its bound"}};
   for (const auto& [arguments, reason] : faults) {
     write(file("data.csv"), "old\n");
     const Result result = run(std::string("--newmark moment --output data.csv ") + arguments);

@@ -51,9 +51,9 @@ std::string limit_of_step(const Settled& settled, double longest) {
              " requires more steps in it; auto takes a stepper that suits the step";
     case PlanStatus::step:
       if (scene.drive_pulsation * 1.001 * longest > longest_turn)
-        return "a step may span at most 2.95 rad of the drive";
+        return "a step may span at most " + short_text(longest_turn) + " rad of the drive";
       if (scene.main_damping * 1.001 * longest > scene.main_mass) return "a step may be at most M/c, for the damper";
-      if (1.001 * longest > step_range.most) return "a step may be at most 0.1 s";
+      if (1.001 * longest > step_range.most) return "a step may be at most " + short_text(step_range.most) + " s";
       return "a step must be a small part of a period of the main mass's own vibration, which has " +
              short_text(natural_pulsation(scene)) + " rad/s";
     default:

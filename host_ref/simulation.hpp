@@ -60,10 +60,10 @@ struct Request {
   bool damping_is_by_restitution = false;  // Scene::contact_damping is found from --restitution
   double step = 1e-4;                      // h, s
   std::optional<Bounds> bounds{};          // an absent or NaN bound is open: make_simulation finds it
-  double duration = 1.0;                   // s, used only to find bounds
-  std::vector<double> samples{};           // drive samples, N, used only to find bounds
+  double duration = 1.0;                   // s, of the whole run
+  std::vector<double> samples{};           // drive samples, N, one a step
   bool is_shaken = false;                  // the base accelerates:
-  std::vector<double> base_samples{};      // m/s^2, used only to find bounds
+  std::vector<double> base_samples{};      // m/s^2, one a step
   bool counts_drive_work = true;           // for Sample::drive_work
 };
 bool has_open_bounds(const Request& request);  // true if a run must find a bound

@@ -34,8 +34,7 @@ std::vector<double> samples_from(const SampleKind& kind, const std::string& file
 double damping_from(const Settings& settings, const std::string& restitution) {
   const auto damping = damping_of(settings.request, settings.impact_speed, settings.paper_damping);
   if (damping) return *damping;
-  throw BadInput("--restitution", restitution,
-                 settings.request.law == Law::hertz ? "only 1 with --law hertz, which loses no energy" : "0 < E <= 1");
+  throw BadInput("--restitution", restitution, "only 1 with --law hertz, which loses no energy");
 }
 
 }  // namespace

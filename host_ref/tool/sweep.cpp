@@ -141,31 +141,31 @@ Sweep read_sweep(const Settings& settings, const std::vector<Argument>& argument
   return sweep;
 }
 
-struct Summary {
+struct SweptRun {
   double largest = 0, root_mean_square = 0;  // of x1, m
   Sample last;
   const char* fault = nullptr;
 };
 
-Summary summary_of(Simulation& simulation, const Request& request) {
-  Summary summary;
+SweptRun swept_run_of(Simulation& simulation, const Request& request) {
+  SweptRun swept;
   double squares = 0;
   long samples = 0;
-  summary.fault = run(simulation, request, step_count(request) + 1, [&](long, const double* x1, long count) {
+  swept.fault = run(simulation, request, step_count(request) + 1, [&](long, const double* x1, long count) {
     for (long i = 0; i < count; ++i) {
-      summary.largest = larger(summary.largest, std::abs(x1[i]));
+      swept.largest = larger(swept.largest, std::abs(x1[i]));
       squares += x1[i] * x1[i];
     }
     samples += count;
   });
-  summary.last = simulation.sample();
-  summary.root_mean_square = std::sqrt(squares / static_cast<double>(samples));
-  return summary;
+  swept.last = simulation.sample();
+  swept.root_mean_square = std::sqrt(squares / static_cast<double>(samples));
+  return swept;
 }
 
 double largest_alone(const Request& bare) {
   const Outcome outcome = make_simulation(bare);
-  return outcome.simulation ? summary_of(*outcome.simulation, bare).largest : 0;
+  return outcome.simulation ? swept_run_of(*outcome.simulation, bare).largest : 0;
 }
 
 // The largest |x1| of the main mass alone. One run serves all scenes with the same values for it.
@@ -199,16 +199,16 @@ std::string results_of(const SweptScene& scene, BareRuns& bare_runs) try {
   Request request = scene.settings.request;
   if (request.drive == DriveKind::sampled || request.is_shaken) request = settings_from(scene.arguments).request;
   request.counts_drive_work = false;
-  Summary summary;
-  attempted(request, [&](Simulation& simulation) { summary = summary_of(simulation, request); });
+  SweptRun swept;
+  attempted(request, [&](Simulation& simulation) { swept = swept_run_of(simulation, request); });
   const double bare_largest = bare_runs.largest(request, scene.settings.drive_file + "\n" + scene.settings.base_file +
                                                              "\n" + scene.settings.base_acceleration_file);
 
   const int digits = significant_digits(request.numeric);
   std::string attenuation;
-  if (bare_largest > 0) append_number(attenuation, 1 - summary.largest / bare_largest, digits);
-  return csv_line(digits, summary.largest, summary.root_mean_square, attenuation, summary.last.energy_dissipated,
-                  summary.last.impacts, one_cell(summary.fault ? summary.fault : ""));
+  if (bare_largest > 0) append_number(attenuation, 1 - swept.largest / bare_largest, digits);
+  return csv_line(digits, swept.largest, swept.root_mean_square, attenuation, swept.last.energy_dissipated,
+                  swept.last.impacts, one_cell(swept.fault ? swept.fault : ""));
 } catch (const BadInput& bad) {
   return ",,,,," + one_cell(bad.what()) + "\n";
 }

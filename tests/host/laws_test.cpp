@@ -1,6 +1,8 @@
 // Every law with a damping per impact: its formula, and its restitution in the kernel at any speed against the closed
 // form. Also the accepted range of e, and laws of a user.
 
+#include <set>
+
 #include "host_ref/free_pair.hpp"
 #include "host_ref/names.hpp"
 #include "kinds.hpp"
@@ -255,6 +257,14 @@ TEST(Laws, AreDistinguishedInASavedState) {
   };
   EXPECT_NE(identity_of(Flores{}), identity_of(HuGuo{}));
   EXPECT_NE(identity_of(Exact{}), identity_of(HuntCrossleyPerImpact{}));
+}
+template <class... Steppers> std::set<uint32_t> kinds_of() { return {Steppers::kind...}; }
+TEST(Laws, SteppersAreDistinguishedInASavedState) {
+  const std::set<uint32_t> kinds =
+      kinds_of<AverageAcceleration, LinearAcceleration, FoxGoodwin, CentralDifference, Moment, EnergyConsistent,
+               Impulsive, SubsteppedMoment<>, SubsteppedMoment<2>, SubsteppedMoment<4>, SubsteppedMoment<8>,
+               SubsteppedMoment<16>, SubsteppedMoment<32>, SubsteppedMoment<64>, SubsteppedMoment<128>>();
+  EXPECT_EQ(kinds.size(), 15U);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ struct Plan : Field::template FieldPlan<Format>, Friction::template FrictionPlan
   constexpr double sample_unit() const { return drive_scale; }
   // m/s^2, for a sample of the base's acceleration.
   constexpr double base_sample_unit() const {
-    static_assert(Field::is_sampled, "base_sample_of() requires BaseAcceleration: append it to the absorber's type");
+    static_assert(Field::is_sampled, "base_sample_unit() requires BaseAcceleration: append it to the absorber's type");
     if constexpr (Field::is_sampled)
       return this->field.sample_unit;
     else

@@ -21,7 +21,7 @@ template <int named = 0> struct SubsteppedMoment {
   static constexpr int most = named == 0 ? 16384 : named;
   static_assert(most >= 2 && most <= 16384 && (most & (most - 1)) == 0,
                 "SubsteppedMoment<most>: the largest number of sub-steps must be a power of two from 2 to 16384");
-  static constexpr uint32_t kind = named == 0 ? 34 : named;  // a saved state is of one kind of stepper
+  static constexpr uint32_t kind = 34 + named;  // a saved state is of one kind of stepper
   // From so many on, a sub-step with contact has its displacement from the rate at its end and from the acceleration
   // at a third of it before. As a difference of two penetrations of the flight it would have few bits:
   // kernel/docs/moment.md.
@@ -131,11 +131,6 @@ template <int named = 0> struct SubsteppedMoment {
     static constexpr double both_masses(const ContactTerms& terms) {
       return constant::smaller(terms.ball_mass, terms.main_mass) / terms.reduced_mass();
     }
-    // The displacement in a sub-step has 20 bits. With a bound of penetration far above that of an impact it has fewer,
-    // and then the rounding of impulses creates energy.
-    static constexpr double finest_penetration(const ContactTerms& terms) {
-      return 0x1p-20 * terms.largest_rate * in_a_part(terms).step;
-    }
     static constexpr ContactTerms in_a_part(ContactTerms terms) {
       terms.step /= terms.parts;
       return terms;
@@ -173,6 +168,7 @@ template <int named = 0> struct SubsteppedMoment {
       ContactTerms sub = in_a_part(terms);
       const double n = terms.parts;
       Scene main{};
+      main.drive_pulsation = 0;
       main.main_mass = terms.main_mass;
       main.main_stiffness = terms.main_stiffness;
       main.main_damping = terms.main_damping;
